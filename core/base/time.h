@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time as a value. Core reads no clock: whoever has one (link, session, a test) passes the time in.
+#pragma once
+
+#include <chrono>
+#include <compare>
+#include <cstdint>
+#include <limits>
+
+namespace deckpipe {
+
+using Duration = std::chrono::nanoseconds;
+using namespace std::chrono_literals;
+
+// A point in log time: nanoseconds, never falling within one log. Live it follows CLOCK_BOOTTIME, of a
+// file it is the running maximum of the stamps (design: "Two times").
+struct Instant {
+  std::int64_t ns = 0;
+
+  friend constexpr auto operator<=>(Instant, Instant) = default;
+  friend constexpr Instant operator+(Instant t, Duration d) { return {t.ns + d.count()}; }
+  friend constexpr Instant operator-(Instant t, Duration d) { return {t.ns - d.count()}; }
+  friend constexpr Duration operator-(Instant a, Instant b) { return Duration{a.ns - b.ns}; }
+};
+
+// Later than every event; "never" as an answer to "when do you next need time?".
+inline constexpr Instant kNever{std::numeric_limits<std::int64_t>::max()};
+// Before every event; the time of something that has not happened.
+inline constexpr Instant kNotYet{std::numeric_limits<std::int64_t>::min()};
+
+}  // namespace deckpipe

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "bus/canopen.h"
+#include "bus/j1939.h"
+#include "bus/load.h"
+
+namespace deckpipe {
+namespace {
+
+TEST(J1939Id, TakesPdu1ApartIntoPgnAndDestination) {
+  const J1939Id id = J1939Id::of(0x18EF8005);
+  EXPECT_EQ(id.priority, 6);
+  EXPECT_EQ(id.pgn, pgn::kProprietaryA);
+  EXPECT_EQ(id.destination, Address{0x80});
+  EXPECT_EQ(id.source, Address{0x05});
+  EXPECT_TRUE(id.hasDestination());
+}
+
+TEST(J1939Id, KeepsThePduSpecificOfABroadcastInThePgn) {
+  const J1939Id id = J1939Id::of(0x0CFDD633);
+  EXPECT_EQ(id.pgn, pgn::kBasicJoystick);
+  EXPECT_EQ(id.source, Address{0x33});
+  EXPECT_FALSE(id.hasDestination());
+}
+
+TEST(J1939Id, CountsBothDataPagesAsPartOfThePgn) {
+  EXPECT_EQ(J1939Id::of(0x19EF8005).pgn, 0x1EF00u);
+  EXPECT_EQ(J1939Id::of(0x1AEF8005).pgn, 0x2EF00u);
+}
+
+TEST(J1939Id, IsPutTogetherAsItWasTakenApart) {
+  for (const std::uint32_t id : {0x18EF8005u, 0x0CFDD633u, 0x18EEFF80u, 0x1BFFFFFFu, 0x00000000u}) {
+    EXPECT_EQ(J1939Id::of(id).frameId(), id | kExtendedBit);
+  }
+}
+
+TEST(CobId, SplitsFunctionAndNode) {
+  const CobId id = CobId::of(0x5A4);
+  EXPECT_EQ(id.function, static_cast<std::uint16_t>(CobFunction::SdoResponse));
+  EXPECT_EQ(id.node, NodeId{0x24});
+  EXPECT_EQ(cobId(CobFunction::SdoResponse, {0x24}), 0x5A4u);
+}
+
+TEST(CobId, KnowsWhichFunctionsCarryANode) {
+  EXPECT_TRUE(CobId::of(0x724).hasNode());
+  EXPECT_TRUE(CobId::of(0x0A4).hasNode());
+  EXPECT_FALSE(CobId::of(0x000).hasNode());
+  EXPECT_FALSE(CobId::of(0x080).hasNode());
+  EXPECT_FALSE(CobId::of(0x123).hasNode());
+}
+
+TEST(BusLoad, CountsTheBitsOfAFrameBetweenUnstuffedAndFullyStuffed) {
+  Frame frame;
+  frame.id = kExtendedBit | 0x18EFFF80;
+  frame.length = 8;
+  EXPECT_GE(estimatedBits(frame), 131u);
+  EXPECT_LE(estimatedBits(frame), 160u);
+  frame.id |= kRemoteBit;
+  EXPECT_LT(estimatedBits(frame), 80u);
+}
+
+}  // namespace
+}  // namespace deckpipe
