@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/typed.h"
+
+#include <bit>
+#include <cstdlib>
+
+namespace deckpipe {
+namespace {
+
+consteval BitRange position(std::string_view key) {
+  return fieldOf(akron::kPositionLimitStatusFields, key).bits;
+}
+
+template <typename Array>
+consteval std::array<BitRange, 5> stops(const Array& keys) {
+  std::array<BitRange, 5> bits{};
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    bits[i] = fieldOf(akron::kPositionLimitStatusFields, keys[i]).bits;
+  return bits;
+}
+constexpr auto kPlusStops = stops(std::array<std::string_view, 5>{
+    "axis1_plus_stop", "axis2_plus_stop", "axis3_plus_stop", "axis4_plus_stop", "axis5_plus_stop"});
+constexpr auto kMinusStops = stops(std::array<std::string_view, 5>{
+    "axis1_minus_stop", "axis2_minus_stop", "axis3_minus_stop", "axis4_minus_stop", "axis5_minus_stop"});
+
+template <std::size_t N>
+consteval std::array<BitRange, N> switches(std::span<const Field> fields) {
+  std::array<BitRange, N> bits{};
+  std::size_t at = 0;
+  for (const Field& field : fields) {
+    if (field.key.starts_with("switch_")) bits[at++] = field.bits;
+  }
+  return bits;
+}
+constexpr auto kSwitches = switches<12>(j1939::kBasicJoystickFields);
+constexpr auto kGripSwitches = switches<4>(j1939::kExtendedJoystickFields);
+
+unsigned bitsOf(const Frame& frame, BitRange range) {
+  return static_cast<unsigned>(readBits(frame.data, range));
+}
+Status2 statusOf(const Frame& frame, BitRange range) { return static_cast<Status2>(bitsOf(frame, range)); }
+bool flagOf(const Frame& frame, BitRange range) { return bitsOf(frame, range) != 0; }
+void put(Encoded& out, BitRange range, std::uint64_t value) { writeBits(out.data, range, value); }
+void put(Encoded& out, BitRange range, Status2 value) { put(out, range, static_cast<std::uint64_t>(value)); }
+
+// An encoded message with its first byte, everything else 0.
+Encoded blank(MessageId id) {
+  const Message& message = messageOf(id);
+  Encoded out;
+  out.length = static_cast<std::uint8_t>(message.maxLength());
+  if (message.firstByte >= 0) out.data[0] = static_cast<std::uint8_t>(message.firstByte);
+  return out;
+}
+
+PositionReading readingOf(const Frame& frame, const Field& field) {
+  return readPosition(bitsOf(frame, field.bits), bitsOf(frame, field.plus), bitsOf(frame, field.minus));
+}
+
+void putReading(Encoded& out, const Field& field, const PositionReading& reading) {
+  const auto signs = [&](Status2 plus, Status2 minus) {
+    put(out, field.plus, plus);
+    put(out, field.minus, minus);
+  };
+  put(out, field.bits,
+      reading.state == PositionState::Ok ? static_cast<unsigned>(std::abs(reading.tenths)) : 0xFFFu);
+  switch (reading.state) {
+    case PositionState::Ok:
+      if (reading.tenths != 0)
+        signs(reading.tenths > 0 ? Status2::On : Status2::Off,
+              reading.tenths < 0 ? Status2::On : Status2::Off);
+      break;
+    case PositionState::SensorError: signs(Status2::On, Status2::Off); break;
+    case PositionState::NotFitted: signs(Status2::NotAvailable, Status2::NotAvailable); break;
+    case PositionState::Invalid: signs(Status2::Error, Status2::Error); break;
+  }
+}
+
+StickAxis axisOf(const Frame& frame, const Field& percent, BitRange neutral) {
+  const unsigned plus = bitsOf(frame, percent.plus), minus = bitsOf(frame, percent.minus);
+  const auto tenths = readAxis(bitsOf(frame, percent.bits), plus, minus);
+  StickAxis axis{{}, static_cast<Status2>(plus), static_cast<Status2>(minus), statusOf(frame, neutral)};
+  if (tenths) axis.tenths = static_cast<std::int16_t>(*tenths);
+  return axis;
+}
+
+void putAxis(Encoded& out, const Field& percent, BitRange neutral, const StickAxis& axis) {
+  put(out, percent.bits, axis.tenths ? static_cast<unsigned>(std::abs(*axis.tenths)) : 0x3FFu);
+  put(out, percent.plus, axis.plus);
+  put(out, percent.minus, axis.minus);
+  put(out, neutral, axis.neutral);
+}
+
+constexpr Field kRotation = fieldOf(akron::kPositionLimitStatusFields, "rotation_deg");
+constexpr Field kElevation = fieldOf(akron::kPositionLimitStatusFields, "elevation_deg");
+SoftLimits limitsOf(const Frame& frame, BitRange low, BitRange high) {
+  return {static_cast<std::int16_t>(signExtend(readBits(frame.data, low), low.width)),
+          static_cast<std::int16_t>(signExtend(readBits(frame.data, high), high.width)), false};
+}
+
+constexpr BitRange kLeft = fieldOf(akron::kRotationSoftLimitsFields, "left_deg").bits;
+constexpr BitRange kRight = fieldOf(akron::kRotationSoftLimitsFields, "right_deg").bits;
+constexpr BitRange kOscillating = fieldOf(akron::kRotationSoftLimitsFields, "oscillating").bits;
+constexpr BitRange kDown = fieldOf(akron::kElevationSoftLimitsFields, "down_deg").bits;
+constexpr BitRange kUp = fieldOf(akron::kElevationSoftLimitsFields, "up_deg").bits;
+
+constexpr Field kX = fieldOf(j1939::kBasicJoystickFields, "x_percent");
+constexpr Field kY = fieldOf(j1939::kBasicJoystickFields, "y_percent");
+constexpr BitRange kXNeutral = fieldOf(j1939::kBasicJoystickFields, "x_neutral").bits;
+constexpr BitRange kYNeutral = fieldOf(j1939::kBasicJoystickFields, "y_neutral").bits;
+constexpr Field kGripX = fieldOf(j1939::kExtendedJoystickFields, "grip_x_percent");
+constexpr Field kGripY = fieldOf(j1939::kExtendedJoystickFields, "grip_y_percent");
+constexpr Field kGripTheta = fieldOf(j1939::kExtendedJoystickFields, "grip_theta_percent");
+constexpr BitRange kGripXNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_x_neutral").bits;
+constexpr BitRange kGripYNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_y_neutral").bits;
+constexpr BitRange kGripThetaNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_theta_neutral").bits;
+
+// A struct's flags beside their bits, so that reading and writing go over one list.
+template <typename Struct>
+struct FlagAt {
+  bool Struct::*member;
+  BitRange bits;
+};
+
+constexpr FlagAt<DigitalOutputs> kOutputFlags[] = {
+    {&DigitalOutputs::panelLed, fieldOf(akron::kDigitalOutputsFields, "panel_led").bits},
+    {&DigitalOutputs::pointAimLed, fieldOf(akron::kDigitalOutputsFields, "point_aim_led").bits},
+    {&DigitalOutputs::outsideExclusionZone,
+     fieldOf(akron::kDigitalOutputsFields, "outside_exclusion_zone").bits},
+    {&DigitalOutputs::remoteMode, fieldOf(akron::kDigitalOutputsFields, "remote_mode").bits},
+    {&DigitalOutputs::wirelessLed, fieldOf(akron::kDigitalOutputsFields, "wireless_led").bits},
+    {&DigitalOutputs::highFlow, fieldOf(akron::kDigitalOutputsFields, "high_flow").bits},
+    {&DigitalOutputs::dischargeValve, fieldOf(akron::kDigitalOutputsFields, "discharge_valve").bits},
+    {&DigitalOutputs::auxAgent, fieldOf(akron::kDigitalOutputsFields, "aux_agent").bits},
+    {&DigitalOutputs::soeMode, fieldOf(akron::kDigitalOutputsFields, "soe_mode").bits},
+    {&DigitalOutputs::pointAimMode, fieldOf(akron::kDigitalOutputsFields, "point_aim_mode").bits},
+    {&DigitalOutputs::stowed, fieldOf(akron::kDigitalOutputsFields, "stowed").bits},
+    {&DigitalOutputs::active, fieldOf(akron::kDigitalOutputsFields, "active").bits},
+    {&DigitalOutputs::enable, fieldOf(akron::kDigitalOutputsFields, "enable").bits},
+};
+constexpr FlagAt<MiniOutputs> kMiniFlags[] = {
+    {&MiniOutputs::riserRetracted, fieldOf(akron::kMiniDigitalOutputsFields, "riser_retracted").bits},
+    {&MiniOutputs::riserExtended, fieldOf(akron::kMiniDigitalOutputsFields, "riser_extended").bits},
+    {&MiniOutputs::deviceFaulted, fieldOf(akron::kMiniDigitalOutputsFields, "device_faulted").bits},
+    {&MiniOutputs::deviceActive, fieldOf(akron::kMiniDigitalOutputsFields, "device_active").bits},
+};
+constexpr FlagAt<DigitalInputs> kInputFlags[] = {
+    {&DigitalInputs::allowedInCollisionZone,
+     fieldOf(akron::kDigitalInputsFields, "allowed_in_collision_zone").bits},
+    {&DigitalInputs::deploy, fieldOf(akron::kDigitalInputsFields, "deploy").bits},
+    {&DigitalInputs::stow, fieldOf(akron::kDigitalInputsFields, "stow").bits},
+};
+constexpr FlagAt<Permissive> kPermissiveFlags[] = {
+    {&Permissive::axis1Plus, fieldOf(akron::kSoePermissiveFields, "axis1_plus").bits},
+    {&Permissive::axis1Minus, fieldOf(akron::kSoePermissiveFields, "axis1_minus").bits},
+    {&Permissive::axis2Plus, fieldOf(akron::kSoePermissiveFields, "axis2_plus").bits},
+    {&Permissive::axis2Minus, fieldOf(akron::kSoePermissiveFields, "axis2_minus").bits},
+};
+constexpr BitRange kRiserCommand = fieldOf(akron::kDigitalOutputsFields, "riser_command").bits;
+
+template <typename Struct, std::size_t N>
+Struct flagsOf(const Frame& frame, const FlagAt<Struct> (&flags)[N]) {
+  Struct result;
+  for (const auto& flag : flags) result.*flag.member = flagOf(frame, flag.bits);
+  return result;
+}
+template <typename Struct, std::size_t N>
+Encoded encodeFlags(MessageId id, const Struct& value, const FlagAt<Struct> (&flags)[N]) {
+  Encoded out = blank(id);
+  for (const auto& flag : flags) put(out, flag.bits, std::uint64_t{value.*flag.member});
+  return out;
+}
+
+}  // namespace
+
+PositionLimitStatus PositionLimitStatus::of(const Frame& frame) {
+  PositionLimitStatus s;
+  s.rotation = readingOf(frame, kRotation);
+  s.elevation = readingOf(frame, kElevation);
+  for (std::size_t i = 0; i < 5; ++i) {
+    s.plusStop[i] = statusOf(frame, kPlusStops[i]);
+    s.minusStop[i] = statusOf(frame, kMinusStops[i]);
+  }
+  s.operationalError = statusOf(frame, position("operational_error"));
+  s.calibrated = statusOf(frame, position("calibrated"));
+  return s;
+}
+
+Encoded PositionLimitStatus::encode() const {
+  Encoded out = blank(MessageId::PositionLimitStatus);
+  putReading(out, kRotation, rotation);
+  putReading(out, kElevation, elevation);
+  for (std::size_t i = 0; i < 5; ++i) {
+    put(out, kPlusStops[i], plusStop[i]);
+    put(out, kMinusStops[i], minusStop[i]);
+  }
+  put(out, position("operational_error"), operationalError);
+  put(out, position("calibrated"), calibrated);
+  return out;
+}
+
+SoftLimits SoftLimits::ofRotation(const Frame& frame) {
+  SoftLimits limits = limitsOf(frame, kLeft, kRight);
+  limits.oscillating = flagOf(frame, kOscillating);
+  return limits;
+}
+
+SoftLimits SoftLimits::ofElevation(const Frame& frame) { return limitsOf(frame, kDown, kUp); }
+
+Encoded SoftLimits::encodeRotation() const {
+  Encoded out = blank(MessageId::RotationSoftLimits);
+  put(out, kLeft, static_cast<std::uint16_t>(low));
+  put(out, kRight, static_cast<std::uint16_t>(high));
+  put(out, kOscillating, std::uint64_t{oscillating});
+  return out;
+}
+
+Encoded SoftLimits::encodeElevation() const {
+  Encoded out = blank(MessageId::ElevationSoftLimits);
+  put(out, kDown, static_cast<std::uint16_t>(low));
+  put(out, kUp, static_cast<std::uint16_t>(high));
+  return out;
+}
+
+DigitalOutputs DigitalOutputs::of(const Frame& frame) {
+  DigitalOutputs outputs = flagsOf(frame, kOutputFlags);
+  outputs.riserCommand = static_cast<std::uint8_t>(bitsOf(frame, kRiserCommand));
+  return outputs;
+}
+
+Encoded DigitalOutputs::encode() const {
+  Encoded out = encodeFlags(MessageId::DigitalOutputs, *this, kOutputFlags);
+  put(out, kRiserCommand, std::uint64_t{riserCommand});
+  return out;
+}
+
+MiniOutputs MiniOutputs::of(const Frame& frame) { return flagsOf(frame, kMiniFlags); }
+Encoded MiniOutputs::encode() const { return encodeFlags(MessageId::MiniDigitalOutputs, *this, kMiniFlags); }
+DigitalInputs DigitalInputs::of(const Frame& frame) { return flagsOf(frame, kInputFlags); }
+Encoded DigitalInputs::encode() const { return encodeFlags(MessageId::DigitalInputs, *this, kInputFlags); }
+Permissive Permissive::of(const Frame& frame) { return flagsOf(frame, kPermissiveFlags); }
+
+StickAxis StickAxis::at(int tenths) {
+  StickAxis axis;
+  axis.tenths = static_cast<std::int16_t>(tenths);
+  axis.plus = tenths > 0 ? Status2::On : Status2::Off;
+  axis.minus = tenths < 0 ? Status2::On : Status2::Off;
+  axis.neutral = tenths == 0 ? Status2::On : Status2::Off;
+  return axis;
+}
+
+BasicJoystick BasicJoystick::of(const Frame& frame) {
+  BasicJoystick joystick;
+  joystick.x = axisOf(frame, kX, kXNeutral);
+  joystick.y = axisOf(frame, kY, kYNeutral);
+  for (std::size_t i = 0; i < kSwitches.size(); ++i) joystick.switches[i] = statusOf(frame, kSwitches[i]);
+  return joystick;
+}
+
+Encoded BasicJoystick::encode() const {
+  Encoded out = blank(MessageId::BasicJoystick);
+  putAxis(out, kX, kXNeutral, x);
+  putAxis(out, kY, kYNeutral, y);
+  for (std::size_t i = 0; i < kSwitches.size(); ++i) put(out, kSwitches[i], switches[i]);
+  return out;
+}
+
+ExtendedJoystick ExtendedJoystick::of(const Frame& frame) {
+  ExtendedJoystick joystick;
+  joystick.gripX = axisOf(frame, kGripX, kGripXNeutral);
+  joystick.gripY = axisOf(frame, kGripY, kGripYNeutral);
+  joystick.gripTheta = axisOf(frame, kGripTheta, kGripThetaNeutral);
+  for (std::size_t i = 0; i < kGripSwitches.size(); ++i)
+    joystick.switches[i] = statusOf(frame, kGripSwitches[i]);
+  return joystick;
+}
+
+FaultStatus FaultStatus::of(const Frame& frame) {
+  constexpr Field kPcodeError = fieldOf(akron::kFaultResponseFields, "pcode_error");
+  FaultStatus status;
+  status.map = bitsOf(frame, fieldOf(akron::kFaultResponseFields, "faults").bits);
+  if (kPcodeError.bits.bytesNeeded() <= frame.length) {
+    status.pcodeError = static_cast<std::uint16_t>(bitsOf(frame, kPcodeError.bits));
+  }
+  return status;
+}
+
+FirmwareVersions FirmwareVersions::of(const Frame& frame) {
+  return {
+      static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kFirmwareResponseFields, "fixed_boot").bits)),
+      static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kFirmwareResponseFields, "bootloader").bits)),
+      static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kFirmwareResponseFields, "system").bits))};
+}
+
+PcodeVersion PcodeVersion::of(const Frame& frame) {
+  return {static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kPcodeResponseFields, "style").bits)),
+          static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kPcodeResponseFields, "subtype").bits)),
+          static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kPcodeResponseFields, "version").bits))};
+}
+
+ConfigVersion ConfigVersion::of(const Frame& frame) {
+  return {bitsOf(frame, fieldOf(akron::kConfigResponseFields, "config_type").bits),
+          static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kConfigResponseFields, "version").bits))};
+}
+
+std::optional<Pin> announcedPin(const Frame& frame) {
+  return Pin::make(bitsOf(frame, akron::kPinType), bitsOf(frame, akron::kPinLetter5),
+                   bitsOf(frame, akron::kPinLetter6), bitsOf(frame, akron::kPinSerial));
+}
+
+std::uint32_t Name::identityNumber() const {
+  return part(fieldOf(j1939::kNameFields, "identity_number").bits);
+}
+std::uint32_t Name::manufacturerCode() const {
+  return part(fieldOf(j1939::kNameFields, "manufacturer_code").bits);
+}
+std::uint32_t Name::function() const { return part(fieldOf(j1939::kNameFields, "function").bits); }
+
+}  // namespace deckpipe
