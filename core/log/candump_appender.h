@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The in-order half of reading candump logs: what parsers made of one block after the other goes into the
+// store, with line numbers and channels as they are in the whole text. One a reading, one thread at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "log/candump.h"
+#include "log/candump_parser.h"
+#include "log/frame_store.h"
+#include "log/reading.h"
+#include "log/unkept.h"
+
+namespace deckpipe {
+
+inline constexpr std::string_view kNotCandump = "not a candump log";
+
+// The store's index for each of one parser's channels.
+class ChannelMap {
+ public:
+  void set(LocalChannel local, std::uint8_t index) {
+    if (local == kUnnamedChannel) {
+      m_unnamed = index;
+      return;
+    }
+    if (local >= m_indexes.size()) m_indexes.resize(local + std::size_t{1});
+    m_indexes[local] = index;
+  }
+  std::uint8_t operator[](LocalChannel local) const {
+    return local == kUnnamedChannel ? m_unnamed : m_indexes[local];
+  }
+
+ private:
+  std::vector<std::uint8_t> m_indexes;
+  std::uint8_t m_unnamed = 0;
+};
+
+class CandumpAppender {
+ public:
+  CandumpAppender(FrameStore& store, UnkeptList& unkept) : m_store(store), m_unkept(&unkept) {}
+  // Reports go there from now on.
+  void reportTo(UnkeptList& unkept) { m_unkept = &unkept; }
+
+  // False where the store had no room.
+  bool append(CandumpBlock& block, ChannelMap& channels) {
+    for (const auto& [local, name] : block.channels) {
+      channels.set(local, m_store.channel(local == kUnnamedChannel ? m_unnamedIs : name));
+    }
+    if (!block.header.empty()) m_unnamedIs = block.header;
+    const std::span<Frame> frames(block.frames.data(), block.count);
+    for (Frame& frame : frames) {
+      frame.channel = channels[static_cast<LocalChannel>(frame.channel | frame.spare << 8)];
+      frame.spare = 0;
+    }
+    const std::uint64_t before = m_store.count();
+    const bool fits = m_store.append(frames);
+    m_unkept->add(block.unkept, m_lines);
+    m_frames += m_store.count() - before;
+    m_lines += block.lines;
+    return fits;
+  }
+
+  // A line of which a parser gets to see nothing.
+  void appendTooLong() { m_unkept->add(++m_lines, Unkept::LineTooLong); }
+
+  std::uint64_t lines() const { return m_lines; }
+  std::uint64_t frames() const { return m_frames; }
+
+ private:
+  FrameStore& m_store;
+  UnkeptList* m_unkept;
+  std::string m_unnamedIs{kUnnamedInterface};
+  std::uint64_t m_lines = 0;
+  std::uint64_t m_frames = 0;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One line of what candump and its relatives write, in every form we know of:
+//   (1700000000.123456) can0 18EFFF80#011D940371000041        candump -l and -L, cansend, python-can,
+//   SavvyCAN (1700000000.123456) can0 18EFFF80#011D940371000041 T      … -x, asc2log: sent (T) or received
+//   (R)
+//     data with or without '.' between bytes; #R, #R8 remote; 20000004#… error; ##0… CAN FD; _E a raw DLC
+//     the stamp with 0 to 9 decimals, or left out
+//   (1700000000.123456)  can0  RX - -  18EFFF80   [8]  01 1D 94 03 71 00 00 41   '....q..A'   candump's
+//   screen
+//     the stamp absent or a date (-t A, taken as UTC); "remote request"; ERRORFRAME; [08] CAN FD; {E} a raw
+//     DLC; -S bytes reversed and joined by '`'; -i bytes in binary; -c colours; -e lines about an error frame
+//   <0x18eeff01> [8] 05 a0 be 1c 00 a0 a0 c0                    canutils 4, with or without an interface
+//   interface = can0, family = 29, type = 3, proto = 1          … whose first line names it
+// Deltas (-t d) cannot be told from times; such a log reads as one with a time near 0 throughout.
+// This is the whole definition; CandumpParser has a faster way for the first form and must agree with it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "bus/frame.h"
+#include "log/unkept.h"
+
+namespace deckpipe {
+
+// A longer line is not a line of any log: the longest, CAN XL with separators, has some 6,200.
+inline constexpr std::size_t kMaxCandumpLine = 8192;
+
+struct CandumpLine {
+  enum class Kind : std::uint8_t {
+    Nothing,  // blank, a comment, words about the frame before
+    Frame,    // frame (its channel is 0) and interface, empty where the line names none
+    Header,   // interface: that of the lines after it which name none
+    Unkept,   // reason
+  };
+  Kind kind = Kind::Nothing;
+  Unkept reason = Unkept::Layout;
+  Frame frame;
+  std::string_view interface;
+};
+
+// `line` without its line feed. `scratch` may come to hold what `interface` views.
+CandumpLine readCandumpLine(std::string_view line, std::string& scratch);
+
+}  // namespace deckpipe

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "log/frame_store.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace deckpipe {
+namespace {
+
+constexpr std::uint64_t kChunkBytes = FrameStore::kChunkFrames * sizeof(Frame);
+
+// A hostile log may stamp anything: no sum of times overflows.
+std::int64_t plus(std::int64_t a, std::int64_t b) {
+  std::int64_t sum = 0;
+  if (!__builtin_add_overflow(a, b, &sum)) return sum;
+  return b > 0 ? std::numeric_limits<std::int64_t>::max() : std::numeric_limits<std::int64_t>::min();
+}
+std::int64_t minus(std::int64_t a, std::int64_t b) {
+  std::int64_t difference = 0;
+  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
+  return b < 0 ? std::numeric_limits<std::int64_t>::max() : std::numeric_limits<std::int64_t>::min();
+}
+
+}  // namespace
+
+FrameStore::FrameStore(StoreLimits limits) : m_limits(std::move(limits)) {}
+
+FrameStore::~FrameStore() {
+  for (auto& offsets : m_offsets) delete offsets.load(std::memory_order_relaxed);
+}
+
+// Where the next frames go: the rest of the last chunk, or a new one. Empty where there is no room at all.
+std::span<Frame> FrameStore::room() {
+  const std::uint64_t count = m_count.load(std::memory_order_relaxed);
+  if (count / kChunkFrames == m_chunks.size()) {
+    if (m_chunks.size() % kChunksTogether == 0) {
+      constexpr std::uint64_t bytes = kChunksTogether * kChunkBytes;
+      const std::uint64_t held = m_memory.size() * bytes - m_spilled.load(std::memory_order_relaxed);
+      MappedMemory memory;
+      if (held + bytes <= m_limits.memoryBytes) memory = MappedMemory::allocate(bytes);
+      if (!memory) {
+        memory = m_spill.next(bytes, m_limits.spillFolder);
+        if (!memory) return {};
+        m_spilled.fetch_add(bytes, std::memory_order_relaxed);
+      }
+      m_memory.push_back(std::move(memory));
+    }
+    std::byte* start = m_memory.back().start() + m_chunks.size() % kChunksTogether * kChunkBytes;
+    m_chunks.append({reinterpret_cast<Frame*>(start), std::make_unique<std::int64_t[]>(kBlocks)});
+  }
+  return {m_chunks[count / kChunkFrames].frames + count % kChunkFrames, kChunkFrames - count % kChunkFrames};
+}
+
+// Copies what fits into one chunk after the other, `take(index, frame)` moving log time on and marking jumps,
+// and publishes each chunk's part at once.
+template <typename Take>
+bool FrameStore::appendEach(std::span<const Frame> frames, Take take) {
+  while (!frames.empty()) {
+    const std::span<Frame> to = room();
+    if (to.empty()) return false;
+    const std::size_t n = std::min(to.size(), frames.size());
+    const std::uint64_t first = m_count.load(std::memory_order_relaxed);
+    std::int64_t* timeBefore = m_chunks[first / kChunkFrames].timeBefore.get();
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint64_t i = first + k;
+      if (i % kBlock == 0) timeBefore[i % kChunkFrames / kBlock] = m_time;
+      Frame frame = frames[k];
+      frame.flags &= static_cast<std::uint8_t>(~Frame::kTimeJump);
+      take(i, frame);
+      to[k] = frame;
+    }
+    m_count.store(first + n, std::memory_order_release);
+    frames = frames.subspan(n);
+  }
+  return true;
+}
+
+bool FrameStore::append(std::span<const Frame> frames) {
+  return appendEach(frames, [this](std::uint64_t i, Frame& frame) {
+    if (!frame.hasStamp()) return;
+    const std::int64_t value = m_live ? valueOf(i, frame) : frame.stamp;
+    const bool behind = value < m_time;
+    const bool leap = !behind && m_stamped && value - m_time > kLeap.count();
+    if (behind || leap) frame.flags |= Frame::kTimeJump;
+    if (!behind) m_time = value;
+    m_stamped = true;
+  });
+}
+
+bool FrameStore::append(std::span<const Frame> frames, Instant now) {
+  return appendEach(frames, [this, now](std::uint64_t i, Frame& frame) {
+    const bool known = offsetAt(frame.channel, i) != nullptr;
+    std::int64_t value = m_time;
+    if (frame.hasStamp() && known) value = valueOf(i, frame);
+    const bool drifted = std::max(minus(value, now.ns), minus(now.ns, value)) > kLiveDrift.count();
+    if (drifted || (frame.hasStamp() && !known)) {
+      if (frame.hasStamp() && known) frame.flags |= Frame::kTimeJump;
+      setOffset(i, frame, now.ns);
+      value = now.ns;
+    }
+    m_time = std::max(m_time, value);
+    m_stamped |= frame.hasStamp();
+  });
+}
+
+void FrameStore::setOffset(std::uint64_t i, const Frame& frame, std::int64_t now) {
+  m_live = true;
+  const Offset* before = offsetAt(frame.channel, i);
+  const std::int64_t offset = frame.hasStamp() ? minus(now, frame.stamp) : before ? before->offset : 0;
+  auto& list = m_offsets[frame.channel];
+  if (!list.load(std::memory_order_relaxed)) list.store(new StableList<Offset>, std::memory_order_release);
+  list.load(std::memory_order_relaxed)->append({i, offset, now});
+}
+
+const FrameStore::Offset* FrameStore::offsetAt(std::uint8_t channel, std::uint64_t i) const {
+  const StableList<Offset>* list = m_offsets[channel].load(std::memory_order_acquire);
+  if (!list) return nullptr;
+  std::size_t low = 0;  // the number of offsets set at i or before it
+  for (std::size_t high = list->size(); low < high;) {
+    const std::size_t middle = high - (high - low + 1) / 2;
+    if ((*list)[middle].frame <= i) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low == 0 ? nullptr : &(*list)[low - 1];
+}
+
+std::int64_t FrameStore::valueOf(std::uint64_t i, const Frame& frame) const {
+  const Offset* offset = offsetAt(frame.channel, i);
+  if (!offset) return frame.stamp;  // kNoStamp is the lowest number
+  if (offset->frame == i) return offset->at;
+  return frame.hasStamp() ? plus(frame.stamp, offset->offset) : kNoStamp;
+}
+
+std::span<const Frame> FrameStore::run(std::uint64_t i) const {
+  const std::uint64_t n = count();
+  if (i >= n) return {};
+  return {&(*this)[i], std::min(n - i, kChunkFrames - i % kChunkFrames)};
+}
+
+Instant FrameStore::timeAt(std::uint64_t i) const {
+  const Chunk& chunk = m_chunks[i / kChunkFrames];
+  const std::uint64_t block = i / kBlock * kBlock;
+  std::int64_t time = chunk.timeBefore[block % kChunkFrames / kBlock];
+  for (std::uint64_t k = block; k <= i; ++k)
+    time = std::max(time, valueOf(k, chunk.frames[k % kChunkFrames]));
+  return {time};
+}
+
+std::uint64_t FrameStore::firstAtOrAfter(Instant t) const {
+  const std::uint64_t n = count();
+  if (n == 0 || t.ns <= 0) return 0;  // no log time is below 0
+  // The last block with an earlier time before it holds the frame, if any does: first its chunk, then itself.
+  const auto lastBefore = [t](std::uint64_t places, auto timeBefore) {
+    std::uint64_t low = 0;
+    for (std::uint64_t high = places; high - low > 1;) {
+      const std::uint64_t middle = low + (high - low) / 2;
+      (timeBefore(middle) < t.ns ? low : high) = middle;
+    }
+    return low;
+  };
+  const std::uint64_t c =
+      lastBefore((n - 1) / kChunkFrames + 1, [this](std::uint64_t k) { return m_chunks[k].timeBefore[0]; });
+  const Chunk& chunk = m_chunks[c];
+  const std::uint64_t inChunk = std::min(n - c * kChunkFrames, kChunkFrames);
+  const std::uint64_t b =
+      lastBefore((inChunk - 1) / kBlock + 1, [&chunk](std::uint64_t k) { return chunk.timeBefore[k]; });
+  const std::uint64_t end = c * kChunkFrames + std::min((b + 1) * kBlock, inChunk);
+  std::uint64_t i = c * kChunkFrames + b * kBlock;
+  while (i < end && valueOf(i, chunk.frames[i % kChunkFrames]) < t.ns) ++i;
+  return i;
+}
+
+std::uint64_t FrameStore::firstAfter(Instant t) const {
+  return t >= kNever ? count() : firstAtOrAfter(t + Duration{1});
+}
+
+Instant FrameStore::lastTime() const {
+  const std::uint64_t n = count();
+  return n == 0 ? Instant{} : timeAt(n - 1);
+}
+
+std::uint8_t FrameStore::channel(std::string_view name) {
+  const std::lock_guard lock(m_namesLock);
+  if (const auto known = m_indexOfName.find(name); known != m_indexOfName.end()) return known->second;
+  if (m_names.size() > kOtherChannels) return kOtherChannels;
+  const auto index = static_cast<std::uint8_t>(m_names.size());
+  const std::string_view added = index == kOtherChannels ? kOtherChannelsName : name;
+  m_names.push_back(m_indexOfName.emplace(added, index).first->first);
+  return index;
+}
+
+std::string_view FrameStore::channelName(std::uint8_t index) const {
+  const std::lock_guard lock(m_namesLock);
+  return index < m_names.size() ? m_names[index] : std::string_view();
+}
+
+std::size_t FrameStore::channelCount() const {
+  const std::lock_guard lock(m_namesLock);
+  return m_names.size();
+}
+
+std::uint64_t FrameStore::indexBytes() const {
+  std::uint64_t bytes = sizeof(*this) + m_chunks.size() * (sizeof(Chunk) + kBlocks * sizeof(std::int64_t));
+  for (const auto& list : m_offsets) {
+    if (const auto* offsets = list.load(std::memory_order_acquire)) {
+      bytes += sizeof(*offsets) + offsets->size() * sizeof(Offset);
+    }
+  }
+  return bytes;
+}
+
+Instant LogTimes::at(std::uint64_t i) {
+  if (i == m_next) {
+    const std::int64_t value = m_store.valueOf(i, m_store[i]);
+    m_time = std::max(m_time, value);
+  } else if (i + 1 != m_next) {
+    m_time = m_store.timeAt(i).ns;
+  }
+  m_next = i + 1;
+  return {m_time};
+}
+
+}  // namespace deckpipe

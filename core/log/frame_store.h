@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FrameStore: the log. Everything that came from an adapter, a simulator or a file stands here in order and
+// stays. The bus thread or a reader of files appends; views, index and exports read on other threads while it
+// grows: take count() once and look at anything below it.
+//
+// Log time (design: "Two times") is a pure function of what the store holds, so every reader sees the same:
+//   time(i) = max(0, the values of all frames up to i), where the value of a frame is
+//     - its stamp plus the offset in force on its channel (0 as long as append() got no `now`),
+//     - the `now` of the append, for the frame at which an offset was set,
+//     - nothing for a frame without a stamp: it keeps the time before.
+// Of a file (append without `now`) log time is therefore the running maximum of the stamps. Live (append with
+// `now`, CLOCK_BOOTTIME) each channel's offset is set by its first frame and set anew only when log time
+// would be more than kLiveDrift away from `now`: the adapter's clock or the wall clock jumped.
+//
+// Frame::kTimeJump is set here and only here: live on a frame at which an offset was set anew; of a file on a
+// frame stamped before the running maximum, or more than kLeap after it. Small steps back are usual in logs
+// of several interfaces and a leap follows its stamp; both are marked so that a person can look for them.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/time.h"
+#include "bus/frame.h"
+#include "log/mapped_memory.h"
+#include "log/stable_list.h"
+
+namespace deckpipe {
+
+struct StoreLimits {
+  std::uint64_t memoryBytes = std::uint64_t{2} << 30;  // frames beyond this live in a temporary file …
+  std::string spillFolder = "/var/tmp";  // … in this folder (not /tmp: that often is memory too)
+};
+
+class FrameStore {
+ public:
+  static constexpr std::uint64_t kChunkFrames = 65'536;
+  static constexpr Duration kLiveDrift = 100ms;
+  static constexpr Duration kLeap = 1h;
+  // Names beyond the 255th share this index, so that no log has too many channels.
+  static constexpr std::uint8_t kOtherChannels = 255;
+  static constexpr std::string_view kOtherChannelsName = "other";
+
+  explicit FrameStore(StoreLimits limits = {});
+  ~FrameStore();
+  FrameStore(const FrameStore&) = delete;
+  FrameStore& operator=(const FrameStore&) = delete;
+
+  // --- The writer; one thread at a time.
+
+  // False where neither memory nor disk had room: then the frames up to count() are kept, the rest is not.
+  [[nodiscard]] bool append(std::span<const Frame> frames);
+  [[nodiscard]] bool append(std::span<const Frame> frames, Instant now);
+
+  // --- Readers, on any thread.
+
+  std::uint64_t count() const { return m_count.load(std::memory_order_acquire); }
+  const Frame& operator[](std::uint64_t i) const {
+    return m_chunks[i / kChunkFrames].frames[i % kChunkFrames];
+  }
+  // The frames from i on that lie side by side in memory: up to the chunk's end or the count. Empty at the
+  // end.
+  std::span<const Frame> run(std::uint64_t i) const;
+
+  Instant timeAt(std::uint64_t i) const;
+  // The first frame at `t` or later, the first one later than `t`; count() where there is none.
+  std::uint64_t firstAtOrAfter(Instant t) const;
+  std::uint64_t firstAfter(Instant t) const;
+  // Log time of the last frame; 0 in an empty store.
+  Instant lastTime() const;
+
+  // Index of a channel's name, added where it is new. Any thread.
+  std::uint8_t channel(std::string_view name);
+  // Empty where there is no such channel; valid as long as the store.
+  std::string_view channelName(std::uint8_t index) const;
+  std::size_t channelCount() const;
+
+  // What the store holds beside its frames, and how much of the frames lies on disk: for the budget's test.
+  std::uint64_t indexBytes() const;
+  std::uint64_t spilledBytes() const { return m_spilled.load(std::memory_order_relaxed); }
+
+ private:
+  friend class LogTimes;
+  // Log time before the first frame of every kBlock frames: a look-up scans at most one block.
+  static constexpr std::uint64_t kBlock = 32;
+  static constexpr std::uint64_t kBlocks = kChunkFrames / kBlock;
+  // Chunks are allocated four at a time: 6 MB, three huge pages.
+  static constexpr std::uint64_t kChunksTogether = 4;
+
+  struct Chunk {
+    Frame* frames = nullptr;
+    std::unique_ptr<std::int64_t[]> timeBefore;
+  };
+  struct Offset {
+    std::uint64_t frame = 0;  // from this frame of the channel on
+    std::int64_t offset = 0;  // log time = stamp + offset …
+    std::int64_t at = 0;      // … and of this very frame it is this
+  };
+
+  std::span<Frame> room();
+  template <typename Take>
+  bool appendEach(std::span<const Frame> frames, Take take);
+  void setOffset(std::uint64_t i, const Frame& frame, std::int64_t now);
+  // The offset in force on a channel at a frame; null before the first.
+  const Offset* offsetAt(std::uint8_t channel, std::uint64_t i) const;
+  // What a frame says about the time; the lowest number where it says nothing.
+  std::int64_t valueOf(std::uint64_t i, const Frame& frame) const;
+
+  const StoreLimits m_limits;
+  StableList<Chunk> m_chunks;
+  std::atomic<std::uint64_t> m_count = 0;
+  std::array<std::atomic<StableList<Offset>*>, 256> m_offsets{};  // null on channels that never had one
+
+  // The writer's own.
+  std::vector<MappedMemory> m_memory;
+  SpillFile m_spill;
+  std::atomic<std::uint64_t> m_spilled = 0;
+  std::int64_t m_time = 0;  // log time after the last frame
+  bool m_stamped = false;   // whether any frame had a stamp yet
+  bool m_live = false;      // whether any offset was ever set
+
+  mutable std::mutex m_namesLock;
+  std::map<std::string, std::uint8_t, std::less<>> m_indexOfName;
+  std::vector<std::string_view> m_names;  // the keys of the map, which never move
+};
+
+// Log times one after another, for whoever walks through the store (state, exports): next to free where the
+// frames are asked for in order, and right in any order. One user each.
+class LogTimes {
+ public:
+  explicit LogTimes(const FrameStore& store) : m_store(store) {}
+  Instant at(std::uint64_t i);
+
+ private:
+  const FrameStore& m_store;
+  std::uint64_t m_next = 0;
+  std::int64_t m_time = 0;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all readers of log files share: how they are asked and how they end. Whoever opens a log (session, the
+// headless tool) calls a reader on a thread of its own and draws from the store meanwhile.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace deckpipe {
+
+struct ReadProgress {
+  std::uint64_t bytesDone = 0;
+  std::uint64_t bytesTotal = 0;
+  std::uint64_t frames = 0;
+};
+
+struct ReadOptions {
+  unsigned threads = 1;  // 1 or 2; the outcome is the same
+  // Called after each block that was published, never twice at once but perhaps from a reader's own thread.
+  // False ends the reading; what was published stays.
+  std::function<bool(const ReadProgress&)> onProgress;
+  // How much is read, published and reported at a time. The first block is never larger than 64 kB, so that
+  // the first rows of any log are there at once. Tests make it small.
+  std::size_t blockBytes = 256 * 1024;
+};
+
+struct ReadSummary {
+  std::uint64_t frames = 0;  // put into the store
+  std::uint64_t lines = 0;   // of a text format
+  bool cancelled = false;
+
+  friend bool operator==(const ReadSummary&, const ReadSummary&) = default;
+};
+
+struct ReadError {
+  enum class Kind : std::uint8_t {
+    CannotOpen,     // detail: the system's words
+    CannotRead,     // detail: the system's words; what was read before is in the store
+    NotThisFormat,  // detail: what it is not, e.g. "not a candump log"
+    StoreFull,      // neither memory nor disk for more; what was read before is in the store
+  };
+  Kind kind = Kind::CannotOpen;
+  std::string detail;
+
+  friend bool operator==(const ReadError&, const ReadError&) = default;
+};
+
+// English, for the headless tool; windows translate the kind.
+constexpr std::string_view readErrorText(ReadError::Kind kind) {
+  switch (kind) {
+    case ReadError::Kind::CannotOpen: return "cannot be opened";
+    case ReadError::Kind::CannotRead: return "cannot be read further";
+    case ReadError::Kind::NotThisFormat: return "not a log of this format";
+    case ReadError::Kind::StoreFull: return "no room for more frames, neither in memory nor on disk";
+  }
+  return {};
+}
+
+}  // namespace deckpipe

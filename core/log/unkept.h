@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a reader found in a file and could not put into the store, with its place and why: frames that the
+// store does not hold (CAN FD) and lines that cannot be read. Every reader fills one; windows and the
+// headless tool show it. Memory is bounded: the first kMaxPlaces are kept with their place, all are counted
+// by reason.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <string_view>
+#include <vector>
+
+namespace deckpipe {
+
+enum class Unkept : std::uint8_t {
+  // Understood, and not kept.
+  CanFd,
+  CanXl,
+  RecorderDropped,  // the recording says itself that it lost frames here
+  // Unreadable.
+  Layout,
+  Binary,
+  LineTooLong,
+  Time,
+  TimeRange,
+  Interface,
+  Identifier,
+  Data,
+  DataTooLong,
+  LengthMismatch,
+};
+inline constexpr std::size_t kUnkeptReasons = static_cast<std::size_t>(Unkept::LengthMismatch) + 1;
+
+// A file of which this is true was not read whole; frames of a kind that is not held do not count.
+constexpr bool isUnreadable(Unkept reason) { return reason >= Unkept::Layout; }
+
+// English, for the standard error of the headless tool; windows translate the enum.
+std::string_view unkeptText(Unkept reason);
+
+struct UnkeptPlace {
+  std::uint64_t place = 0;  // line number from 1, or of a binary format the byte offset
+  Unkept reason = Unkept::Layout;
+
+  friend constexpr bool operator==(const UnkeptPlace&, const UnkeptPlace&) = default;
+};
+
+// The bare list; a reader's threads fill one a block.
+class UnkeptPlaces {
+ public:
+  static constexpr std::size_t kMaxPlaces = 10'000;
+
+  void add(std::uint64_t place, Unkept reason) {
+    ++m_counts[static_cast<std::size_t>(reason)];
+    if (m_places.size() < kMaxPlaces) m_places.push_back({place, reason});
+  }
+  // All of another list behind these, its places moved on by so many.
+  void add(const UnkeptPlaces& other, std::uint64_t placesOn);
+  void clear() { *this = {}; }
+
+  const std::vector<UnkeptPlace>& places() const { return m_places; }
+  std::uint64_t count(Unkept reason) const { return m_counts[static_cast<std::size_t>(reason)]; }
+  // All of which isUnreadable() is true, and all others.
+  std::uint64_t unreadable() const { return sum(true); }
+  std::uint64_t understood() const { return sum(false); }
+
+ private:
+  std::uint64_t sum(bool unreadable) const;
+
+  std::vector<UnkeptPlace> m_places;
+  std::array<std::uint64_t, kUnkeptReasons> m_counts{};
+};
+
+// The same, to be looked at while a reader on another thread fills it.
+class UnkeptList {
+ public:
+  void add(std::uint64_t place, Unkept reason) {
+    const std::lock_guard lock(m_lock);
+    m_content.add(place, reason);
+  }
+  void add(const UnkeptPlaces& other, std::uint64_t placesOn) {
+    const std::lock_guard lock(m_lock);
+    m_content.add(other, placesOn);
+  }
+  UnkeptPlaces content() const {
+    const std::lock_guard lock(m_lock);
+    return m_content;
+  }
+
+ private:
+  mutable std::mutex m_lock;
+  UnkeptPlaces m_content;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <ostream>
+#include <random>
+
+#include "log/candump.h"
+#include "log/candump_line.h"
+
+namespace deckpipe {
+
+// For messages of failed tests.
+void PrintTo(const UnkeptPlace& place, std::ostream* out) {
+  *out << place.place << ": " << unkeptText(place.reason);
+}
+
+namespace {
+
+struct Outcome {
+  std::string error;
+  std::uint64_t lines = 0;
+  std::vector<Frame> frames;
+  std::vector<std::string> channels;
+  std::vector<UnkeptPlace> unkept;
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+Outcome outcomeOf(const Result<ReadSummary, ReadError>& result, const FrameStore& store,
+                  const UnkeptList& unkept) {
+  Outcome outcome;
+  if (result) {
+    outcome.lines = result.value().lines;
+    EXPECT_EQ(result.value().frames, store.count());
+  } else {
+    outcome.error = result.error().detail;
+  }
+  for (std::uint64_t i = 0; i < store.count(); ++i) outcome.frames.push_back(store[i]);
+  for (std::size_t i = 0; i < store.channelCount(); ++i) {
+    outcome.channels.emplace_back(store.channelName(static_cast<std::uint8_t>(i)));
+  }
+  outcome.unkept = unkept.content().places();
+  return outcome;
+}
+
+Outcome readText(const std::string& text, const ReadOptions& options = {}) {
+  FrameStore store;
+  UnkeptList unkept;
+  const auto result = readCandumpText(text, store, unkept, options);
+  return outcomeOf(result, store, unkept);
+}
+
+Outcome readStream(const std::string& text, std::size_t piece) {
+  FrameStore store;
+  UnkeptList unkept;
+  CandumpStream stream(store, unkept);
+  for (std::size_t at = 0; at < text.size(); at += piece) {
+    if (!stream.feed(std::string_view(text).substr(at, piece))) break;
+  }
+  return outcomeOf(stream.finish(), store, unkept);
+}
+
+// However the text is cut and whoever reads it: always the same.
+Outcome readEveryWay(const std::string& text) {
+  Outcome outcome = readText(text);
+  for (const unsigned threads : {1u, 2u}) {
+    for (const std::size_t block : {1u, 7u, 100u, 4096u}) {
+      if (text.size() / block > 20'000) continue;
+      ReadOptions options;
+      options.threads = threads;
+      options.blockBytes = block;
+      EXPECT_EQ(readText(text, options), outcome) << threads << " threads, blocks of " << block;
+    }
+  }
+  for (const std::size_t piece : {1u, 13u, 5000u})
+    EXPECT_EQ(readStream(text, piece), outcome) << "pieces of " << piece;
+  return outcome;
+}
+
+std::string usualLine(int i) {
+  char line[80];
+  std::snprintf(line, sizeof line, "(%d.%06d) can%d 18EFFF80#%016X\n", 1'700'000'000 + i / 1000,
+                i % 1000 * 1000, i % 3, static_cast<unsigned>(i));
+  return line;
+}
+std::string usualText(int lines) {
+  std::string text;
+  for (int i = 0; i < lines; ++i) text += usualLine(i);
+  return text;
+}
+
+TEST(CandumpReader, ReadsEveryLineInOrder) {
+  const Outcome outcome = readEveryWay(usualText(3000));
+  ASSERT_EQ(outcome.frames.size(), 3000u);
+  EXPECT_EQ(outcome.lines, 3000u);
+  EXPECT_EQ(outcome.channels, (std::vector<std::string>{"can0", "can1", "can2"}));
+  EXPECT_TRUE(outcome.unkept.empty());
+  for (std::size_t i = 0; i < 3000; ++i) {
+    ASSERT_EQ(loadBig(outcome.frames[i].data), i);
+    ASSERT_EQ(outcome.frames[i].channel, i % 3);
+    ASSERT_EQ(outcome.frames[i].spare, 0);
+  }
+}
+
+TEST(CandumpReader, ReportsUnreadableLinesByTheirNumberAndGoesOn) {
+  std::string text = "# comment\n\n" + usualLine(0) + "rubbish\n" + usualLine(1);
+  text += "(1.0) can0 123##1AABB\r\n(1.0) can0 123#1\n" + usualText(100) + "(1.0) can0 800#\n" + usualLine(2);
+  const Outcome outcome = readEveryWay(text);
+  EXPECT_EQ(outcome.frames.size(), 103u);
+  EXPECT_EQ(outcome.lines, 109u);
+  EXPECT_EQ(outcome.unkept,
+            (std::vector<UnkeptPlace>{
+                {4, Unkept::Layout}, {6, Unkept::CanFd}, {7, Unkept::Data}, {108, Unkept::Identifier}}));
+}
+
+TEST(CandumpReader, ReadsALastLineWithoutLineFeed) {
+  const Outcome outcome = readEveryWay("(1.0) can0 123#11\n(2.0) can0 123#22");
+  ASSERT_EQ(outcome.frames.size(), 2u);
+  EXPECT_EQ(outcome.frames[1].stamp, 2'000'000'000);
+  EXPECT_EQ(outcome.lines, 2u);
+}
+
+TEST(CandumpReader, ReportsALastLineThatIsCutOff) {
+  const Outcome outcome = readEveryWay("(1.0) can0 123#11\n(2.0) can0 12");
+  EXPECT_EQ(outcome.frames.size(), 1u);
+  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{2, Unkept::Layout}}));
+}
+
+TEST(CandumpReader, TakesAnEmptyTextForAnEmptyLog) {
+  for (const char* text : {"", "\n", "# only a comment\n", "\r\n\r\n"}) {
+    const Outcome outcome = readEveryWay(text);
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_TRUE(outcome.frames.empty() && outcome.unkept.empty());
+  }
+}
+
+TEST(CandumpReader, RefusesWhatIsNoCandumpLogWithOneError) {
+  std::string rubbish, binary;
+  for (int i = 0; i < 20'000; ++i) rubbish += "{\"json\": " + std::to_string(i) + "}\n";
+  std::mt19937 random(1);
+  for (int i = 0; i < 200'000; ++i) binary += static_cast<char>(random());
+  for (const std::string& text :
+       {rubbish, binary, std::string(100'000, '\0'), std::string("no\n"), std::string(300'000, 'x'),
+        std::string(300'000, 'x') + "\n(1.0) can0 123#11\n", rubbish + "(1.0) can0 123#11\n"}) {
+    const Outcome outcome = readEveryWay(text);
+    EXPECT_EQ(outcome.error, "not a candump log") << text.substr(0, 20);
+    EXPECT_TRUE(outcome.frames.empty() && outcome.unkept.empty());
+  }
+}
+
+TEST(CandumpReader, AcceptsALogWhoseFirstReadableLineComesLate) {
+  const std::string before(40'000, 'x');
+  const Outcome outcome = readEveryWay(before + "\n(1.0) can0 123#11\n");
+  EXPECT_EQ(outcome.frames.size(), 1u);
+  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{1, Unkept::LineTooLong}}));
+  // Comments for longer than anybody looks, then frames.
+  std::string comments;
+  while (comments.size() < 100'000) comments += "# nothing yet\n";
+  EXPECT_EQ(readEveryWay(comments + "(1.0) can0 123#11\n").frames.size(), 1u);
+  // Nothing but CAN FD is a log too.
+  EXPECT_EQ(readEveryWay("x\n(1.0) can0 123##011\n").unkept.size(), 2u);
+}
+
+TEST(CandumpReader, ReportsALineTooLongAndReadsTheNext) {
+  const std::string frame = "(1.0) can0 123#11\n";
+  for (const std::size_t length :
+       {kMaxCandumpLine - 1, kMaxCandumpLine, kMaxCandumpLine + 1, 3 * kMaxCandumpLine}) {
+    const Outcome outcome = readEveryWay(frame + std::string(length, 'x') + "\n" + frame + frame);
+    ASSERT_EQ(outcome.frames.size(), 3u) << length;
+    EXPECT_EQ(
+        outcome.unkept,
+        (std::vector<UnkeptPlace>{{2, length > kMaxCandumpLine ? Unkept::LineTooLong : Unkept::Layout}}));
+    const Outcome last = readEveryWay(frame + std::string(length, 'x'));
+    EXPECT_EQ(last.unkept, outcome.unkept) << "without line feed";
+  }
+}
+
+TEST(CandumpReader, NamesFramesWithoutInterfaceAfterTheLastHeader) {
+  const Outcome outcome = readEveryWay(
+      "<0x123> [1] 00\n(1.0) can7 124#\ninterface = can1, family = 29\n<0x123> [1] 01\n<0x123> [1] 02\n"
+      "interface = can7, family = 29\n<0x123> [1] 03\n");
+  ASSERT_EQ(outcome.frames.size(), 5u);
+  EXPECT_EQ(outcome.channels, (std::vector<std::string>{std::string(kUnnamedInterface), "can7", "can1"}));
+  EXPECT_EQ(outcome.frames[0].channel, 0);
+  EXPECT_EQ(outcome.frames[2].channel, 2);
+  EXPECT_EQ(outcome.frames[3].channel, 2);
+  EXPECT_EQ(outcome.frames[4].channel, 1);
+}
+
+TEST(CandumpReader, GivesALogOfTooManyInterfacesOneChannelForTheRest) {
+  std::string text;
+  for (int i = 0; i < 900; ++i) text += "(1.0) i" + std::to_string(i) + " 123#\n";
+  const Outcome outcome = readEveryWay(text);
+  ASSERT_EQ(outcome.frames.size(), 900u);
+  EXPECT_EQ(outcome.frames[254].channel, 254);
+  EXPECT_EQ(outcome.frames[255].channel, FrameStore::kOtherChannels);
+  EXPECT_EQ(outcome.frames[899].channel, FrameStore::kOtherChannels);
+}
+
+TEST(CandumpReader, KeepsStampsThatRepeatOrGoBackAsTheyAre) {
+  const Outcome outcome =
+      readEveryWay("(5.0) can0 123#\n(5.0) can0 123#\n(3.5) can0 123#\n(6.0) can0 123#\n");
+  ASSERT_EQ(outcome.frames.size(), 4u);
+  EXPECT_EQ(outcome.frames[2].stamp, 3'500'000'000);
+  EXPECT_EQ(outcome.frames[2].flags, Frame::kTimeJump);
+  EXPECT_EQ(outcome.frames[1].flags, 0);
+  EXPECT_EQ(outcome.frames[3].flags, 0);
+}
+
+TEST(CandumpReader, BoundsTheReportOfAHostileText) {
+  std::string text = usualLine(0);
+  for (int i = 0; i < 50'000; ++i) text += "x\n";
+  FrameStore store;
+  UnkeptList unkept;
+  ASSERT_TRUE(readCandumpText(text, store, unkept));
+  EXPECT_EQ(unkept.content().places().size(), UnkeptPlaces::kMaxPlaces);
+  EXPECT_EQ(unkept.content().count(Unkept::Layout), 50'000u);
+}
+
+TEST(CandumpReader, AgreesWithItselfOnRandomMixtures) {
+  std::mt19937_64 random(5);
+  const std::vector<std::string> parts = {"(1.0) can0 123#11\n",
+                                          "(1700000000.123456) can1 18EFFF80#011D940371000041\r\n",
+                                          "<0x123> [1] 05\n",
+                                          "interface = can9, x\n",
+                                          "\n",
+                                          "# c\n",
+                                          "x\n",
+                                          "(",
+                                          "can0",
+                                          "\0",
+                                          " ",
+                                          "123#",
+                                          "11",
+                                          "\n",
+                                          std::string(9000, 'y'),
+                                          "(1.0) long_name_here 123#R T\n"};
+  for (int round = 0; round < 60; ++round) {
+    std::string text;
+    for (std::uint64_t n = random() % 40; n > 0; --n) text += parts[random() % parts.size()];
+    readEveryWay(text);
+  }
+}
+
+TEST(CandumpReader, PublishesTheFirstRowsBeforeItReadsOn) {
+  const std::string text = usualText(40'000);
+  std::vector<ReadProgress> steps;
+  ReadOptions options;
+  options.onProgress = [&steps](const ReadProgress& progress) {
+    steps.push_back(progress);
+    return true;
+  };
+  readText(text, options);
+  ASSERT_GT(steps.size(), 2u);
+  EXPECT_LE(steps[0].bytesDone, 64u * 1024);
+  EXPECT_GT(steps[0].frames, 0u);
+  EXPECT_EQ(steps.back().bytesDone, text.size());
+  EXPECT_EQ(steps.back().frames, 40'000u);
+}
+
+TEST(CandumpReader, StopsWhenToldAndKeepsWhatWasPublished) {
+  const std::string text = usualText(40'000);
+  for (const unsigned threads : {1u, 2u}) {
+    FrameStore store;
+    UnkeptList unkept;
+    ReadOptions options;
+    options.threads = threads;
+    int calls = 0;
+    options.onProgress = [&calls](const ReadProgress&) { return ++calls < 3; };
+    const auto result = readCandumpText(text, store, unkept, options);
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result.value().cancelled);
+    EXPECT_EQ(calls, 3);
+    EXPECT_EQ(result.value().frames, store.count());
+    EXPECT_GT(store.count(), 0u);
+    EXPECT_LT(store.count(), 40'000u);
+  }
+}
+
+TEST(CandumpReader, SaysThatTheStoreIsFull) {
+  FrameStore store({.memoryBytes = 0, .spillFolder = "/nonexistent"});
+  UnkeptList unkept;
+  const auto result = readCandumpText(usualText(10), store, unkept);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().kind, ReadError::Kind::StoreFull);
+  CandumpStream stream(store, unkept);
+  EXPECT_FALSE(stream.feed(std::string_view("(1.0) can0 123#11\n")));
+  EXPECT_EQ(stream.finish().error().kind, ReadError::Kind::StoreFull);
+}
+
+TEST(CandumpReader, SaysWhyAFileCannotBeOpened) {
+  FrameStore store;
+  UnkeptList unkept;
+  for (const char* path : {"/nonexistent/file.log", "/tmp"}) {
+    const auto result = readCandump(path, store, unkept);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().kind, ReadError::Kind::CannotOpen);
+    EXPECT_FALSE(result.error().detail.empty());
+  }
+}
+
+TEST(CandumpReader, ReportsAFileThatShrinksWhileItIsRead) {
+  const std::string path = testing::TempDir() + "/shrinking-" + std::to_string(::getpid()) + ".log";
+  std::ofstream(path) << usualText(40'000);
+  FrameStore store;
+  UnkeptList unkept;
+  ReadOptions options;
+  options.onProgress = [&path](const ReadProgress&) {
+    std::filesystem::resize_file(path, 100'000);
+    return true;
+  };
+  const auto result = readCandump(path, store, unkept, options);
+  std::filesystem::remove(path);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().kind, ReadError::Kind::CannotRead);
+  EXPECT_GT(store.count(), 0u);
+}
+
+TEST(CandumpStream, PutsWholeLinesIntoTheStoreAtOnce) {
+  FrameStore store;
+  UnkeptList unkept;
+  CandumpStream stream(store, unkept);
+  EXPECT_TRUE(stream.feed(std::string_view("(1.0) can0 123#11\n(2.0) can0 123#2")));
+  EXPECT_EQ(store.count(), 1u);
+  EXPECT_TRUE(stream.feed(std::string_view("2\n")));
+  EXPECT_EQ(store.count(), 2u);
+}
+
+TEST(CandumpStream, GivesUpOnWhatIsNoLogBeforeItEnds) {
+  FrameStore store;
+  UnkeptList unkept;
+  CandumpStream stream(store, unkept);
+  std::uint64_t fed = 0;
+  const std::string rubbish = "this is not a line of any log\n";
+  while (fed < 1'000'000 && stream.feed(std::string_view(rubbish))) fed += rubbish.size();
+  EXPECT_LT(fed, 70'000u);
+  EXPECT_EQ(stream.finish().error().kind, ReadError::Kind::NotThisFormat);
+}
+
+// --- Logs that nobody here wrote
+
+struct SharedLog {
+  const char* name;
+  std::size_t frames;
+  std::map<Unkept, std::uint64_t> unkept;
+};
+
+TEST(CandumpReader, ReadsLogsOfOthers) {
+  const std::filesystem::path folder = DECKPIPE_SHARED_DATA;
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared data";
+  for (const SharedLog& log :
+       {SharedLog{"candump-old-form.txt", 6026, {}}, SharedLog{"candump-odd-line-ends.txt", 23, {}},
+        SharedLog{"candump-short.log", 106, {}}, SharedLog{"car-candump.log", 12'974, {}},
+        SharedLog{"multiple_CAN.log", 36, {{Unkept::CanFd, 128}}}}) {
+    SCOPED_TRACE(log.name);
+    std::ifstream file(folder / log.name, std::ios::binary);
+    ASSERT_TRUE(file);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const Outcome outcome = text.size() < 10'000 ? readEveryWay(text) : readText(text);
+    EXPECT_EQ(outcome.frames.size(), log.frames);
+    std::map<Unkept, std::uint64_t> reasons;
+    for (const UnkeptPlace& place : outcome.unkept) ++reasons[place.reason];
+    EXPECT_EQ(reasons, log.unkept);
+
+    FrameStore store;
+    UnkeptList unkept;
+    ReadOptions options;
+    options.threads = 2;
+    ASSERT_TRUE(readCandump(folder / log.name, store, unkept, options));
+    EXPECT_EQ(store.count(), log.frames);
+  }
+}
+
+TEST(CandumpReader, RefusesLogsOfOtherFormats) {
+  const std::filesystem::path folder = DECKPIPE_SHARED_DATA;
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared data";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (name.find("candump") != std::string::npos || name == "multiple_CAN.log") continue;
+    SCOPED_TRACE(name);
+    FrameStore store;
+    UnkeptList unkept;
+    const auto result = readCandump(entry.path(), store, unkept);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().kind, ReadError::Kind::NotThisFormat);
+  }
+}
+
+}  // namespace
+}  // namespace deckpipe

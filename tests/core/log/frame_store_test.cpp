@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "log/frame_store.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace deckpipe {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+Frame stamped(std::int64_t stamp, std::uint8_t channel = 0) {
+  Frame frame;
+  frame.stamp = stamp;
+  frame.channel = channel;
+  return frame;
+}
+
+std::vector<std::int64_t> times(const FrameStore& store) {
+  std::vector<std::int64_t> all;
+  for (std::uint64_t i = 0; i < store.count(); ++i) all.push_back(store.timeAt(i).ns);
+  return all;
+}
+
+std::vector<std::uint64_t> jumps(const FrameStore& store) {
+  std::vector<std::uint64_t> all;
+  for (std::uint64_t i = 0; i < store.count(); ++i) {
+    if (store[i].flags & Frame::kTimeJump) all.push_back(i);
+  }
+  return all;
+}
+
+void append(FrameStore& store, const std::vector<Frame>& frames) { ASSERT_TRUE(store.append(frames)); }
+
+TEST(FrameStore, GivesBackWhatWasAppendedAcrossChunks) {
+  FrameStore store;
+  constexpr std::uint64_t n = 3 * FrameStore::kChunkFrames + 17;
+  std::vector<Frame> frames(n);
+  for (std::uint64_t i = 0; i < n; ++i) {
+    frames[i].stamp = static_cast<std::int64_t>(i);
+    frames[i].id = static_cast<std::uint32_t>(i * 7);
+  }
+  const std::span<const Frame> all = frames;
+  append(store, {frames.begin(), frames.begin() + 5});
+  const Frame* const first = &store[0];
+  ASSERT_TRUE(store.append(all.subspan(5)));
+
+  EXPECT_EQ(store.count(), n);
+  EXPECT_EQ(&store[0], first) << "frames never move";
+  std::uint64_t seen = 0;
+  for (auto run = store.run(0); !run.empty(); run = store.run(seen)) {
+    EXPECT_TRUE(std::equal(run.begin(), run.end(), frames.begin() + static_cast<std::ptrdiff_t>(seen)));
+    EXPECT_LE(run.size(), FrameStore::kChunkFrames);
+    seen += run.size();
+  }
+  EXPECT_EQ(seen, n);
+  EXPECT_EQ(store.run(FrameStore::kChunkFrames - 3).size(), 3u);
+  EXPECT_TRUE(store.run(n).empty());
+}
+
+TEST(FrameStore, TimeOfAFileIsTheRunningMaximumOfItsStamps) {
+  FrameStore store;
+  append(store,
+         {Frame{}, stamped(5 * kSecond), Frame{}, stamped(3 * kSecond), stamped(6 * kSecond), Frame{}});
+  EXPECT_EQ(times(store),
+            (std::vector<std::int64_t>{0, 5 * kSecond, 5 * kSecond, 5 * kSecond, 6 * kSecond, 6 * kSecond}));
+  EXPECT_EQ(store.lastTime().ns, 6 * kSecond);
+}
+
+TEST(FrameStore, TimeNeverStartsBelowZero) {
+  FrameStore store;
+  append(store, {stamped(-5), stamped(-3), stamped(2)});
+  EXPECT_EQ(times(store), (std::vector<std::int64_t>{0, 0, 2}));
+}
+
+TEST(FrameStore, EmptyHasTimeZeroAndNoFirst) {
+  const FrameStore store;
+  EXPECT_EQ(store.lastTime().ns, 0);
+  EXPECT_EQ(store.firstAtOrAfter({5}), 0u);
+  EXPECT_EQ(store.firstAfter(kNever), 0u);
+}
+
+TEST(FrameStore, MarksStepsBackAndLeapsOfAFile) {
+  const std::int64_t leap = FrameStore::kLeap.count();
+  FrameStore store;
+  append(store, {
+                    Frame{},                                          // 0 no stamp
+                    stamped(1'700'000'000 * kSecond),                 // 1 the first stamp is no leap
+                    stamped(1'700'000'000 * kSecond),                 // 2 the same again
+                    stamped(1'700'000'000 * kSecond - 1),             // 3 back
+                    stamped(1'700'000'000 * kSecond + leap),          // 4 just no leap
+                    stamped(1'700'000'000 * kSecond + 2 * leap + 1),  // 5 a leap
+                    Frame{},                                          // 6 no stamp
+                });
+  EXPECT_EQ(jumps(store), (std::vector<std::uint64_t>{3, 5}));
+}
+
+TEST(FrameStore, DecidesItselfWhatIsATimeJump) {
+  Frame claims = stamped(7);
+  claims.flags = Frame::kTimeJump | Frame::kSent;
+  FrameStore store;
+  append(store, {claims});
+  EXPECT_EQ(store[0].flags, Frame::kSent);
+}
+
+TEST(FrameStore, LiveTimeFollowsNowThroughTheOffsetOfTheFirstFrame) {
+  FrameStore store;
+  const std::int64_t wall = 1'700'000'000 * kSecond;
+  ASSERT_TRUE(store.append(std::vector{stamped(wall)}, Instant{100 * kSecond}));
+  // 30 ms by the stamps, 50 ms by our clock: within the drift, so the stamps count.
+  ASSERT_TRUE(store.append(std::vector{stamped(wall + 30'000'000)}, Instant{100 * kSecond + 50'000'000}));
+  EXPECT_EQ(times(store), (std::vector<std::int64_t>{100 * kSecond, 100 * kSecond + 30'000'000}));
+  EXPECT_TRUE(jumps(store).empty());
+}
+
+TEST(FrameStore, LiveOffsetIsSetAnewWhereTheStampsLeaveNow) {
+  struct Row {
+    const char* name;
+    std::int64_t stampStep, nowStep, timeStep;
+    bool jump;
+  };
+  const std::int64_t drift = FrameStore::kLiveDrift.count();
+  for (const Row& row :
+       {Row{"steady", 1000, 1000, 1000, false},
+        Row{"at the limit", kSecond + drift, kSecond, kSecond + drift, false},
+        Row{"clock set forward", 3600 * kSecond, kSecond, kSecond, true},
+        Row{"clock set back", -3600 * kSecond, kSecond, kSecond, true},
+        Row{"we slept, the adapter's clock did not run", 1000, 3600 * kSecond, 3600 * kSecond, true},
+        Row{"clock overflows", std::numeric_limits<std::int64_t>::max() - 8 * kSecond, kSecond, kSecond,
+            true}}) {
+    SCOPED_TRACE(row.name);
+    FrameStore store;
+    const Instant start{50 * kSecond};
+    const std::int64_t wall = 7 * kSecond;
+    ASSERT_TRUE(store.append(std::vector{stamped(wall)}, start));
+    ASSERT_TRUE(store.append(std::vector{stamped(wall + row.stampStep)}, Instant{start.ns + row.nowStep}));
+    ASSERT_TRUE(
+        store.append(std::vector{stamped(wall + row.stampStep + 5)}, Instant{start.ns + row.nowStep + 5}));
+    EXPECT_EQ(store.timeAt(1).ns, start.ns + row.timeStep);
+    EXPECT_EQ(store.timeAt(2).ns, start.ns + row.timeStep + 5);
+    EXPECT_EQ(jumps(store), row.jump ? std::vector<std::uint64_t>{1} : std::vector<std::uint64_t>{});
+  }
+}
+
+TEST(FrameStore, LiveChannelsHaveClocksOfTheirOwn) {
+  FrameStore store;
+  for (int i = 0; i < 200; ++i) {
+    const std::int64_t step = i * 1'000'000;
+    ASSERT_TRUE(store.append(std::vector{stamped(1'700'000'000 * kSecond + step, 0), stamped(step, 1)},
+                             Instant{kSecond + step}));
+  }
+  EXPECT_TRUE(jumps(store).empty());
+  for (std::uint64_t i = 0; i < store.count(); ++i) {
+    EXPECT_EQ(store.timeAt(i).ns, kSecond + static_cast<std::int64_t>(i / 2) * 1'000'000);
+  }
+}
+
+TEST(FrameStore, LiveFramesWithoutStampsStayWithinTheDriftOfNow) {
+  FrameStore store;
+  for (std::int64_t i = 0; i < 1000; ++i) {
+    const std::int64_t now = 5 * kSecond + i * 10'000'000;
+    ASSERT_TRUE(store.append(std::vector{Frame{}}, Instant{now}));
+    EXPECT_LE(now - store.lastTime().ns, FrameStore::kLiveDrift.count());
+    EXPECT_LE(store.lastTime().ns, now);
+  }
+  EXPECT_TRUE(jumps(store).empty());
+}
+
+// What the header says, frame by frame, without any index.
+std::vector<std::int64_t> plainTimes(const std::vector<Frame>& frames) {
+  std::vector<std::int64_t> all;
+  std::int64_t time = 0;
+  for (const Frame& frame : frames) {
+    if (frame.hasStamp()) time = std::max(time, frame.stamp);
+    all.push_back(time);
+  }
+  return all;
+}
+
+std::vector<Frame> disorderlyFrames(std::uint64_t n) {
+  std::mt19937_64 random(7);
+  std::vector<Frame> frames(n);
+  std::int64_t stamp = 1000;
+  for (Frame& frame : frames) {
+    const auto dice = random() % 100;
+    stamp += static_cast<std::int64_t>(random() % 1000) * (dice < 90 ? 1 : -3);
+    if (dice != 50) frame.stamp = stamp;
+  }
+  return frames;
+}
+
+TEST(FrameStore, TimesAndLookUpsAgreeWithAPlainScan) {
+  const std::vector<Frame> frames = disorderlyFrames(2 * FrameStore::kChunkFrames + 1234);
+  const std::vector<std::int64_t> expected = plainTimes(frames);
+  FrameStore store;
+  append(store, frames);
+
+  LogTimes inOrder(store);
+  std::mt19937_64 random(9);
+  for (std::uint64_t i = 0; i < frames.size(); ++i) {
+    ASSERT_EQ(inOrder.at(i).ns, expected[i]) << i;
+    if (i % 97 == 0) {
+      ASSERT_EQ(store.timeAt(i).ns, expected[i]) << i;
+    }
+  }
+  LogTimes anyOrder(store);
+  for (int k = 0; k < 5000; ++k) {
+    const std::uint64_t i = random() % frames.size();
+    ASSERT_EQ(anyOrder.at(i).ns, expected[i]);
+    ASSERT_EQ(anyOrder.at(i).ns, expected[i]) << "the same again";
+    const std::int64_t t = expected[i] + static_cast<std::int64_t>(random() % 3) - 1;
+    const auto first = [&](auto found) { return static_cast<std::uint64_t>(found - expected.begin()); };
+    ASSERT_EQ(store.firstAtOrAfter({t}), first(std::lower_bound(expected.begin(), expected.end(), t)));
+    ASSERT_EQ(store.firstAfter({t}), first(std::upper_bound(expected.begin(), expected.end(), t)));
+  }
+  EXPECT_EQ(store.firstAtOrAfter({expected.back() + 1}), frames.size());
+  EXPECT_EQ(store.firstAfter(kNever), frames.size());
+  EXPECT_EQ(store.firstAtOrAfter(kNotYet), 0u);
+}
+
+TEST(FrameStore, LookUpsAgreeWithTheTimesOfALiveLogThatJumps) {
+  std::mt19937_64 random(11);
+  FrameStore store;
+  std::int64_t now = kSecond, clock[2] = {0, 1'700'000'000 * kSecond};
+  for (int i = 0; i < 20'000; ++i) {
+    const std::int64_t step = static_cast<std::int64_t>(random() % 2'000'000);
+    const auto channel = static_cast<std::uint8_t>(random() % 2);
+    now += step;
+    for (std::int64_t& c : clock) c += step;
+    if (random() % 500 == 0)
+      clock[channel] += static_cast<std::int64_t>(random() % 100) * kSecond - 50 * kSecond;
+    const Frame frame = random() % 10 == 0 ? Frame{} : stamped(clock[channel], channel);
+    ASSERT_TRUE(store.append({&frame, 1}, Instant{now}));
+  }
+  EXPECT_FALSE(jumps(store).empty());
+  const std::vector<std::int64_t> all = times(store);
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
+  for (std::uint64_t i = 0; i < all.size(); i += 7) {
+    const auto first = std::lower_bound(all.begin(), all.end(), all[i]) - all.begin();
+    ASSERT_EQ(store.firstAtOrAfter({all[i]}), static_cast<std::uint64_t>(first));
+  }
+}
+
+TEST(FrameStore, IndexTakesLessThanFivePercentOfTheFrames) {
+  FrameStore store;
+  append(store, std::vector<Frame>(20 * FrameStore::kChunkFrames));
+  EXPECT_LT(static_cast<double>(store.indexBytes()),
+            0.05 * static_cast<double>(store.count() * sizeof(Frame)));
+}
+
+TEST(FrameStore, FramesBeyondTheMemoryBudgetLieOnDiskAndReadTheSame) {
+  const std::vector<Frame> frames = disorderlyFrames(9 * FrameStore::kChunkFrames);
+  FrameStore store({.memoryBytes = 8 << 20, .spillFolder = testing::TempDir()});
+  append(store, frames);
+  EXPECT_GT(store.spilledBytes(), 0u);
+  EXPECT_LT(store.spilledBytes(), 10u * FrameStore::kChunkFrames * sizeof(Frame))
+      << "the first chunks are in memory";
+  ASSERT_EQ(store.count(), frames.size());
+  const std::vector<std::int64_t> expected = plainTimes(frames);
+  for (std::uint64_t i = 0; i < frames.size(); i += 101) {
+    ASSERT_EQ(store[i].stamp, frames[i].stamp);
+    ASSERT_EQ(store.timeAt(i).ns, expected[i]);
+  }
+}
+
+TEST(FrameStore, SaysSoWhereThereIsNoRoomAndKeepsWhatFitted) {
+  FrameStore store({.memoryBytes = 0, .spillFolder = "/nonexistent"});
+  EXPECT_FALSE(store.append(std::vector<Frame>(5)));
+  EXPECT_EQ(store.count(), 0u);
+
+  FrameStore part({.memoryBytes = 8 << 20, .spillFolder = "/nonexistent"});
+  EXPECT_FALSE(part.append(std::vector<Frame>(6 * FrameStore::kChunkFrames)));
+  EXPECT_EQ(part.count(), 4 * FrameStore::kChunkFrames);
+}
+
+TEST(FrameStore, ChannelNamesKeepTheirIndex) {
+  FrameStore store;
+  EXPECT_EQ(store.channel("can0"), 0);
+  EXPECT_EQ(store.channel("can1"), 1);
+  EXPECT_EQ(store.channel("can0"), 0);
+  EXPECT_EQ(store.channelName(1), "can1");
+  EXPECT_EQ(store.channelName(2), "");
+  EXPECT_EQ(store.channelCount(), 2u);
+}
+
+TEST(FrameStore, ChannelNamesBeyondTheLastShareOneIndex) {
+  FrameStore store;
+  for (int i = 0; i < 1000; ++i) store.channel("can" + std::to_string(i));
+  EXPECT_EQ(store.channel("can254"), 254);
+  EXPECT_EQ(store.channel("can255"), FrameStore::kOtherChannels);
+  EXPECT_EQ(store.channel("can999"), FrameStore::kOtherChannels);
+  EXPECT_EQ(store.channelName(FrameStore::kOtherChannels), FrameStore::kOtherChannelsName);
+  EXPECT_EQ(store.channelCount(), 256u);
+}
+
+TEST(FrameStore, ReadersSeeWholeFramesWhileItGrows) {
+  FrameStore store;
+  std::atomic<bool> done = false;
+  constexpr std::uint64_t n = 3 * FrameStore::kChunkFrames;
+  std::thread writer([&] {
+    Frame frame;
+    for (std::uint64_t i = 0; i < n; ++i) {
+      const auto step = static_cast<std::int64_t>(i) * 1000;
+      // The clock is set forward now and then, so that offsets are read while they are added.
+      frame.stamp = step + static_cast<std::int64_t>(i / 10'000) * kSecond;
+      frame.id = static_cast<std::uint32_t>(i);
+      frame.data = std::bit_cast<Payload>(i);
+      if (!store.append({&frame, 1}, Instant{kSecond + step})) break;
+      if (i % 50'000 == 0) store.channel("can" + std::to_string(i));
+    }
+    done = true;
+  });
+  std::uint64_t seen = 0, wrong = 0;
+  std::mt19937_64 random(3);
+  while (!done || seen < store.count()) {
+    const std::uint64_t count = store.count();
+    if (count == 0) continue;
+    for (; seen < count; ++seen)
+      wrong += store[seen].id != seen || std::bit_cast<std::uint64_t>(store[seen].data) != seen;
+    const std::uint64_t i = random() % count;
+    const Instant time = store.timeAt(i);
+    wrong += time.ns != kSecond + static_cast<std::int64_t>(i) * 1000;
+    wrong += store.firstAtOrAfter(time) != i;
+    for (std::size_t c = 0; c < store.channelCount(); ++c)
+      wrong += store.channelName(static_cast<std::uint8_t>(c)).empty();
+  }
+  writer.join();
+  EXPECT_EQ(seen, n);
+  EXPECT_EQ(wrong, 0u);
+}
+
+}  // namespace
+}  // namespace deckpipe
