@@ -254,14 +254,18 @@ std::string nearlyUsualLine(std::mt19937_64& random) {
   };
   std::string line = pick(
       {"(1700000000.", "(1700000000.", "(1700000001.", "(166.", "(9223372036.", "(-5.", "(007.", "(5) "});
-  line += digits(random() % 8 ? 6 : random() % 11, "0123456789", 10) + ") ";
+  line += digits(random() % 20 ? 6 : random() % 11, "0123456789", 10) + ") ";
   line += pick({"can0", "can0", "can1", "vcan0", "x", "sevenxx", "eightxxx", "can", " can0"}) + " ";
   const std::size_t idDigits = random() % 10 == 0 ? random() % 10 : random() % 2 ? 8 : 3;
-  line += (idDigits == 8 ? pick({"0", "1", "1", "2", "8"}) : pick({"0", "7", "8", "f"})) +
+  line += (idDigits == 8 ? pick({"0", "1", "1", "1", "2", "8"}) : pick({"0", "3", "7", "8"})) +
           digits(idDigits == 0 ? 0 : idDigits - 1, "0123456789ABCDEFabcdef", 22);
-  line += pick({"#", "#", "#", "#", "##", "#R", ""});
-  line += digits(random() % 4 ? 16 : random() % 20, "0123456789ABCDEFabcdef", 22);
-  line += pick({"", "", "", " R", " T", " X", "_E", " ", "  T", "T"}) + pick({"", "", "\r", " \r", "\r\r"});
+  line += pick({"#", "#", "#", "#", "#", "#", "##", "#R"});
+  line += digits(random() % 4   ? 16
+                 : random() % 2 ? 2 * (random() % 9)
+                                : random() % 20,
+                 "0123456789ABCDEFabcdef", 22);
+  line += pick({"", "", "", "", "", "", " R", " T", " R", " T", " X", "_E", " ", "  T", "T"}) +
+          pick({"", "", "\r", " \r", "\r\r"});
   if (random() % 3 == 0) line[random() % line.size()] = static_cast<char>(random() % 256);
   return line + "\n";
 }
