@@ -58,8 +58,8 @@ inline std::uint64_t microseconds(const char* p) {
   const std::uint64_t text = load(p);
   if (text >> 48 != (')' | ' ' << 8)) return kNone;
   std::uint64_t digits = text << 16 | 0x3030;  // two leading zeros instead of what follows
-  const std::uint64_t notDigits = ((digits + 0x06 * kOnes) | digits) & 0xF0 * kOnes;
-  if (notDigits != 0x30 * kOnes) return kNone;
+  const std::uint64_t above9 = (digits + 0x06 * kOnes) ^ 0x30 * kOnes;
+  if (((digits ^ 0x30 * kOnes) | above9) & 0xF0 * kOnes) return kNone;
   digits -= 0x30 * kOnes;
   digits = digits * 10 + (digits >> 8);
   constexpr std::uint64_t pairs = 0x0000'00FF'0000'00FF;
@@ -104,8 +104,8 @@ const char* CandumpParser::fastFrame(const char* p, Frame& frame) {
   if (fraction > 999'999) return nullptr;
   p += 8;
 
-  // Guessed, so that the processor need not wait for the length before it goes on with the identifier; a wrong
-  // guess finds no name.
+  // Guessed, so that the processor need not wait for the length before it goes on with the identifier; a
+  // wrong guess finds no name.
   const std::uint64_t text = load(p);
   std::size_t length = m_nameLength;
   if (p[length] != ' ') [[unlikely]] {
@@ -254,6 +254,7 @@ void CandumpParser::learnName(std::string_view name, LocalChannel channel) {
   std::copy(name.begin(), name.end(), letters.begin());
   const std::uint64_t word = load(letters.data());
   m_shortNames[namePlace(word)] = {word, channel};
+  m_nameLength = name.size();
 }
 
 }  // namespace deckpipe

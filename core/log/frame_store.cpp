@@ -51,8 +51,8 @@ std::span<Frame> FrameStore::room() {
   return {m_chunks[count / kChunkFrames].frames + count % kChunkFrames, kChunkFrames - count % kChunkFrames};
 }
 
-// Copies what fits into one chunk after the other, `take(index, frame)` moving log time on and marking jumps,
-// and publishes each chunk's part at once.
+// Copies what fits into one chunk after the other and publishes each chunk's part at once. `take(index,
+// frame)` moves log time on and says whether that was a jump.
 template <typename Take>
 bool FrameStore::appendEach(std::span<const Frame> frames, Take take) {
   while (!frames.empty()) {
@@ -61,13 +61,13 @@ bool FrameStore::appendEach(std::span<const Frame> frames, Take take) {
     const std::size_t n = std::min(to.size(), frames.size());
     const std::uint64_t first = m_count.load(std::memory_order_relaxed);
     std::int64_t* timeBefore = m_chunks[first / kChunkFrames].timeBefore.get();
+    // Copied as a whole, which memory likes best; the flags are touched where they differ.
+    std::copy_n(frames.begin(), n, to.begin());
     for (std::size_t k = 0; k < n; ++k) {
       const std::uint64_t i = first + k;
       if (i % kBlock == 0) timeBefore[i % kChunkFrames / kBlock] = m_time;
-      Frame frame = frames[k];
-      frame.flags &= static_cast<std::uint8_t>(~Frame::kTimeJump);
-      take(i, frame);
-      to[k] = frame;
+      const bool jump = take(i, frames[k]);
+      if (jump != ((frames[k].flags & Frame::kTimeJump) != 0)) to[k].flags ^= Frame::kTimeJump;
     }
     m_count.store(first + n, std::memory_order_release);
     frames = frames.subspan(n);
@@ -76,30 +76,30 @@ bool FrameStore::appendEach(std::span<const Frame> frames, Take take) {
 }
 
 bool FrameStore::append(std::span<const Frame> frames) {
-  return appendEach(frames, [this](std::uint64_t i, Frame& frame) {
-    if (!frame.hasStamp()) return;
+  return appendEach(frames, [this](std::uint64_t i, const Frame& frame) {
+    if (!frame.hasStamp()) return false;
     const std::int64_t value = m_live ? valueOf(i, frame) : frame.stamp;
     const bool behind = value < m_time;
     const bool leap = !behind && m_stamped && value - m_time > kLeap.count();
-    if (behind || leap) frame.flags |= Frame::kTimeJump;
     if (!behind) m_time = value;
     m_stamped = true;
+    return behind || leap;
   });
 }
 
 bool FrameStore::append(std::span<const Frame> frames, Instant now) {
-  return appendEach(frames, [this, now](std::uint64_t i, Frame& frame) {
+  return appendEach(frames, [this, now](std::uint64_t i, const Frame& frame) {
     const bool known = offsetAt(frame.channel, i) != nullptr;
     std::int64_t value = m_time;
     if (frame.hasStamp() && known) value = valueOf(i, frame);
     const bool drifted = std::max(minus(value, now.ns), minus(now.ns, value)) > kLiveDrift.count();
     if (drifted || (frame.hasStamp() && !known)) {
-      if (frame.hasStamp() && known) frame.flags |= Frame::kTimeJump;
       setOffset(i, frame, now.ns);
       value = now.ns;
     }
     m_time = std::max(m_time, value);
     m_stamped |= frame.hasStamp();
+    return drifted && known && frame.hasStamp();
   });
 }
 
