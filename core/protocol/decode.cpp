@@ -63,8 +63,11 @@ bool hasItsBytes(const Field& field, const Frame& frame) {
   switch (field.kind) {
     case Kind::SdoValue:
     case Kind::SdoSize: return lengthOf(frame) >= 4 + sdo::valueSize(frame.data[0]);
-    default: return field.bits.bytesNeeded() <= lengthOf(frame);
+    default: break;
   }
+  // Of an SDO's value only as many bytes count as its specifier says.
+  if (field.sdoObject != 0 && field.bits.bytesNeeded() != 4 + sdo::valueSize(frame.data[0])) return false;
+  return field.bits.bytesNeeded() <= lengthOf(frame);
 }
 
 }  // namespace
@@ -87,8 +90,6 @@ bool isPresent(const Field& field, const Frame& frame) {
 
 Value valueOf(const Field& field, const Frame& frame) {
   if (!hasItsBytes(field, frame)) return {};
-  // An SDO's value may be shorter than the field that one object's rule lays over it.
-  if (field.sdoObject != 0 && 4 + sdo::valueSize(frame.data[0]) != field.bits.bytesNeeded()) return {};
   const std::uint64_t raw = readBits(frame.data, field.bits);
   const auto plus = [&] { return static_cast<unsigned>(readBits(frame.data, field.plus)); };
   const auto minus = [&] { return static_cast<unsigned>(readBits(frame.data, field.minus)); };

@@ -47,9 +47,11 @@ inline constexpr std::array kSdoReadResponseFields{
     kSubindex,
     kValue,
     kSize,
-    forObject(sdo::kFaultStatus, akron::faultNames(big(5, 8, 32))),
-    forObject(sdo::kFaultStatus, akron::faultNumbers(big(5, 8, 32))),
-    forObject(sdo::kOperationalError, number("error_code", "Operational error code", little(5, 16))),
+    // The map is four bytes; an answer of another size has none.
+    forObject(sdo::kFaultStatus, orLeftOut(akron::faultNames(big(5, 8, 32)))),
+    forObject(sdo::kFaultStatus, orLeftOut(akron::faultNumbers(big(5, 8, 32)))),
+    forObject(sdo::kOperationalError,
+              {.key = "error_code", .name = "Operational error code", .kind = Kind::SdoValue, .bits = little(5, 32)}),
 };
 inline constexpr std::array kSdoAbortFields{
     kIndex,

@@ -64,8 +64,11 @@ void ChannelRoles::observeName(Address source, const Frame& frame) {
   const bool akron = readBits(frame.data, kManufacturer) == j1939::kAkronManufacturer;
   std::uint8_t& role = m_roles[source.value];
   std::uint64_t& held = m_names[source.value];
-  // Another NAME takes the address. That a device announced itself as Akron's counts as a NAME of Akron's.
-  if (held != 0 ? held != name : !akron && (role & kAkron) != 0) role = 0;
+  if (held != 0 && held != name) {
+    role = 0;  // another NAME takes the address
+  } else if (held == 0 && !akron) {
+    role &= static_cast<std::uint8_t>(~kAkron);  // who announced itself there cannot have this NAME
+  }
   held = name;
   role |= akron ? kAkron : kForeign;
 }
