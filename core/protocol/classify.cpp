@@ -23,7 +23,8 @@ using TypeTable = std::array<TypeEntry, 256>;
 
 constexpr TypeTable makeTable(Family family) {
   TypeTable table;
-  table.fill({});  // explicitly: g++ 12 leaves zeros behind the last entry written where it only is initialised
+  table.fill(
+      {});  // explicitly: g++ 12 leaves zeros behind the last entry written where it only is initialised
   for (const Message& message : kCatalogue) {
     if (message.family != family || message.selector != pgn::kProprietaryA) continue;
     TypeEntry& entry = table[static_cast<std::size_t>(message.firstByte)];

@@ -50,8 +50,10 @@ inline constexpr std::array kSdoReadResponseFields{
     // The map is four bytes; an answer of another size has none.
     forObject(sdo::kFaultStatus, orLeftOut(akron::faultNames(big(5, 8, 32)))),
     forObject(sdo::kFaultStatus, orLeftOut(akron::faultNumbers(big(5, 8, 32)))),
-    forObject(sdo::kOperationalError,
-              {.key = "error_code", .name = "Operational error code", .kind = Kind::SdoValue, .bits = little(5, 32)}),
+    forObject(sdo::kOperationalError, {.key = "error_code",
+                                       .name = "Operational error code",
+                                       .kind = Kind::SdoValue,
+                                       .bits = little(5, 32)}),
 };
 inline constexpr std::array kSdoAbortFields{
     kIndex,

@@ -143,7 +143,9 @@ TEST_F(OneChannel, ReadsTrafficWithADriveAsCopleyUnlessTheOtherEndIsAkron) {
   EXPECT_EQ(hear("18EF2180", "02").family, Family::Ambiguous);
   EXPECT_EQ(hear("18EF8021", "8200").family, Family::Ambiguous);
   EXPECT_EQ(hear("18EF2105", "0202").malformed, true);
-  EXPECT_EQ(hear("18EF2105", "77").family, Family::Copley);
+  for (const char* unknown : {"77", "96", "FD", "FE413F0D0A", "FF83150226021A0B"}) {
+    EXPECT_EQ(hear("18EF2105", unknown), (Classified{.family = Family::Copley})) << unknown;
+  }
 }
 
 TEST_F(OneChannel, TellsZeroRequestFromAcknowledgementByTheAkronEnd) {

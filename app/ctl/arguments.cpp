@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arguments.h"
+
+#include <cstdio>
+
+#include "command.h"
+
+namespace deckpipe::ctl {
+
+std::optional<ChannelAddress> parseChannelAddress(const QString& text) {
+  const qsizetype colon = text.lastIndexOf(QLatin1Char(':'));
+  bool ok = false;
+  const uint address = text.mid(colon + 1).toUInt(&ok, 16);
+  if (!ok || address > 0xFD || colon == 0) return {};
+  return ChannelAddress{text.left(std::max<qsizetype>(colon, 0)).toStdString(),
+                        {static_cast<std::uint8_t>(address)}};
+}
+
+std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments) {
+  const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
+                                QStringLiteral("Show this help."));
+  parser.addOption(help);
+  if (!parser.parse(arguments)) return badUsage(parser.errorText());
+  if (parser.isSet(help)) {
+    std::fputs(qPrintable(parser.helpText()), stdout);
+    return kDone;
+  }
+  return {};
+}
+
+int badUsage(const QString& message) {
+  std::fprintf(stderr, "deckpipectl: %s\nTry 'deckpipectl --help'.\n", qPrintable(message));
+  return kBadUsage;
+}
+
+}  // namespace deckpipe::ctl

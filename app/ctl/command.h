@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The subcommands of deckpipectl. Each gets its own arguments and returns the exit status.
+#pragma once
+
+#include <QStringList>
+
+namespace deckpipe::ctl {
+
+// Exit statuses that scripts can trust.
+inline constexpr int kDone = 0;
+inline constexpr int kNotWhole = 1;  // something could not be read, written or done
+inline constexpr int kBadUsage = 2;  // unusable arguments
+
+int decodeCommand(const QStringList& arguments);
+int infoCommand(const QStringList& arguments);
+
+}  // namespace deckpipe::ctl

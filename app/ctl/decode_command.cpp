@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl decode: protocol.md section 5.
+#include <array>
+#include <memory>
+
+#include "arguments.h"
+#include "command.h"
+#include "log_input.h"
+#include "output.h"
+#include "protocol/classify.h"
+#include "report/decode_lines.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+// Walks the store as it grows, with the roles of every channel.
+class Decoder {
+ public:
+  Decoder(const FrameStore& frames, DecodeFormat format, std::vector<ChannelAddress> drives)
+      : m_frames(frames), m_times(frames), m_format(format), m_drives(std::move(drives)) {
+    m_output.text() += decodeHeader(format);
+  }
+
+  // Everything that has come since the last call, and out with it. False where standard output takes no more.
+  bool decodeNew() {
+    const std::uint64_t count = m_frames.count();
+    while (m_next < count) {
+      for (const Frame& frame : m_frames.run(m_next)) {
+        if (m_next == count) break;
+        decodeOne(frame, m_times.at(m_next++));
+        if (!m_output.write()) return false;
+      }
+    }
+    return m_output.flush();
+  }
+
+ private:
+  struct ChannelWalk {
+    ChannelRoles roles;
+    std::string_view name;
+  };
+
+  void decodeOne(const Frame& frame, Instant time) {
+    ChannelWalk& channel = walkOf(frame.channel);
+    const Classified what = classify(frame, time, channel.roles);
+    appendDecoded(m_output.text(), m_format, frame, channel.name, what);
+    channel.roles.observe(frame, time, what);
+  }
+
+  ChannelWalk& walkOf(std::uint8_t index) {
+    std::unique_ptr<ChannelWalk>& walk = m_channels[index];
+    if (walk == nullptr) {
+      walk = std::make_unique<ChannelWalk>();
+      walk->name = m_frames.channelName(index);
+      for (const ChannelAddress& drive : m_drives) {
+        if (drive.channel.empty() || drive.channel == walk->name) walk->roles.sayDrive(drive.address, true);
+      }
+    }
+    return *walk;
+  }
+
+  const FrameStore& m_frames;
+  LogTimes m_times;
+  DecodeFormat m_format;
+  std::vector<ChannelAddress> m_drives;
+  std::array<std::unique_ptr<ChannelWalk>, 256> m_channels;
+  std::uint64_t m_next = 0;
+  Output m_output;
+};
+
+}  // namespace
+
+int decodeCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral(
+      "Decodes every frame of a log, one line each, to standard output.\n"
+      "What cannot be read is said on standard error with its line; the exit status is then 1."));
+  parser.addPositionalArgument(QStringLiteral("FILE"),
+                               QStringLiteral("Log to read; - is candump text on standard input."));
+  const QCommandLineOption format(QStringLiteral("format"), QStringLiteral("jsonl (default), csv or text."),
+                                  QStringLiteral("FORMAT"), QStringLiteral("jsonl"));
+  const QCommandLineOption drive(
+      QStringLiteral("drive"),
+      QStringLiteral("A Copley drive is at this address (hex), on all channels or on one."),
+      QStringLiteral("[CHANNEL:]ADDR"));
+  parser.addOptions({format, drive});
+  if (const auto status = parse(parser, arguments)) return *status;
+
+  DecodeFormat wanted;
+  if (const QString word = parser.value(format); word == QLatin1String("jsonl")) {
+    wanted = DecodeFormat::JsonLines;
+  } else if (word == QLatin1String("csv")) {
+    wanted = DecodeFormat::Csv;
+  } else if (word == QLatin1String("text")) {
+    wanted = DecodeFormat::Text;
+  } else {
+    return badUsage(QStringLiteral("decode: no format '%1'; it is jsonl, csv or text").arg(word));
+  }
+  std::vector<ChannelAddress> drives;
+  for (const QString& text : parser.values(drive)) {
+    const auto address = parseChannelAddress(text);
+    if (!address)
+      return badUsage(
+          QStringLiteral("decode: --drive '%1' is not [CHANNEL:]ADDR with ADDR in hex, 00 to FD").arg(text));
+    drives.push_back(*address);
+  }
+  if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("decode: one FILE is wanted"));
+
+  LogInput input(parser.positionalArguments().first().toStdString());
+  Decoder decoder(input.frames, wanted, std::move(drives));
+  bool written = true;
+  const int status = input.read([&] { return written = decoder.decodeNew(); });
+  return written ? status : kNotWhole;
+}
+
+}  // namespace deckpipe::ctl

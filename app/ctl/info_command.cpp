@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl info: what is in a log.
+#include "arguments.h"
+#include "command.h"
+#include "info_report.h"
+#include "log_input.h"
+#include "output.h"
+
+namespace deckpipe::ctl {
+
+int infoCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral(
+      "Says what is in a log: frames, span, frames by identifier, lines that cannot be read."));
+  parser.addPositionalArgument(QStringLiteral("FILE"),
+                               QStringLiteral("Log to read; - is candump text on standard input."));
+  const QCommandLineOption devices(QStringLiteral("devices"),
+                                   QStringLiteral("Add what is known of every device at the end."));
+  const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object instead of text."));
+  parser.addOptions({devices, json});
+  if (const auto status = parse(parser, arguments)) return *status;
+  if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("info: one FILE is wanted"));
+
+  LogInput input(parser.positionalArguments().first().toStdString());
+  InfoReport report(input.frames, parser.isSet(devices));
+  const int status = input.read([&] {
+    report.countNew();
+    return true;
+  });
+  if (status == kBadUsage) return status;
+  Output output;
+  const UnkeptPlaces unkept = input.unkept.content();
+  output.text() = parser.isSet(json) ? report.json(input.name(), unkept) : report.text(input.name(), unkept);
+  return output.flush() ? status : kNotWhole;
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "info_report.h"
+
+#include <cstdio>
+
+#include "protocol/device_types.h"
+#include "report/json.h"
+#include "report/trace_text.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+std::string versionText(std::uint16_t version) {
+  return std::to_string(version >> 8) + "." + std::to_string(version & 0xFF);
+}
+
+std::string hex(unsigned value, unsigned digits) {
+  std::string text;
+  appendHex(text, value, digits);
+  return text;
+}
+
+void appendAngle(std::string& out, const PositionReading& reading) {
+  appendJsonValue(out, reading.state == PositionState::Ok ? Value::decimal(reading.tenths, 1) : Value());
+}
+
+// One device as a JSON object: what it is, and the last of each thing it said.
+void appendDeviceJson(std::string& out, const Device& device, std::string_view channel) {
+  const auto key = [&](std::string_view name) {
+    out += ",\"";
+    out += name;
+    out += "\":";
+  };
+  out += "{\"pin\":";
+  appendJsonValue(out, device.kind == Device::Kind::Pin ? Value::text(device.pin.text()) : Value());
+  key("channel");
+  appendJsonString(out, channel);
+  if (device.kind == Device::Kind::Pin) {
+    key("device_type");
+    appendJsonNumber(out, device.pin.deviceType());
+  }
+  if (device.kind == Device::Kind::Node) {
+    key("node");
+    appendJsonNumber(out, device.node.value);
+  } else {
+    key("address");
+    appendJsonValue(out, device.address == kNullAddress ? Value() : Value::integer(device.address.value));
+    key("address_changes");
+    appendJsonNumber(out, device.addressChanges);
+  }
+  key("frames");
+  appendJsonNumber(out, device.frames);
+  key("malformed");
+  appendJsonNumber(out, device.malformed);
+  if (device.position.isKnown()) {
+    key("rotation_deg");
+    appendAngle(out, device.position.value.rotation);
+    key("rotation_state");
+    appendJsonString(out, keyOf(device.position.value.rotation.state));
+    key("elevation_deg");
+    appendAngle(out, device.position.value.elevation);
+    key("elevation_state");
+    appendJsonString(out, keyOf(device.position.value.elevation.state));
+  }
+  if (device.faults.isKnown()) {
+    key("faults");
+    std::uint32_t named = 0;
+    for (const ValueName& bit : akron::kFaultBits) named |= 1u << bit.value;
+    appendJsonValue(out, Value::names(device.faults.value.map & named, akron::kFaultBits));
+    key("reserved_bits");
+    appendJsonValue(out, Value::numbers(device.faults.value.map & ~named));
+    key("pcode_error");
+    appendJsonValue(
+        out, device.faults.value.pcodeError ? Value::integer(*device.faults.value.pcodeError) : Value());
+  }
+  if (device.firmware.isKnown()) {
+    key("system");
+    appendJsonString(out, versionText(device.firmware.value.system));
+  }
+  if (device.pcode.isKnown()) {
+    key("style");
+    appendJsonNumber(out, device.pcode.value.style);
+    key("pcode_version");
+    appendJsonString(out, versionText(device.pcode.value.version));
+  }
+  if (device.config.isKnown()) {
+    key("config_type");
+    appendJsonNumber(out, device.config.value.type);
+  }
+  if (device.partNumber.isKnown()) {
+    key("part_number");
+    appendJsonNumber(out, device.partNumber.value);
+  }
+  out += '}';
+}
+
+std::string deviceText(const Device& device, std::string_view channel) {
+  std::string out;
+  if (device.kind == Device::Kind::Pin) {
+    out += device.pin.text();
+    const std::string_view type = deviceTypeName(device.pin.deviceType());
+    out += "  ";
+    out += type.empty() ? std::string_view("type not known") : type;
+  } else {
+    out += "no PIN         ";
+  }
+  out += "  ";
+  out += channel;
+  if (device.kind == Device::Kind::Node) {
+    out += "  node " + hex(device.node.value, 2);
+  } else {
+    out += device.address == kNullAddress ? "  address lost" : "  address " + hex(device.address.value, 2);
+  }
+  out += "  " + std::to_string(device.frames) + " frames";
+  if (device.malformed != 0) out += ", " + std::to_string(device.malformed) + " malformed";
+  if (device.position.isKnown()) {
+    const auto angle = [](const PositionReading& reading) {
+      return reading.state == PositionState::Ok ? toText(Value::decimal(reading.tenths, 1)) + " deg"
+                                                : std::string(keyOf(reading.state));
+    };
+    out += ", rotation " + angle(device.position.value.rotation);
+    out += ", elevation " + angle(device.position.value.elevation);
+  }
+  return out;
+}
+
+}  // namespace
+
+void InfoReport::countNew() {
+  const std::uint64_t count = m_frames.count();
+  while (m_next < count) {
+    for (const Frame& frame : m_frames.run(m_next)) {
+      if (m_next == count) break;
+      ++m_byId[{frame.channel, frame.id}];
+      if ((frame.flags & Frame::kTimeJump) != 0) ++m_timeJumps;
+      const Instant time = m_times.at(m_next++);
+      if (m_withDevices) m_state.apply(frame, time);
+    }
+  }
+}
+
+Frame InfoReport::frameOf(const Key& key) const {
+  Frame frame;
+  frame.id = key.id;
+  return frame;
+}
+
+double InfoReport::spanSeconds() const {
+  if (m_frames.count() == 0) return 0;
+  return std::chrono::duration<double>(m_frames.lastTime() - m_frames.timeAt(0)).count();
+}
+
+std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept) const {
+  std::string out = file + "\n";
+  char line[160];
+  std::snprintf(line, sizeof line, "  %llu frames over %.6f s on %zu channels\n",
+                static_cast<unsigned long long>(m_frames.count()), spanSeconds(), m_frames.channelCount());
+  out += line;
+  if (m_timeJumps != 0) out += "  " + std::to_string(m_timeJumps) + " frames whose time goes back or leaps\n";
+  if (unkept.unreadable() != 0) out += "  " + std::to_string(unkept.unreadable()) + " unreadable lines\n";
+  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
+    const auto reason = static_cast<Unkept>(i);
+    if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
+    out +=
+        "  " + std::to_string(unkept.count(reason)) + " not kept: " + std::string(unkeptText(reason)) + "\n";
+  }
+  for (const auto& [key, count] : m_byId) {
+    std::string id;
+    appendIdentifier(id, frameOf(key));
+    const std::string channel(m_frames.channelName(key.channel));
+    std::snprintf(line, sizeof line, "  %-10.40s %-8s %s %12llu\n", channel.c_str(), id.c_str(),
+                  (key.id & kRemoteBit) != 0 ? "remote" : "      ", static_cast<unsigned long long>(count));
+    out += line;
+  }
+  if (m_withDevices) {
+    out += "devices\n";
+    for (const Device& device : m_state.devices().all()) {
+      if (device.kind == Device::Kind::Free) continue;
+      out += "  " + deviceText(device, m_frames.channelName(device.channel.value)) + "\n";
+    }
+  }
+  return out;
+}
+
+std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept) const {
+  std::string out = "{\"file\":";
+  appendJsonString(out, file);
+  out += ",\"frames\":" + std::to_string(m_frames.count());
+  char span[40];
+  std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
+  out += span;
+  out += ",\"time_jumps\":" + std::to_string(m_timeJumps);
+  out += ",\"unreadable\":" + std::to_string(unkept.unreadable());
+  out += ",\"not_kept\":{";
+  bool first = true;
+  const auto comma = [&] {
+    if (!first) out += ',';
+    first = false;
+  };
+  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
+    const auto reason = static_cast<Unkept>(i);
+    if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
+    comma();
+    appendJsonString(out, unkeptText(reason));
+    out += ':' + std::to_string(unkept.count(reason));
+  }
+  out += "},\"ids\":[";
+  first = true;
+  for (const auto& [key, count] : m_byId) {
+    comma();
+    out += "{\"channel\":";
+    appendJsonString(out, m_frames.channelName(key.channel));
+    out += ",\"id\":\"";
+    appendIdentifier(out, frameOf(key));
+    out += '"';
+    if ((key.id & kRemoteBit) != 0) out += ",\"remote\":true";
+    if ((key.id & kErrorBit) != 0) out += ",\"error\":true";
+    out += ",\"frames\":" + std::to_string(count) + '}';
+  }
+  out += ']';
+  if (m_withDevices) {
+    out += ",\"devices\":[";
+    first = true;
+    for (const Device& device : m_state.devices().all()) {
+      if (device.kind == Device::Kind::Free) continue;
+      comma();
+      appendDeviceJson(out, device, m_frames.channelName(device.channel.value));
+    }
+    out += ']';
+  }
+  return out + "}\n";
+}
+
+}  // namespace deckpipe::ctl

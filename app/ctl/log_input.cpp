@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "log_input.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <thread>
+
+#include "command.h"
+#include "log/candump.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+int sayError(const std::string& name, const ReadError& error) {
+  const std::string_view what = readErrorText(error.kind);
+  std::fprintf(stderr, "deckpipectl: %s: %.*s%s%s\n", name.c_str(), static_cast<int>(what.size()),
+               what.data(), error.detail.empty() ? "" : ": ", error.detail.c_str());
+  return error.kind == ReadError::Kind::CannotOpen ? kBadUsage : kNotWhole;
+}
+
+}  // namespace
+
+int LogInput::read(const std::function<bool()>& more) {
+  return path == "-" ? readStandardInput(more) : readFile(more);
+}
+
+int LogInput::readFile(const std::function<bool()>& more) {
+  std::atomic<unsigned> published = 0;  // grows whenever there is something new, the end included
+  std::atomic<bool> wanted = true;
+  std::atomic<bool> ended = false;
+  std::optional<Result<ReadSummary, ReadError>> outcome;
+  const auto publish = [&] {
+    published.fetch_add(1);
+    published.notify_one();
+  };
+  std::thread reader([&] {
+    ReadOptions options;
+    options.threads = 2;
+    options.onProgress = [&](const ReadProgress&) {
+      publish();
+      return wanted.load();
+    };
+    outcome.emplace(readCandump(path, frames, unkept, options));
+    ended = true;
+    publish();
+  });
+  for (unsigned seen = 0; !ended;) {
+    published.wait(seen);
+    seen = published;
+    if (wanted && !more()) wanted = false;
+  }
+  reader.join();
+  if (wanted) more();
+  const int unkeptStatus = sayUnkept();
+  return *outcome ? unkeptStatus : sayError(name(), outcome->error());
+}
+
+int LogInput::readStandardInput(const std::function<bool()>& more) {
+  CandumpStream stream(frames, unkept);
+  std::array<char, 64 * 1024> buffer;
+  int status = kDone;
+  for (;;) {
+    const ssize_t got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) {
+      std::fprintf(stderr, "deckpipectl: standard input: %s\n", std::strerror(errno));
+      status = kNotWhole;
+    }
+    if (got <= 0) break;
+    if (!stream.feed({buffer.data(), static_cast<std::size_t>(got)}) || !more()) break;
+  }
+  const auto outcome = stream.finish();
+  more();
+  const int unkeptStatus = sayUnkept();
+  if (!outcome) return sayError(name(), outcome.error());
+  return std::max(status, unkeptStatus);
+}
+
+int LogInput::sayUnkept() const {
+  const UnkeptPlaces content = unkept.content();
+  std::array<std::uint64_t, kUnkeptReasons> said{};
+  for (const UnkeptPlace& place : content.places()) {
+    if (!isUnreadable(place.reason)) continue;
+    const std::string_view reason = unkeptText(place.reason);
+    std::fprintf(stderr, "%s:%" PRIu64 ": %.*s\n", name().c_str(), place.place,
+                 static_cast<int>(reason.size()), reason.data());
+    ++said[static_cast<std::size_t>(place.reason)];
+  }
+  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
+    const auto reason = static_cast<Unkept>(i);
+    const std::uint64_t rest = content.count(reason) - said[i];
+    if (rest == 0) continue;
+    const std::string_view text = unkeptText(reason);
+    std::fprintf(
+        stderr,
+        isUnreadable(reason) ? "%s: %" PRIu64 " more lines: %.*s\n" : "%s: %" PRIu64 " not kept: %.*s\n",
+        name().c_str(), rest, static_cast<int>(text.size()), text.data());
+  }
+  return content.unreadable() == 0 ? kDone : kNotWhole;
+}
+
+}  // namespace deckpipe::ctl

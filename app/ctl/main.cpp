@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl: the headless half of Deckpipe.
+#include <QCoreApplication>
+#include <clocale>
+#include <csignal>
+#include <cstdio>
+
+#include "arguments.h"
+#include "command.h"
+
+namespace {
+
+struct Command {
+  const char* name;
+  const char* summary;
+  int (*run)(const QStringList&);
+};
+
+constexpr Command kCommands[] = {
+    {"decode", "decode every frame of a log, one line each", deckpipe::ctl::decodeCommand},
+    {"info", "say what is in a log", deckpipe::ctl::infoCommand},
+};
+
+void printHelp() {
+  std::puts(
+      "Usage: deckpipectl COMMAND [ARGUMENTS]\n\nDiagnostics for fire monitors on CAN, without a "
+      "window.\n\nCommands:");
+  for (const Command& command : kCommands) std::printf("  %-10s %s\n", command.name, command.summary);
+  std::puts(
+      "\n'deckpipectl COMMAND --help' tells the arguments of one. Exit status: 0 done, 1 not everything "
+      "could be\n"
+      "read, written or done, 2 unusable arguments.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A reader of ours that has enough closes its pipe; that ends us, and is no failure to talk about.
+  std::signal(SIGPIPE, SIG_DFL);
+  QCoreApplication application(argc, argv);
+  QCoreApplication::setApplicationName(QStringLiteral("deckpipectl"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(DECKPIPE_VERSION));
+  // Numbers in machine-readable output never follow the locale.
+  std::setlocale(LC_NUMERIC, "C");
+  QStringList arguments = QCoreApplication::arguments();
+  const QString name = arguments.value(1);
+  if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help")) {
+    printHelp();
+    return deckpipe::ctl::kDone;
+  }
+  if (name == QLatin1String("--version")) {
+    std::puts("deckpipectl " DECKPIPE_VERSION);
+    return deckpipe::ctl::kDone;
+  }
+  if (name.isEmpty()) return deckpipe::ctl::badUsage(QStringLiteral("a command is wanted"));
+  for (const Command& command : kCommands) {
+    if (name != QLatin1String(command.name)) continue;
+    arguments.removeFirst();
+    arguments[0] = QStringLiteral("deckpipectl ") + name;
+    return command.run(arguments);
+  }
+  return deckpipe::ctl::badUsage(QStringLiteral("no command '%1'").arg(name));
+}

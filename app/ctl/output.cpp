@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace deckpipe::ctl {
+
+bool Output::flush() {
+  if (!m_failed && !m_text.empty() &&
+      (std::fwrite(m_text.data(), 1, m_text.size(), stdout) != m_text.size() || std::fflush(stdout) != 0)) {
+    m_failed = true;
+    std::fprintf(stderr, "deckpipectl: standard output: %s\n", std::strerror(errno));
+  }
+  m_text.clear();
+  return !m_failed;
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/decode_lines.h"
+
+#include <optional>
+
+#include "bus/canopen.h"
+#include "bus/j1939.h"
+#include "protocol/decode.h"
+#include "report/json.h"
+#include "report/trace_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct Ends {
+  std::optional<std::uint8_t> source, destination, node;
+  std::optional<std::uint32_t> pgn;
+};
+
+// Who an identifier speaks of. An error frame's identifier is an error class and speaks of nobody.
+Ends endsOf(const Frame& frame) {
+  Ends ends;
+  if (frame.isError()) return ends;
+  if (frame.isExtended()) {
+    const J1939Id id = J1939Id::of(frame.identifier());
+    ends.source = id.source.value;
+    if (id.hasDestination()) ends.destination = id.destination.value;
+    ends.pgn = id.pgn;
+  } else if (const CobId cob = CobId::of(frame.identifier()); cob.hasNode()) {
+    ends.node = cob.node.value;
+  }
+  return ends;
+}
+
+void appendFields(std::string& out, const Frame& frame, const Message& message) {
+  out += '{';
+  bool first = true;
+  for (const Field& field : message.fields) {
+    if (!isPresent(field, frame)) continue;
+    if (!first) out += ',';
+    first = false;
+    out += '"';
+    out += field.key;
+    out += "\":";
+    appendJsonValue(out, valueOf(field, frame));
+  }
+  out += '}';
+}
+
+std::string_view messageKey(const Classified& what) {
+  if (what.malformed) return "malformed";
+  return what.isDecoded() ? messageOf(what.message).key : std::string_view();
+}
+
+template <typename T>
+void appendKeyed(std::string& out, std::string_view key, const std::optional<T>& number) {
+  if (!number) return;
+  out += key;
+  appendJsonNumber(out, *number);
+}
+
+void appendJsonLine(std::string& out, const Frame& frame, std::string_view channel, const Classified& what) {
+  const Ends ends = endsOf(frame);
+  out += "{\"t\":";
+  appendJsonSeconds(out, frame.stamp);
+  out += ",\"channel\":";
+  appendJsonString(out, channel);
+  out += ",\"id\":\"";
+  appendIdentifier(out, frame);
+  out += "\",\"data\":\"";
+  for (const std::uint8_t byte : frame.bytes()) appendHex(out, byte, 2);
+  out += "\",\"family\":";
+  if (const std::string_view family = familyKey(what.family); family.empty()) {
+    out += "null";
+  } else {
+    appendJsonString(out, family);
+  }
+  out += ",\"message\":";
+  const std::string_view key = messageKey(what);
+  if (key.empty()) {
+    out += "null";
+  } else {
+    appendJsonString(out, key);
+  }
+  appendKeyed(out, ",\"source\":", ends.source);
+  appendKeyed(out, ",\"destination\":", ends.destination);
+  appendKeyed(out, ",\"node\":", ends.node);
+  if (key.empty()) appendKeyed(out, ",\"pgn\":", ends.pgn);
+  if (frame.isRemote()) out += ",\"remote\":true";
+  if (frame.isError()) out += ",\"error\":true";
+  if (what.malformed) {
+    out += ",\"reason\":";
+    appendJsonString(out, malformedReason(what, frame.length));
+  }
+  out += ",\"fields\":";
+  if (what.isDecoded()) {
+    appendFields(out, frame, messageOf(what.message));
+  } else {
+    out += "null";
+  }
+  out += "}\n";
+}
+
+void appendCsvCell(std::string& out, std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
+void appendCsvLine(std::string& out, const Frame& frame, std::string_view channel, const Classified& what) {
+  const Ends ends = endsOf(frame);
+  const auto number = [&](const auto& value) {
+    out += ',';
+    if (value) appendJsonNumber(out, *value);
+  };
+  if (frame.hasStamp()) appendJsonSeconds(out, frame.stamp);
+  out += ',';
+  appendCsvCell(out, channel);
+  out += ',';
+  appendIdentifier(out, frame);
+  out += ',';
+  for (const std::uint8_t byte : frame.bytes()) appendHex(out, byte, 2);
+  out += ',';
+  out += familyKey(what.family);
+  out += ',';
+  out += messageKey(what);
+  number(ends.source);
+  number(ends.destination);
+  number(ends.node);
+  out += ',';
+  if (what.isDecoded()) {
+    std::string fields;
+    appendFields(fields, frame, messageOf(what.message));
+    appendCsvCell(out, fields);
+  }
+  out += '\n';
+}
+
+}  // namespace
+
+std::string_view familyKey(Family family) {
+  constexpr std::string_view kKeys[] = {"",        "j1939",    "akron",     "copley",
+                                        "canopen", "presumed", "ambiguous", "other"};
+  return kKeys[static_cast<std::size_t>(family)];
+}
+
+std::string malformedReason(const Classified& what, unsigned length) {
+  std::string text;
+  for (unsigned n = 0; n <= 8; ++n) {
+    if (!allows(what.wanted, n)) continue;
+    if (!text.empty()) text += " or ";
+    appendJsonNumber(text, n);
+  }
+  text += what.wanted == lengths(1) ? " byte wanted, " : " bytes wanted, ";
+  appendJsonNumber(text, length);
+  return text + " came";
+}
+
+std::string_view decodeHeader(DecodeFormat format) {
+  return format == DecodeFormat::Csv ? "t,channel,id,data,family,message,source,destination,node,fields\n"
+                                     : "";
+}
+
+void appendDecoded(std::string& out, DecodeFormat format, const Frame& frame, std::string_view channel,
+                   const Classified& what) {
+  switch (format) {
+    case DecodeFormat::JsonLines: appendJsonLine(out, frame, channel, what); break;
+    case DecodeFormat::Csv: appendCsvLine(out, frame, channel, what); break;
+    case DecodeFormat::Text: appendTraceLine(out, frame, channel, what); break;
+  }
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/trace_text.h"
+
+#include "protocol/decode.h"
+#include "report/decode_lines.h"
+#include "report/json.h"
+
+namespace deckpipe {
+
+void appendIdentifier(std::string& out, const Frame& frame) {
+  if (frame.isError()) {
+    appendHex(out, frame.identifier() | kErrorBit, 8);
+  } else {
+    appendHex(out, frame.identifier(), frame.isExtended() ? 8 : 3);
+  }
+}
+
+void appendSummary(std::string& out, const Frame& frame, const Classified& what) {
+  if (what.malformed) {
+    out += malformedReason(what, frame.length);
+    return;
+  }
+  if (!what.isDecoded()) return;
+  bool first = true;
+  for (const Field& field : messageOf(what.message).fields) {
+    if (!isPresent(field, frame)) continue;
+    if (!first) out += ", ";
+    first = false;
+    out += field.key;
+    out += ' ';
+    const Value value = valueOf(field, frame);
+    if (value.isNull()) {
+      out += '-';
+    } else {
+      const std::size_t before = out.size();
+      appendText(out, value);
+      if (out.size() == before) out += "none";
+    }
+  }
+}
+
+void appendTraceLine(std::string& out, const Frame& frame, std::string_view channel, const Classified& what) {
+  const auto padTo = [&](std::size_t start, std::size_t width) {
+    while (out.size() < start + width) out += ' ';
+  };
+  std::size_t start = out.size();
+  if (frame.hasStamp()) {
+    appendJsonSeconds(out, frame.stamp);
+  } else {
+    out += '-';
+  }
+  padTo(start, 19);
+  start = out.size();
+  out += channel;
+  padTo(start, 8);
+  start = out.size();
+  appendIdentifier(out, frame);
+  padTo(start, 10);
+  out += '[';
+  appendJsonNumber(out, frame.length);
+  out += "] ";
+  start = out.size();
+  if (frame.isRemote()) out += "remote";
+  for (const std::uint8_t byte : frame.bytes()) {
+    appendHex(out, byte, 2);
+    out += ' ';
+  }
+  padTo(start, 25);
+  start = out.size();
+  out += frame.isError() ? "error" : familyKey(what.family);
+  padTo(start, 10);
+  start = out.size();
+  if (what.malformed) {
+    out += "malformed";
+  } else if (what.isDecoded()) {
+    out += messageOf(what.message).key;
+  }
+  padTo(start, 24);
+  appendSummary(out, frame, what);
+  out.erase(out.find_last_not_of(' ') + 1);
+  out += '\n';
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/device.h"
+
+#include <algorithm>
+
+#include "bus/j1939.h"
+#include "protocol/gateway.h"
+
+namespace deckpipe {
+
+Instant Device::lastOf(Periodic p) const {
+  switch (p) {
+    case Periodic::Position: return position.at;
+    case Periodic::RotationLimits: return rotationLimits.at;
+    case Periodic::ElevationLimits: return elevationLimits.at;
+    case Periodic::Outputs: return outputs.at;
+    case Periodic::MiniOutputs: return miniOutputs.at;
+    case Periodic::Inputs: return inputs.at;
+    case Periodic::Permissive: return permissive.at;
+    case Periodic::Heartbeat: return heartbeat.at;
+    case Periodic::Count: break;
+  }
+  return kNotYet;
+}
+
+Instant Device::nextDeadline() const {
+  Instant next = kNever;
+  for (std::size_t i = 0; i < kPeriodics; ++i) {
+    const auto p = static_cast<Periodic>(i);
+    const Instant last = lastOf(p);
+    if (last != kNotYet && !isStale(p)) next = std::min(next, last + staleAfter(p));
+  }
+  return next;
+}
+
+void Device::timeCame(Instant time) {
+  for (std::size_t i = 0; i < kPeriodics; ++i) {
+    const auto p = static_cast<Periodic>(i);
+    const Instant last = lastOf(p);
+    if (last != kNotYet && last + staleAfter(p) <= time) stale = static_cast<std::uint16_t>(stale | 1u << i);
+  }
+}
+
+template <typename T>
+void Device::refresh(Timed<T>& value, const T& newValue, Instant time, Periodic p) {
+  value.set(newValue, time);
+  stale = static_cast<std::uint16_t>(stale & ~(1u << static_cast<unsigned>(p)));
+}
+
+void Device::take(const Frame& frame, MessageId id, Instant time) {
+  switch (id) {
+    case MessageId::PositionLimitStatus:
+      refresh(position, PositionLimitStatus::of(frame), time, Periodic::Position);
+      break;
+    case MessageId::RotationSoftLimits:
+      refresh(rotationLimits, SoftLimits::ofRotation(frame), time, Periodic::RotationLimits);
+      break;
+    case MessageId::ElevationSoftLimits:
+      refresh(elevationLimits, SoftLimits::ofElevation(frame), time, Periodic::ElevationLimits);
+      break;
+    case MessageId::DigitalOutputs:
+      refresh(outputs, DigitalOutputs::of(frame), time, Periodic::Outputs);
+      break;
+    case MessageId::MiniDigitalOutputs:
+      refresh(miniOutputs, MiniOutputs::of(frame), time, Periodic::MiniOutputs);
+      break;
+    case MessageId::DigitalInputs: refresh(inputs, DigitalInputs::of(frame), time, Periodic::Inputs); break;
+    case MessageId::SoePermissive:
+      refresh(permissive, Permissive::of(frame), time, Periodic::Permissive);
+      permissiveFrom = J1939Id::of(frame.identifier()).source;
+      break;
+    case MessageId::FaultResponse: faults.set(FaultStatus::of(frame), time); break;
+    case MessageId::FirmwareResponse: firmware.set(FirmwareVersions::of(frame), time); break;
+    case MessageId::PcodeResponse: pcode.set(PcodeVersion::of(frame), time); break;
+    case MessageId::ConfigResponse: config.set(ConfigVersion::of(frame), time); break;
+    case MessageId::Heartbeat: {
+      constexpr BitRange kState = fieldOf(gateway::kHeartbeatFields, "state").bits;
+      refresh(heartbeat, static_cast<std::uint8_t>(readBits(frame.data, kState)), time, Periodic::Heartbeat);
+      break;
+    }
+    case MessageId::GatewayJoystick: commanded.set(BasicJoystick::of(frame), time); break;
+    case MessageId::SdoReadResponse: takeSdo(frame, time); break;
+    default: break;
+  }
+}
+
+void Device::takeSdo(const Frame& frame, Instant time) {
+  constexpr BitRange kFaultMap = fieldOf(gateway::kSdoReadResponseFields, "faults").bits;
+  const auto object =
+      readBits(frame.data, gateway::kIndex.bits) << 8 | readBits(frame.data, gateway::kSubindex.bits);
+  const unsigned size = sdo::valueSize(frame.data[0]);
+  if (object == sdo::kDeviceType && size == 4) {
+    partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
+  } else if (object == sdo::kFaultStatus && size == 4) {
+    faults.set({static_cast<std::uint32_t>(readBits(frame.data, kFaultMap)), {}}, time);
+  } else if (object == sdo::kOperationalError && size == 2) {
+    operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
+  }
+}
+
+}  // namespace deckpipe

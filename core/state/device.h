@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One device as a person thinks of it: an Akron controller by its PIN, wherever its address went; an address
+// that sends such messages without a PIN being known; or a CANopen node behind a gateway. Everything it
+// reported, each with its time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/ids.h"
+#include "protocol/typed.h"
+#include "state/timed.h"
+
+namespace deckpipe {
+
+// Periodic values, for staleness: a value older than three of its nominal periods is stale.
+enum class Periodic : std::uint8_t {
+  Position,
+  RotationLimits,
+  ElevationLimits,
+  Outputs,
+  MiniOutputs,
+  Inputs,
+  Permissive,
+  Heartbeat,
+  Count,
+};
+inline constexpr std::size_t kPeriodics = static_cast<std::size_t>(Periodic::Count);
+// Three nominal periods: 300 ms, for a heartbeat 3 s. Of the permissive it is the controller's own time-out.
+constexpr Duration staleAfter(Periodic p) {
+  return p == Periodic::Heartbeat ? Duration(3s) : Duration(300ms);
+}
+
+enum class HeartbeatState : std::uint8_t {
+  Boot = 0x00,
+  Stopped = 0x04,
+  Operational = 0x05,
+  PreOperational = 0x7F
+};
+
+struct Device {
+  enum class Kind : std::uint8_t { Free, Pin, Address, Node };
+
+  Kind kind = Kind::Free;
+  Channel channel;
+  Address address;          // null while its address was lost and no other is known
+  Address previousAddress;  // null where it had none before
+  NodeId node;              // Kind::Node
+  Pin pin;                  // Kind::Pin
+  std::uint16_t addressChanges = 0;
+  Instant addressSince = kNotYet;
+  Instant announced = kNotYet;
+  Instant lastHeard = kNotYet;
+  std::uint32_t frames = 0;
+  std::uint32_t malformed = 0;
+  std::uint16_t stale = 0;  // bit per Periodic
+
+  Timed<PositionLimitStatus> position;
+  Timed<SoftLimits> rotationLimits, elevationLimits;
+  Timed<DigitalOutputs> outputs;
+  Timed<MiniOutputs> miniOutputs;
+  Timed<DigitalInputs> inputs;
+  Timed<Permissive> permissive;  // as sent to it by a master controller
+  Address permissiveFrom;
+  Timed<FaultStatus> faults;
+  Timed<FirmwareVersions> firmware;
+  Timed<PcodeVersion> pcode;
+  Timed<ConfigVersion> config;
+
+  // Kind::Node
+  Timed<std::uint8_t> heartbeat;  // low seven bits, HeartbeatState
+  Timed<std::uint32_t> partNumber;
+  Timed<std::uint16_t> operationalErrorCode;
+  Timed<BasicJoystick> commanded;  // RPDO1; the sender is not known
+
+  bool isStale(Periodic p) const { return (stale >> static_cast<unsigned>(p) & 1u) != 0; }
+  // When a periodic value last came; kNotYet where it never did.
+  Instant lastOf(Periodic p) const;
+  Instant nextDeadline() const;
+  // Marks what is due at `time` stale.
+  void timeCame(Instant time);
+  // Takes what a decoded frame of this device says. `id` is a message that the device sends or receives.
+  void take(const Frame& frame, MessageId id, Instant time);
+
+  friend bool operator==(const Device&, const Device&) = default;
+
+ private:
+  template <typename T>
+  void refresh(Timed<T>& value, const T& newValue, Instant time, Periodic p);
+  void takeSdo(const Frame& frame, Instant time);
+};
+
+}  // namespace deckpipe

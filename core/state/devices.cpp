@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/devices.h"
+
+#include <algorithm>
+
+namespace deckpipe {
+
+Devices::Devices() {
+  for (auto& channel : m_byAddress) channel.fill(kNone);
+  for (auto& channel : m_byNode) channel.fill(kNone);
+}
+
+const Device* Devices::byPin(const Pin& pin) const {
+  const auto found = std::ranges::find_if(
+      m_devices, [&](const Device& device) { return device.kind == Device::Kind::Pin && device.pin == pin; });
+  return found == m_devices.end() ? nullptr : &*found;
+}
+
+const Device* Devices::byAddress(Channel channel, Address address) const {
+  if (channel.value >= kMaxChannels) return nullptr;
+  const Index i = m_byAddress[channel.value][address.value];
+  return i == kNone ? nullptr : &m_devices[i];
+}
+
+const Device* Devices::byNode(Channel channel, NodeId node) const {
+  if (channel.value >= kMaxChannels || node.value >= 128) return nullptr;
+  const Index i = m_byNode[channel.value][node.value];
+  return i == kNone ? nullptr : &m_devices[i];
+}
+
+Device* Devices::make() {
+  const auto free = std::ranges::find(m_devices, Device::Kind::Free, &Device::kind);
+  if (free == m_devices.end()) {
+    ++m_untracked;
+    return nullptr;
+  }
+  return &*free;
+}
+
+Device* Devices::atAddress(Channel channel, Address address) {
+  if (Device* device = findAddress(channel, address)) return device;
+  Device* device = make();
+  if (device == nullptr) return nullptr;
+  device->kind = Device::Kind::Address;
+  device->channel = channel;
+  device->address = address;
+  m_byAddress[channel.value][address.value] = indexOf(*device);
+  return device;
+}
+
+Device* Devices::atNode(Channel channel, NodeId node) {
+  Index& index = m_byNode[channel.value][node.value & 0x7F];
+  if (index != kNone) return &m_devices[index];
+  Device* device = make();
+  if (device == nullptr) return nullptr;
+  device->kind = Device::Kind::Node;
+  device->channel = channel;
+  device->node = node;
+  index = indexOf(*device);
+  return device;
+}
+
+void Devices::takeAddress(Device& device, Instant time) {
+  if (device.address == kNullAddress) return;
+  m_byAddress[device.channel.value][device.address.value] = kNone;
+  if (device.kind == Device::Kind::Address) {  // it was nothing but that address
+    device = {};
+    return;
+  }
+  device.previousAddress = device.address;
+  device.address = kNullAddress;
+  device.addressSince = time;
+}
+
+void Devices::giveAddress(Device& device, Channel channel, Address address, Instant time) {
+  if (device.address == address && device.channel == channel) return;
+  if (Device* before = findAddress(channel, address)) takeAddress(*before, time);
+  if (device.address != kNullAddress) takeAddress(device, time);
+  if (device.previousAddress != kNullAddress) ++device.addressChanges;
+  device.channel = channel;
+  device.address = address;
+  device.addressSince = time;
+  m_byAddress[channel.value][address.value] = indexOf(device);
+}
+
+void Devices::announced(Channel channel, Address address, const Pin& pin, Instant time) {
+  Device* device = const_cast<Device*>(byPin(pin));
+  if (device == nullptr) {
+    device = findAddress(channel, address);  // heard before it said who it is
+    if (device != nullptr && device->kind == Device::Kind::Pin) {
+      takeAddress(*device, time);
+      device = nullptr;
+    }
+    if (device == nullptr) device = atAddress(channel, address);
+    if (device == nullptr) return;
+    device->kind = Device::Kind::Pin;
+    device->pin = pin;
+    device->addressSince = time;
+  } else {
+    giveAddress(*device, channel, address, time);
+  }
+  device->announced = time;
+}
+
+void Devices::addressTaken(Channel channel, Address address, Name name, Instant time) {
+  Device* device = findAddress(channel, address);
+  if (device == nullptr || device->kind != Device::Kind::Pin) return;
+  constexpr std::uint32_t kIdentityMask = 0x1F'FFFF;  // a NAME has the low 21 bits of the PIN's digits 7-15
+  const bool same = name.manufacturerCode() == j1939::kAkronManufacturer &&
+                    name.identityNumber() == (device->pin.serial() & kIdentityMask);
+  if (!same) takeAddress(*device, time);
+}
+
+void Devices::addressLeft(Channel channel, Address address, Instant time) {
+  if (Device* device = findAddress(channel, address);
+      device != nullptr && device->kind == Device::Kind::Pin) {
+    takeAddress(*device, time);
+  }
+}
+
+Instant Devices::nextDeadline() const {
+  Instant next = kNever;
+  for (const Device& device : m_devices) {
+    if (device.kind != Device::Kind::Free) next = std::min(next, device.nextDeadline());
+  }
+  return next;
+}
+
+void Devices::timeCame(Instant time) {
+  for (Device& device : m_devices) {
+    if (device.kind != Device::Kind::Free) device.timeCame(time);
+  }
+}
+
+}  // namespace deckpipe

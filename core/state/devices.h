@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All devices of a log, found by PIN, by address or by CANopen node. Identity is the PIN, never the address:
+// a device keeps everything it reported when its address changes.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "state/device.h"
+
+namespace deckpipe {
+
+inline constexpr std::size_t kMaxChannels = 4;
+inline constexpr std::size_t kMaxDevices = 96;
+
+class Devices {
+ public:
+  Devices();
+
+  // In order of first appearance; free places have Kind::Free.
+  std::span<const Device> all() const { return m_devices; }
+  const Device* byPin(const Pin& pin) const;
+  const Device* byAddress(Channel channel, Address address) const;
+  const Device* byNode(Channel channel, NodeId node) const;
+
+  // The device at an address or node, made where there is none; null where there is no room.
+  Device* atAddress(Channel channel, Address address);
+  Device* atNode(Channel channel, NodeId node);
+  Device* findAddress(Channel channel, Address address) {
+    return at(m_byAddress[channel.value][address.value]);
+  }
+
+  // A device announced itself: its device has this address from now on, and whoever had it has none.
+  void announced(Channel channel, Address address, const Pin& pin, Instant time);
+  // An address went to a NAME. A device whose PIN cannot be that NAME's lost it.
+  void addressTaken(Channel channel, Address address, Name name, Instant time);
+  // Its holder said that it cannot claim any address.
+  void addressLeft(Channel channel, Address address, Instant time);
+
+  Instant nextDeadline() const;
+  void timeCame(Instant time);
+  // Devices that there was no room for, counted once a frame.
+  std::uint32_t untracked() const { return m_untracked; }
+
+  friend bool operator==(const Devices&, const Devices&) = default;
+
+ private:
+  using Index = std::uint8_t;
+  static constexpr Index kNone = 0xFF;
+  static_assert(kMaxDevices < kNone);
+
+  Device* at(Index i) { return i == kNone ? nullptr : &m_devices[i]; }
+  Index indexOf(const Device& device) const { return static_cast<Index>(&device - m_devices.data()); }
+  Device* make();
+  void giveAddress(Device& device, Channel channel, Address address, Instant time);
+  void takeAddress(Device& device, Instant time);
+
+  std::array<Device, kMaxDevices> m_devices{};
+  std::array<std::array<Index, 256>, kMaxChannels> m_byAddress;
+  std::array<std::array<Index, 128>, kMaxChannels> m_byNode;
+  std::uint32_t m_untracked = 0;
+};
+
+}  // namespace deckpipe

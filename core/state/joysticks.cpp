@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/joysticks.h"
+
+#include <algorithm>
+
+namespace deckpipe {
+
+const Joystick* Joysticks::find(Address source) const {
+  const auto found = std::ranges::find(m_sticks, source, &Joystick::source);
+  return found == m_sticks.end() || source == kNullAddress ? nullptr : &*found;
+}
+
+// A source that controllers listen to always has a place: it takes one from a source they do not listen to.
+Joystick* Joysticks::at(Address source) {
+  if (source == kNullAddress) return nullptr;
+  for (const Address wanted : {source, kNullAddress}) {
+    const auto found = std::ranges::find(m_sticks, wanted, &Joystick::source);
+    if (found == m_sticks.end()) continue;
+    found->source = source;
+    return &*found;
+  }
+  if (source < kFirstJoystick || source > kLastJoystick) return nullptr;
+  const auto other = std::ranges::find_if(m_sticks, [](const Joystick& j) { return !j.priority(); });
+  if (other == m_sticks.end()) return nullptr;
+  *other = {};
+  other->source = source;
+  return &*other;
+}
+
+void Joysticks::heardBasic(Address source, const BasicJoystick& message, Instant time) {
+  Joystick* stick = at(source);
+  if (stick == nullptr) return;
+  if (stick->basic.isKnown()) {
+    const Duration gap = time - stick->basic.at;
+    if (gap <= Joystick::kSilence) {
+      stick->worstGap = std::max(stick->worstGap, gap);
+      stick->period = stick->period.count() == 0 ? gap : stick->period + (gap - stick->period) / 8;
+    }
+  }
+  stick->basic.set(message, time);
+  stick->timedOut = false;
+  ++stick->frames;
+}
+
+void Joysticks::heardExtended(Address source, const ExtendedJoystick& message, Instant time) {
+  Joystick* stick = at(source);
+  if (stick == nullptr) return;
+  stick->extended.set(message, time);
+  ++stick->frames;
+}
+
+Instant Joysticks::nextDeadline() const {
+  Instant next = kNever;
+  for (const Joystick& stick : m_sticks) {
+    if (stick.isActive()) next = std::min(next, stick.basic.at + kInputTimeout);
+  }
+  return next;
+}
+
+void Joysticks::timeCame(Instant time) {
+  for (Joystick& stick : m_sticks) {
+    if (!stick.isActive() || stick.basic.at + kInputTimeout > time) continue;
+    stick.timedOut = true;
+    ++stick.timeouts;
+  }
+}
+
+}  // namespace deckpipe

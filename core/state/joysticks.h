@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who sends joystick messages on one channel, how regularly, and what each asks for now.
+// Source: CAN Messaging manual, PGN 64982, 64983 and Appendix B (20 ms from Akron devices, 100 ms at most,
+// after 200 ms the controller clears that source's input).
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "bus/frame.h"
+#include "protocol/typed.h"
+#include "state/timed.h"
+
+namespace deckpipe {
+
+inline constexpr Address kFirstJoystick{0x33};  // the highest priority
+inline constexpr Address kLastJoystick{0x38};
+inline constexpr Duration kInputTimeout = 200ms;
+
+struct Joystick {
+  Address source = kNullAddress;
+  Timed<BasicJoystick> basic;
+  Timed<ExtendedJoystick> extended;
+  std::uint32_t frames = 0;
+  std::uint32_t timeouts = 0;  // how often more than kInputTimeout passed without a basic message
+  bool timedOut = false;       // now: controllers have cleared this source's input
+  Duration period{0};          // smoothed over about eight messages
+  Duration worstGap{0};        // between two basic messages; silences above kSilence are none
+
+  static constexpr Duration kSilence = 2s;
+  // 0 for 33 hex .. 5 for 38 hex; nothing where controllers do not listen to this source by default.
+  std::optional<int> priority() const {
+    if (source < kFirstJoystick || source > kLastJoystick) return {};
+    return source.value - kFirstJoystick.value;
+  }
+  // Whether the source sends now: controllers hold its input.
+  bool isActive() const { return basic.isKnown() && !timedOut; }
+  friend bool operator==(const Joystick&, const Joystick&) = default;
+};
+
+class Joysticks {
+ public:
+  // In order of first appearance; those never used have the null address.
+  std::span<const Joystick> all() const { return m_sticks; }
+  const Joystick* find(Address source) const;
+
+  void heardBasic(Address source, const BasicJoystick& message, Instant time);
+  void heardExtended(Address source, const ExtendedJoystick& message, Instant time);
+  Instant nextDeadline() const;
+  void timeCame(Instant time);
+
+  friend bool operator==(const Joysticks&, const Joysticks&) = default;
+
+ private:
+  Joystick* at(Address source);
+
+  std::array<Joystick, 8> m_sticks{};  // 33..38 and two that controllers do not listen to
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything known at one instant of a log, built from frames, notes and log time alone by apply() and
+// timeCame() (advance.h walks a store with them). A plain value of fixed capacity: copying it is a keyframe.
+// The state at a cursor is the same however one got there.
+//
+//   1. Between two frames every time-out that falls due is applied at its own time, in order of deadline; one
+//      that is due at the very time of a frame comes before that frame.
+//   2. Nothing here looks at stamps, only at log time.
+//   3. Channels beyond kMaxChannels are counted, not followed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bus/frame.h"
+#include "log/note_store.h"
+#include "protocol/classify.h"
+#include "state/claims.h"
+#include "state/devices.h"
+#include "state/joysticks.h"
+
+namespace deckpipe {
+
+// A place in a log: so many frames have happened, and it is this late.
+struct Cursor {
+  std::uint64_t frames = 0;
+  Instant time = kNotYet;
+  friend constexpr bool operator==(const Cursor&, const Cursor&) = default;
+};
+
+struct MessageCounter {
+  std::uint64_t count = 0;
+  Instant last = kNotYet;
+  friend bool operator==(const MessageCounter&, const MessageCounter&) = default;
+};
+
+enum class ChannelLink : std::uint8_t { Unknown, Up, Down };
+
+struct ChannelState {
+  ChannelRoles roles;
+  Claims claims;
+  Joysticks joysticks;
+  std::uint64_t frames = 0;
+  std::uint64_t bits = 0;  // estimated on the wire, for the load
+  std::uint64_t errorFrames = 0;
+  std::uint64_t remoteFrames = 0;
+  std::uint64_t dropped = 0;  // said lost by notes
+  Instant lastFrame = kNotYet;
+  ChannelLink link = ChannelLink::Unknown;
+  friend bool operator==(const ChannelState&, const ChannelState&) = default;
+};
+
+class State {
+ public:
+  const Cursor& cursor() const { return m_cursor; }
+  const ChannelState& channel(Channel c) const { return m_channels[c.value]; }
+  const Devices& devices() const { return m_devices; }
+  const MessageCounter& counter(MessageId id) const { return m_counters[static_cast<std::size_t>(id)]; }
+  // Frames that are no message of the catalogue; those that are, but of a wrong length.
+  const MessageCounter& others() const { return m_counters[kMessageCount]; }
+  const MessageCounter& malformed() const { return m_counters[kMessageCount + 1]; }
+  // Frames on channels beyond kMaxChannels.
+  std::uint64_t untrackedFrames() const { return m_untrackedFrames; }
+  bool isLocked() const { return m_locked; }
+
+  // The next frame of the log. `time` is its log time, not before the cursor's.
+  void apply(const Frame& frame, Instant time);
+  // A note that stands before the next frame.
+  void apply(const Note& note);
+  // Nothing came until `time`: what is due by then happens.
+  void timeCame(Instant time);
+
+  friend bool operator==(const State&, const State&) = default;
+
+ private:
+  void applyExtended(const Frame& frame, Instant time, const Classified& what);
+  void applyStandard(const Frame& frame, Instant time, const Classified& what);
+  void count(const Classified& what, Instant time);
+  Instant nextDeadline() const;
+  void fire(Instant due);
+
+  Cursor m_cursor;
+  Instant m_nextCheck = kNever;  // no deadline is earlier
+  std::array<ChannelState, kMaxChannels> m_channels{};
+  Devices m_devices;
+  std::array<MessageCounter, kMessageCount + 2> m_counters{};
+  std::uint64_t m_untrackedFrames = 0;
+  bool m_locked = true;
+};
+static_assert(sizeof(State) <= 100'000, "a keyframe every 131,072 frames must stay below 5 % of the frames");
+
+}  // namespace deckpipe

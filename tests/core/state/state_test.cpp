@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/state.h"
+
+#include <gtest/gtest.h>
+
+#include "support/frames.h"
+
+namespace deckpipe {
+namespace {
+
+using test::frame;
+
+constexpr Channel kCan0{0};
+constexpr char kPinA[] = "1032AE100801035";
+constexpr char kAnnouncesA[] = "FF83150206021A0B";
+constexpr char kAnnouncesB[] = "FF83150206021A0C";  // 1032AE100801036
+constexpr char kNameOfA[] = "0B1AC22800420090";     // low 21 bits of A's serial
+constexpr char kLowerForeignName[] = "0100200000000000";
+constexpr char kHigherForeignName[] = "01002001000000FF";
+constexpr char kPosition[] = "011D940371000041";
+
+class StateOfOneChannel : public testing::Test {
+ protected:
+  void hear(std::string_view id, std::string_view data) { m_state.apply(frame(id, data), m_now); }
+  void pass(Duration d) {
+    m_now = m_now + d;
+    m_state.timeCame(m_now);
+  }
+  const Device* device(std::string_view pin) const { return m_state.devices().byPin(*Pin::parse(pin)); }
+  const Device* at(unsigned address) const {
+    return m_state.devices().byAddress(kCan0, {static_cast<std::uint8_t>(address)});
+  }
+  const Node& node(unsigned address) const {
+    return m_state.channel(kCan0).claims[{static_cast<std::uint8_t>(address)}];
+  }
+
+  State m_state;
+  Instant m_now{1'000'000'000};
+};
+
+TEST_F(StateOfOneChannel, KnowsADeviceByItsPinThroughChangesOfAddress) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EFFF80", kPosition);
+  pass(5s);
+  hear("18EFFF81", kAnnouncesA);
+  ASSERT_NE(device(kPinA), nullptr);
+  EXPECT_EQ(device(kPinA)->address, Address{0x81});
+  EXPECT_EQ(device(kPinA)->previousAddress, Address{0x80});
+  EXPECT_EQ(device(kPinA)->addressChanges, 1);
+  EXPECT_EQ(device(kPinA)->position.value.rotation.tenths, 473);
+  EXPECT_EQ(at(0x80), nullptr);
+}
+
+TEST_F(StateOfOneChannel, GivesAnAddressToWhoAnnouncedItLast) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EFFF80", kAnnouncesB);
+  EXPECT_EQ(at(0x80), device("1032AE100801036"));
+  EXPECT_EQ(device(kPinA)->address, kNullAddress);
+  hear("18EFFF80", kPosition);
+  EXPECT_FALSE(device(kPinA)->position.isKnown());
+  EXPECT_TRUE(at(0x80)->position.isKnown());
+}
+
+TEST_F(StateOfOneChannel, ShowsASenderWithoutPinAndKeepsWhatItSaidOnceItIsKnown) {
+  hear("18EFFF80", kPosition);
+  ASSERT_NE(at(0x80), nullptr);
+  EXPECT_EQ(at(0x80)->kind, Device::Kind::Address);
+  hear("18EFFF80", kAnnouncesA);
+  EXPECT_EQ(at(0x80), device(kPinA));
+  EXPECT_TRUE(at(0x80)->position.isKnown());
+}
+
+TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceWhoseNameItCannotBe) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EEFF80", kNameOfA);
+  EXPECT_EQ(device(kPinA)->address, Address{0x80});
+  hear("18EEFF80", kLowerForeignName);
+  EXPECT_EQ(device(kPinA)->address, kNullAddress);
+  EXPECT_EQ(device(kPinA)->previousAddress, Address{0x80});
+}
+
+TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceThatCannotClaim) {
+  hear("18EEFF80", kNameOfA);
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EEFFFE", kNameOfA);
+  EXPECT_EQ(device(kPinA)->address, kNullAddress);
+  EXPECT_EQ(node(0x80).claim, ClaimState::CannotClaim);
+}
+
+TEST_F(StateOfOneChannel, CallsAPeriodicValueStaleAfterThreePeriodsAndNotBefore) {
+  hear("18EFFF80", kPosition);
+  pass(300ms - 1ns);
+  EXPECT_FALSE(at(0x80)->isStale(Periodic::Position));
+  pass(1ns);
+  EXPECT_TRUE(at(0x80)->isStale(Periodic::Position));
+  hear("18EFFF80", kPosition);
+  EXPECT_FALSE(at(0x80)->isStale(Periodic::Position));
+}
+
+TEST_F(StateOfOneChannel, TakesAClaimAsUsableAfter250Milliseconds) {
+  hear("18EEFF80", kNameOfA);
+  EXPECT_EQ(node(0x80).claim, ClaimState::Claiming);
+  pass(250ms - 1ns);
+  EXPECT_EQ(node(0x80).claim, ClaimState::Claiming);
+  pass(1ns);
+  EXPECT_EQ(node(0x80).claim, ClaimState::Claimed);
+}
+
+TEST_F(StateOfOneChannel, CountsAContestWonWhenTheHolderAnswers) {
+  hear("18EEFF80", kNameOfA);
+  pass(1s);
+  hear("18EEFF80", kHigherForeignName);
+  EXPECT_EQ(node(0x80).claim, ClaimState::Contested);
+  EXPECT_EQ(node(0x80).name.manufacturerCode(), 326u) << "the lower NAME keeps it";
+  hear("18EEFF80", kNameOfA);
+  EXPECT_EQ(node(0x80).claim, ClaimState::Claimed);
+  EXPECT_EQ(node(0x80).claimsWon, 1);
+  EXPECT_EQ(node(0x80).claimsLost, 0);
+}
+
+TEST_F(StateOfOneChannel, GivesTheAddressToTheOtherWhenTheHolderDoesNotAnswer) {
+  hear("18EEFF80", kNameOfA);
+  pass(1s);
+  hear("18EEFF80", kHigherForeignName);
+  pass(250ms);
+  EXPECT_NE(node(0x80).name.manufacturerCode(), 326u);
+  EXPECT_EQ(node(0x80).claimsLost, 1);
+  EXPECT_EQ(node(0x80).claim, ClaimState::Claimed);
+}
+
+TEST_F(StateOfOneChannel, CountsAContestLostToALowerName) {
+  hear("18EEFF80", kNameOfA);
+  hear("18EEFF80", kLowerForeignName);
+  EXPECT_EQ(node(0x80).claimsLost, 1);
+  EXPECT_EQ(node(0x80).name.value, Name::of(frame("18EEFF80", kLowerForeignName)).value);
+}
+
+TEST_F(StateOfOneChannel, MeasuresAJoysticksPeriodAndWorstGap) {
+  for (int i = 0; i < 20; ++i) {
+    hear("0CFDD633", "0100010000000000");
+    pass(20ms);
+  }
+  pass(90ms);
+  hear("0CFDD633", "107D046400100000");
+  const Joystick* stick = m_state.channel(kCan0).joysticks.find({0x33});
+  ASSERT_NE(stick, nullptr);
+  EXPECT_EQ(stick->priority(), 0);
+  EXPECT_EQ(stick->worstGap, 110ms);
+  EXPECT_GE(stick->period, 20ms);
+  EXPECT_LT(stick->period, 40ms);
+  EXPECT_EQ(stick->basic.value.x.tenths, 500);
+  EXPECT_EQ(stick->timeouts, 0u);
+}
+
+TEST_F(StateOfOneChannel, ClearsAJoysticksInputAfter200Milliseconds) {
+  hear("0CFDD633", "107D046400100000");
+  pass(200ms);
+  const Joystick* stick = m_state.channel(kCan0).joysticks.find({0x33});
+  EXPECT_FALSE(stick->isActive());
+  EXPECT_EQ(stick->timeouts, 1u);
+  pass(1h);
+  hear("0CFDD633", "107D046400100000");
+  EXPECT_TRUE(stick->isActive());
+  EXPECT_EQ(stick->worstGap, 0ms) << "an hour without is a silence, not a gap";
+}
+
+TEST_F(StateOfOneChannel, AlwaysHasRoomForTheSourcesThatControllersListenTo) {
+  for (int source = 0x40; source < 0x60; ++source) {
+    char id[9];
+    std::snprintf(id, sizeof id, "0CFDD6%02X", static_cast<unsigned>(source));
+    hear(id, "0100010000000000");
+  }
+  for (const char* id : {"0CFDD633", "0CFDD634", "0CFDD635", "0CFDD636", "0CFDD637", "0CFDD638"}) {
+    hear(id, "0100010000000000");
+  }
+  for (int source = 0x33; source <= 0x38; ++source) {
+    EXPECT_NE(m_state.channel(kCan0).joysticks.find({static_cast<std::uint8_t>(source)}), nullptr);
+  }
+}
+
+TEST_F(StateOfOneChannel, ShowsAPermissiveWithItsSenderUntilItTimesOut) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EF8005", "A10009");
+  EXPECT_TRUE(at(0x80)->permissive.value.axis1Plus);
+  EXPECT_EQ(at(0x80)->permissiveFrom, Address{0x05});
+  pass(300ms);
+  EXPECT_TRUE(at(0x80)->isStale(Periodic::Permissive));
+}
+
+TEST_F(StateOfOneChannel, KeepsPolledAnswersWithTheirTime) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EF0580", "0200200000000B");
+  const Instant answered = m_now;
+  pass(1h);
+  EXPECT_EQ(at(0x80)->faults.value, (FaultStatus{1u << 21, 11}));
+  EXPECT_EQ(at(0x80)->faults.at, answered);
+}
+
+TEST_F(StateOfOneChannel, KnowsGatewayNodesByNodeId) {
+  hear("724", "05");
+  hear("5A4", "4300500116699803");
+  hear("1A4", kPosition);
+  hear("224", "107D046400100000");
+  const Device* monitor = m_state.devices().byNode(kCan0, {0x24});
+  ASSERT_NE(monitor, nullptr);
+  EXPECT_EQ(monitor->heartbeat.value, 0x05);
+  EXPECT_EQ(monitor->partNumber.value, 60320022u);
+  EXPECT_EQ(monitor->position.value.elevation.tenths, -55);
+  EXPECT_EQ(monitor->commanded.value.x.tenths, 500);
+  hear("5A4", "4301500100200000");
+  EXPECT_EQ(monitor->faults.value.map, 1u << 21);
+  hear("5A4", "4B0150020B00");
+  EXPECT_EQ(monitor->operationalErrorCode.value, 11);
+  pass(3s);
+  EXPECT_TRUE(monitor->isStale(Periodic::Heartbeat));
+}
+
+TEST_F(StateOfOneChannel, MakesNoDeviceOfARequest) {
+  hear("624", "40005001");
+  hear("224", "107D046400100000");
+  hear("18EF8005", "02");
+  EXPECT_EQ(m_state.devices().byNode(kCan0, {0x24}), nullptr);
+  EXPECT_EQ(at(0x80), nullptr);
+  EXPECT_EQ(at(0x05), nullptr);
+}
+
+TEST_F(StateOfOneChannel, CountsByMessage) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EFFF80", kPosition);
+  hear("18EFFF80", kPosition);
+  hear("18EFFF80", "0100");
+  hear("18FF0005", "00");
+  EXPECT_EQ(m_state.counter(MessageId::PositionLimitStatus).count, 2u);
+  EXPECT_EQ(m_state.malformed().count, 1u);
+  EXPECT_EQ(m_state.others().count, 1u);
+  EXPECT_EQ(device(kPinA)->malformed, 1u);
+  EXPECT_EQ(node(0x80).malformed, 1u);
+  EXPECT_EQ(m_state.channel(kCan0).frames, 5u);
+}
+
+TEST_F(StateOfOneChannel, TakesLinkDropsLockAndDrivesFromNotes) {
+  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::LinkUp});
+  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::Unlocked});
+  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::Dropped, .number = 7});
+  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::DriveSaid, .address = {0x21}});
+  EXPECT_EQ(m_state.channel(kCan0).link, ChannelLink::Up);
+  EXPECT_EQ(m_state.channel(kCan0).dropped, 7u);
+  EXPECT_FALSE(m_state.isLocked());
+  hear("18EF2105", "022101");
+  EXPECT_EQ(m_state.counter(MessageId::CopleyGetParameter).count, 1u);
+  m_state.apply({.frame = 1, .time = m_now, .kind = NoteKind::LinkDown});
+  EXPECT_EQ(m_state.channel(kCan0).link, ChannelLink::Down);
+}
+
+TEST_F(StateOfOneChannel, CountsFramesOfChannelsItDoesNotFollow) {
+  m_state.apply(frame("18EFFF80", kPosition, kMaxChannels), m_now);
+  EXPECT_EQ(m_state.untrackedFrames(), 1u);
+  EXPECT_EQ(m_state.cursor().frames, 1u);
+}
+
+TEST_F(StateOfOneChannel, RunsOutOfDevicesWithoutHarm) {
+  for (unsigned channel = 0; channel < kMaxChannels; ++channel) {
+    for (unsigned address = 0x80; address < 0xF8; ++address) {
+      char id[9];
+      std::snprintf(id, sizeof id, "18EFFF%02X", address);
+      m_state.apply(frame(id, kPosition, static_cast<std::uint8_t>(channel)), m_now);
+    }
+  }
+  EXPECT_EQ(m_state.devices().untracked(), 4 * 0x78 - kMaxDevices);
+}
+
+}  // namespace
+}  // namespace deckpipe
