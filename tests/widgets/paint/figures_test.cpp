@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/figures.h"
+
+#include <gtest/gtest.h>
+
+#include <QFont>
+#include <QImage>
+#include <QPainter>
+
+namespace deckpipe {
+namespace {
+
+TEST(DegreesText, HasOneDecimalAndTheTrueMinusSign) {
+  EXPECT_EQ(degreesText(47.3), QStringLiteral("47.3"));
+  EXPECT_EQ(degreesText(-5.5), QStringLiteral("\u22125.5"));
+  EXPECT_EQ(degreesText(90), QStringLiteral("90.0"));
+  EXPECT_EQ(degreesText(-180), QStringLiteral("\u2212180.0"));
+}
+
+TEST(DegreesText, NeverSaysMinusZero) {
+  EXPECT_EQ(degreesText(0), QStringLiteral("0.0"));
+  EXPECT_EQ(degreesText(-0.0), QStringLiteral("0.0"));
+  EXPECT_EQ(degreesText(-0.04), QStringLiteral("0.0"));
+}
+
+TEST(DegreesText, KeepsTenthsThatBinaryCannotHold) {
+  EXPECT_EQ(degreesText(0.1 + 0.2), QStringLiteral("0.3"));
+  EXPECT_EQ(degreesText(-47.300000001), QStringLiteral("\u221247.3"));
+}
+
+TEST(AgeText, GrowsCoarserWithAge) {
+  EXPECT_EQ(ageText(0s), QStringLiteral("0.0 s"));
+  EXPECT_EQ(ageText(2400ms), QStringLiteral("2.4 s"));
+  EXPECT_EQ(ageText(9960ms), QStringLiteral("9 s"));
+  EXPECT_EQ(ageText(99s), QStringLiteral("99 s"));
+  EXPECT_EQ(ageText(100s), QStringLiteral("1 min"));
+  EXPECT_EQ(ageText(3h), QStringLiteral("3 h"));
+  EXPECT_EQ(ageText(72h), QStringLiteral("3 d"));
+  EXPECT_EQ(ageText(-1s), QStringLiteral("0.0 s"));
+}
+
+QFont sized(int pixels) {
+  QFont font;
+  font.setPixelSize(pixels);
+  return font;
+}
+
+TEST(Figures, AllDigitsAndTheSignAreEquallyWide) {
+  const QFont font = sized(40);
+  const double width = figuresWidth(font, QStringLiteral("888.8"));
+  for (int digit = 0; digit <= 9; ++digit) {
+    const QString d = QString::number(digit);
+    EXPECT_DOUBLE_EQ(figuresWidth(font, d + d + d + QLatin1Char('.') + d), width) << digit;
+  }
+  EXPECT_DOUBLE_EQ(figuresWidth(font, QStringLiteral("\u221288.8")), width);
+}
+
+QImage drawn(const QString& number) {
+  QImage image(200, 60, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  drawFigures(painter, QRectF(10, 5, 180, 50),
+              {number, QStringLiteral("°"), sized(40), sized(30), Qt::black, Qt::black});
+  return image;
+}
+
+TEST(Figures, NothingMovesWhenTheNumberGrows) {
+  // The last figure and the unit, in all three, stand on the same pixels.
+  const QRect tail(190 - 55, 0, 55, 60);
+  EXPECT_EQ(drawn(QStringLiteral("1.3")).copy(tail), drawn(QStringLiteral("\u2212118.3")).copy(tail));
+  EXPECT_EQ(drawn(QStringLiteral("47.3")).copy(tail), drawn(QStringLiteral("0.3")).copy(tail));
+}
+
+TEST(Figures, ShrinkToTheWidthButNotBelowTheLeastSize) {
+  const QString widest = QStringLiteral("\u2212888.8");
+  EXPECT_EQ(fittedFont(QFont(), 40, widest, 1000, 9).pixelSize(), 40);
+  const QFont narrow = fittedFont(QFont(), 40, widest, 60, 9);
+  EXPECT_LT(narrow.pixelSize(), 40);
+  EXPECT_LE(figuresWidth(narrow, widest), 60);
+  EXPECT_EQ(fittedFont(QFont(), 40, widest, 5, 9).pixelSize(), 9);
+}
+
+}  // namespace
+}  // namespace deckpipe

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws every state in every theme: contact sheets at small sizes, single pictures at full screen, and the
+// lamps.
+#include <QApplication>
+#include <QDir>
+#include <QImage>
+#include <QPainter>
+#include <QStyleFactory>
+#include <cstdio>
+
+#include "paint/dial.h"
+#include "paint/status_lamp.h"
+#include "widgets/paint/dial_samples.h"
+
+namespace deckpipe {
+namespace {
+
+const char* nameOf(Theme theme) {
+  switch (theme) {
+    case Theme::Light: return "light";
+    case Theme::Dark: return "dark";
+    case Theme::Sunlight: return "sunlight";
+  }
+  return "";
+}
+
+QImage picture(QWidget& widget, QSize size, const QColor& ground) {
+  widget.resize(size);
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(ground);
+  widget.render(&image);
+  return image;
+}
+
+QImage dialPicture(const DialSample& sample, Theme theme, QSize size) {
+  Dial dial;
+  dial.setColours(coloursOf(theme));
+  dial.setValues(sample.values);
+  dial.setPhase(0.1);
+  return picture(dial, size, coloursOf(theme).surface);
+}
+
+// One sheet: a row of pictures after another, each over its name.
+QImage sheet(Theme theme, QSize size, int columns, size_t first, size_t count) {
+  const Colours colours = coloursOf(theme);
+  const auto samples = dialSamples();
+  const size_t end = std::min(samples.size(), first + count);
+  const int rows = (static_cast<int>(end - first) + columns - 1) / columns;
+  const int gap = 8, caption = 20;
+  QImage image(columns * (size.width() + gap) + gap, rows * (size.height() + caption + gap) + gap,
+               QImage::Format_RGB32);
+  image.fill(colours.window);
+  QPainter painter(&image);
+  painter.setPen(colours.text);
+  for (size_t i = first; i < end; ++i) {
+    const int column = static_cast<int>(i - first) % columns, row = static_cast<int>(i - first) / columns;
+    const QPoint at(gap + column * (size.width() + gap), gap + row * (size.height() + caption + gap));
+    painter.drawImage(at, dialPicture(samples[i], theme, size));
+    painter.drawText(QRect(at.x(), at.y() + size.height(), size.width(), caption), Qt::AlignCenter,
+                     QString::fromStdString(samples[i].name));
+  }
+  return image;
+}
+
+QImage lamps(Theme theme) {
+  using State = StatusLamp::State;
+  using WhenOn = StatusLamp::WhenOn;
+  const Colours colours = coloursOf(theme);
+  QImage image(4 * 208 + 8, 7 * 40 + 8, QImage::Format_RGB32);
+  image.fill(colours.surface);
+  QPainter painter(&image);
+  int column = 0;
+  for (const WhenOn whenOn : {WhenOn::Stop, WhenOn::Plain, WhenOn::Fine, WhenOn::Attend}) {
+    int row = 0;
+    const auto draw = [&](State state, bool stale) {
+      StatusLamp lamp;
+      lamp.setColours(colours);
+      lamp.setPalette(qtPalette(colours));
+      lamp.setLabel(QStringLiteral("Right"));
+      lamp.setWhenOn(whenOn);
+      lamp.setState(state, stale);
+      painter.drawImage(QPoint(8 + column * 208, 8 + row++ * 40),
+                        picture(lamp, QSize(200, 32), colours.surface));
+    };
+    for (const State state : {State::Unknown, State::Off, State::On, State::Error, State::NotAvailable})
+      draw(state, false);
+    draw(State::On, true);
+    draw(State::Off, true);
+    ++column;
+  }
+  return image;
+}
+
+int run(const QString& folder) {
+  if (!QDir().mkpath(folder)) {
+    std::fprintf(stderr, "cannot make the folder\n");
+    return 1;
+  }
+  const QDir dir(folder);
+  bool saved = true;
+  const auto save = [&](const QImage& image, const QString& name) {
+    saved = image.save(dir.filePath(name + QStringLiteral(".png"))) && saved;
+  };
+  for (const Theme theme : kThemes) {
+    const QString prefix = QString::fromLatin1(nameOf(theme));
+    save(sheet(theme, {200, 200}, 7, 0, 100), prefix + QStringLiteral("_200x200"));
+    save(sheet(theme, {200, 120}, 7, 0, 100), prefix + QStringLiteral("_200x120"));
+    for (size_t first = 0; first < dialSamples().size(); first += 6)
+      save(sheet(theme, {640, 360}, 2, first, 6), prefix + QStringLiteral("_640x360_%1").arg(first / 6 + 1));
+    save(lamps(theme), prefix + QStringLiteral("_lamps"));
+    for (const DialSample& sample : dialSamples())
+      save(dialPicture(sample, theme, {1920, 1080}),
+           prefix + QStringLiteral("_full_") + QString::fromStdString(sample.name));
+  }
+  return saved ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace deckpipe
+
+int main(int argc, char** argv) {
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QApplication application(argc, argv);
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: paint_gallery FOLDER\n");
+    return 2;
+  }
+  return deckpipe::run(QString::fromLocal8Bit(argv[1]));
+}

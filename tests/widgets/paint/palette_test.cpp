@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QPainter>
+
+#include "paint/contrast.h"
+#include "paint/glyph.h"
+
+namespace deckpipe {
+namespace {
+
+class EveryTheme : public testing::TestWithParam<Theme> {};
+
+TEST(Contrast, IsTheRatioOfTheStandard) {
+  EXPECT_NEAR(contrastRatio(Qt::white, Qt::black), 21.0, 1e-6);
+  EXPECT_NEAR(contrastRatio(Qt::black, Qt::white), 21.0, 1e-6);
+  EXPECT_NEAR(contrastRatio(QColor(12, 34, 56), QColor(12, 34, 56)), 1.0, 1e-9);
+  EXPECT_NEAR(contrastRatio(QColor(0x77, 0x77, 0x77), Qt::white), 4.48, 0.005);
+}
+
+TEST_P(EveryTheme, EveryPairInUseHasItsContrast) {
+  const auto pairs = contrastPairs(coloursOf(GetParam()));
+  EXPECT_GT(pairs.size(), 30u);
+  for (const ContrastPair& pair : pairs)
+    EXPECT_GE(contrastRatio(pair.front, pair.back), pair.atLeast)
+        << pair.what << ": " << pair.front.name().toStdString() << " on " << pair.back.name().toStdString();
+}
+
+TEST_P(EveryTheme, WidgetsTextIsReadInEveryState) {
+  const QPalette palette = qtPalette(coloursOf(GetParam()));
+  const std::pair<QPalette::ColorRole, QPalette::ColorRole> pairs[] = {
+      {QPalette::WindowText, QPalette::Window},
+      {QPalette::Text, QPalette::Base},
+      {QPalette::Text, QPalette::AlternateBase},
+      {QPalette::ButtonText, QPalette::Button},
+      {QPalette::HighlightedText, QPalette::Highlight},
+      {QPalette::ToolTipText, QPalette::ToolTipBase},
+      {QPalette::PlaceholderText, QPalette::Base},
+      {QPalette::Link, QPalette::Base},
+      {QPalette::Link, QPalette::Window},
+      {QPalette::BrightText, QPalette::Window}};
+  for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled}) {
+    for (const auto& [front, back] : pairs)
+      EXPECT_GE(contrastRatio(palette.color(group, front), palette.color(group, back)), kTextContrast)
+          << "group " << group << ", role " << front << " on " << back;
+  }
+}
+
+TEST_P(EveryTheme, WhatCannotBeTouchedLooksDifferent) {
+  const QPalette palette = qtPalette(coloursOf(GetParam()));
+  EXPECT_NE(palette.color(QPalette::Disabled, QPalette::ButtonText),
+            palette.color(QPalette::Active, QPalette::ButtonText));
+}
+
+TEST(Palette, SunlightIsNearBlackOnWhite) {
+  const Colours c = coloursOf(Theme::Sunlight);
+  EXPECT_EQ(c.surface, QColor(Qt::white));
+  EXPECT_GE(contrastRatio(c.text, c.surface), 18.0);
+  EXPECT_GE(contrastRatio(c.textSecondary, c.surface), 12.0);
+  EXPECT_GT(c.stroke, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Palette, EveryTheme, testing::ValuesIn(kThemes), [](const auto& theme) {
+  switch (theme.param) {
+    case Theme::Light: return "Light";
+    case Theme::Dark: return "Dark";
+    case Theme::Sunlight: return "Sunlight";
+  }
+  return "";
+});
+
+QImage glyphPicture(Glyph glyph, int size) {
+  QImage image(size, size, QImage::Format_Grayscale8);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  drawGlyph(painter, QRectF(0, 0, size, size), glyph, Qt::black);
+  return image;
+}
+
+TEST(Glyph, NoTwoAreAlikeWithoutColourAtTwelvePixels) {
+  constexpr int kSize = 12;
+  const int last = static_cast<int>(Glyph::Oscillating);
+  for (int a = 0; a <= last; ++a) {
+    const QImage first = glyphPicture(static_cast<Glyph>(a), kSize);
+    for (int b = a + 1; b <= last; ++b) {
+      const QImage second = glyphPicture(static_cast<Glyph>(b), kSize);
+      int different = 0;
+      for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x)
+          different += std::abs(qGray(first.pixel(x, y)) - qGray(second.pixel(x, y))) > 96;
+      EXPECT_GE(different, 5) << "glyphs " << a << " and " << b;
+    }
+  }
+}
+
+TEST(Glyph, StaysInsideItsBox) {
+  for (int g = 0; g <= static_cast<int>(Glyph::Oscillating); ++g) {
+    QImage image(60, 60, QImage::Format_Grayscale8);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    drawGlyph(painter, QRectF(10, 10, 40, 40), static_cast<Glyph>(g), Qt::black);
+    for (int i = 0; i < 60; ++i) {
+      for (const int edge : {7, 52}) {
+        EXPECT_EQ(qGray(image.pixel(i, edge)), 255) << "glyph " << g;
+        EXPECT_EQ(qGray(image.pixel(edge, i)), 255) << "glyph " << g;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace deckpipe

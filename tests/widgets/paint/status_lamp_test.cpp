@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/status_lamp.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <array>
+
+namespace deckpipe {
+namespace {
+
+using State = StatusLamp::State;
+using WhenOn = StatusLamp::WhenOn;
+constexpr std::array kStates{State::Unknown, State::Off, State::On, State::Error, State::NotAvailable};
+
+QImage picture(StatusLamp& lamp, QSize size) {
+  lamp.resize(size);
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  lamp.render(&image);
+  return image.convertToFormat(QImage::Format_Grayscale8);
+}
+
+TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
+  for (const Theme theme : kThemes) {
+    for (const WhenOn whenOn : {WhenOn::Plain, WhenOn::Fine, WhenOn::Attend, WhenOn::Stop}) {
+      std::vector<QImage> pictures;
+      for (const State state : kStates) {
+        for (const bool stale : {false, true}) {
+          // What was never known cannot have become old; a stale lamp says so, its word says what it was.
+          if (stale && state != State::On) continue;
+          StatusLamp lamp;
+          lamp.setColours(coloursOf(theme));
+          lamp.setPalette(qtPalette(coloursOf(theme)));
+          lamp.setWhenOn(whenOn);
+          lamp.setState(state, stale);
+          // As wide as the lamp alone: no word helps.
+          pictures.push_back(picture(lamp, QSize(34, 32)));
+        }
+      }
+      for (size_t a = 0; a < pictures.size(); ++a) {
+        for (size_t b = a + 1; b < pictures.size(); ++b) {
+          int different = 0;
+          for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 34; ++x)
+              different += std::abs(qGray(pictures[a].pixel(x, y)) - qGray(pictures[b].pixel(x, y))) > 60;
+          EXPECT_GE(different, 8) << a << " and " << b;
+        }
+      }
+    }
+  }
+}
+
+TEST(StatusLamp, SpeaksLabelAndState) {
+  StatusLamp lamp;
+  lamp.setLabel(QStringLiteral("Discharge valve"));
+  lamp.setState(State::On);
+  EXPECT_EQ(lamp.accessibleName(), QStringLiteral("Discharge valve"));
+  EXPECT_EQ(lamp.accessibleDescription(), QStringLiteral("on"));
+  lamp.setState(State::On, true);
+  EXPECT_EQ(lamp.accessibleDescription(), QStringLiteral("on, stale"));
+  EXPECT_FALSE(lamp.objectName().isEmpty());
+}
+
+TEST(StatusLamp, SizeDoesNotDependOnTheState) {
+  StatusLamp lamp;
+  lamp.setLabel(QStringLiteral("Right"));
+  const QSize size = lamp.sizeHint();
+  EXPECT_GE(size.height(), 32);
+  for (const State state : kStates) {
+    lamp.setState(state);
+    EXPECT_EQ(lamp.sizeHint(), size);
+  }
+}
+
+}  // namespace
+}  // namespace deckpipe

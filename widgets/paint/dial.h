@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The monitor at a glance: plan and side view with position, limits, stops and commands. A panel sets the
+// values on the UI tick; the dial keeps no history and asks for nothing. It takes no input.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "paint/dial_values.h"
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class Dial : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Dial(QWidget* parent = nullptr);
+
+  void setValues(const DialValues& values);
+  const DialValues& values() const { return m_values; }
+
+  void setColours(const Colours& colours);
+
+  // An oscillating band moves by itself while it can be seen. Off: it rests at the phase given, for a cursor
+  // that stands still and for people who want no motion.
+  void setAnimated(bool animated);
+  bool isAnimating() const { return m_timer.isActive(); }
+  // 0..1, one sway to and fro.
+  void setPhase(double phase);
+
+  QSize sizeHint() const override { return {640, 360}; }
+  QSize minimumSizeHint() const override { return {200, 120}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void updateTimer();
+  void describe();
+
+  DialValues m_values;
+  Colours m_colours;
+  QTimer m_timer;     // the band's motion
+  QTimer m_describe;  // holds back the spoken text while values run
+  double m_phase = 0;
+  bool m_animated = true;
+};
+
+}  // namespace deckpipe

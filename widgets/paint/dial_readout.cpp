@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/dial_readout.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "paint/dial_text.h"
+#include "paint/figures.h"
+
+namespace deckpipe {
+namespace {
+
+using Reading = DialAxis::Reading;
+using Stop = DialAxis::Stop;
+using Flag = DialValues::Flag;
+
+}  // namespace
+
+DialReadout::DialReadout(QPainter& painter, const Colours& colours, const QFont& font,
+                         const DialLayout& layout)
+    : m_painter(painter), m_colours(colours), m_font(font), m_layout(layout) {}
+
+QFont DialReadout::font(double pixels, bool strong) const {
+  QFont f = m_font;
+  f.setPixelSize(std::max(1, static_cast<int>(pixels)));
+  f.setBold(strong);
+  return f;
+}
+
+void DialReadout::draw(const DialView& view) {
+  if (view.radius <= 1) return;
+  m_painter.save();
+  m_painter.setRenderHint(QPainter::Antialiasing);
+  if (!view.title.isNull()) {
+    Note note;
+    note.bare = true;
+    note.textInk = m_colours.textSecondary;
+    note.text = DialText::title(view.kind);
+    drawNote(view.title, note);
+  }
+  drawValue(view);
+  drawAge(view);
+  drawCondition(view);
+  drawSource(view);
+  m_painter.restore();
+}
+
+void DialReadout::drawValue(const DialView& view) {
+  const DialAxis& axis = view.axis;
+  if (axis.reading == Reading::Ok) {
+    Figures figures;
+    figures.number = degreesText(axis.degrees);
+    QString widest =
+        view.kind == DialAxisKind::Rotation ? QStringLiteral("−888.8°") : QStringLiteral("−88.8°");
+    // Beyond what the axis can have, the size may give way: such a number is news enough.
+    if (figures.number.size() >= widest.size()) widest = figures.number + QStringLiteral("°");
+    figures.unit = QStringLiteral("°");
+    // A stale number is also thinner: weight is seen where grey is not.
+    figures.numberFont =
+        fittedFont(font(m_layout.valueSize, true), m_layout.valueSize, widest, view.value.width(), 9);
+    figures.numberFont.setBold(!axis.stale);
+    figures.unitFont = font(figures.numberFont.pixelSize() * 0.8);
+    figures.numberColour = axis.stale ? m_colours.stale.ink : m_colours.text;
+    figures.unitColour = axis.stale ? m_colours.stale.ink : m_colours.textSecondary;
+    drawFigures(m_painter, view.value, figures);
+    return;
+  }
+  // In the number's place the reason why there is none, at most two thirds of its size.
+  QColor ink = m_colours.textSecondary;
+  if (axis.reading == Reading::SensorError) ink = m_colours.fault.ink;
+  if (axis.reading == Reading::Invalid) ink = m_colours.attend.ink;
+  if (axis.reading == Reading::NoData || axis.stale) ink = m_colours.stale.ink;
+  const double size = std::max(m_layout.textSize, m_layout.valueSize * 0.66);
+  QString text = DialText::reading(axis.reading);
+  const QRectF& slot = view.value;
+  // Both columns at the size that fits the narrower.
+  const double width = std::min(m_layout.rotation.value.width(), m_layout.elevation.value.width());
+  const QFont f = fittedFont(font(size, true), size, text, width, m_layout.textSize);
+  if (QFontMetricsF(f).horizontalAdvance(text) > slot.width()) text = DialText::readingShort(axis.reading);
+  m_painter.setFont(f);
+  m_painter.setPen(ink);
+  m_painter.drawText(slot, Qt::AlignVCenter | Qt::AlignRight, text);
+}
+
+DialReadout::Note DialReadout::ageNote(const DialAxis& axis) const {
+  Note note;
+  const bool compactSway = axis.oscillating && m_layout.compact;
+  note.bare = !axis.stale && !compactSway;
+  note.glyph = axis.stale ? Glyph::Stale : Glyph::Oscillating;
+  note.ink = note.textInk = axis.stale ? m_colours.stale.ink : m_colours.textSecondary;
+  if (axis.age) note.text = ageText(*axis.age);
+  if (axis.stale && !axis.age) note.text = DialText::tr("stale");
+  return note;
+}
+
+void DialReadout::drawAge(const DialView& view) {
+  if (view.age.isNull() || view.axis.reading == Reading::NoData) return;
+  drawNote(view.age, ageNote(view.axis));
+}
+
+void DialReadout::drawCondition(const DialView& view) {
+  if (view.condition.isNull()) return;
+  const DialAxis& axis = view.axis;
+  const QString stops = DialText::stops(view.kind, axis);
+  const bool sharesWithAge = view.age.isNull();
+  // Old news about a stop is no stop: where both share a place, the age goes first.
+  if (sharesWithAge && (axis.stale || stops.isEmpty())) {
+    if (axis.reading != Reading::NoData) drawNote(view.condition, ageNote(axis));
+    return;
+  }
+  Note note;
+  if (stops.isEmpty()) {
+    if (!axis.oscillating) return;
+    note.glyph = Glyph::Oscillating;
+    note.ink = note.textInk = axis.limitsStale ? m_colours.stale.ink : m_colours.textSecondary;
+    note.text = DialText::tr("Oscillating");
+    drawNote(view.condition, note);
+    return;
+  }
+  const bool on = axis.plusStop == Stop::On || axis.minusStop == Stop::On;
+  note.glyph = on ? Glyph::Stop : Glyph::Attend;
+  note.ink = note.textInk = axis.stale ? m_colours.stale.ink
+                            : on       ? m_colours.fault.ink
+                                       : m_colours.attend.ink;
+  note.text = stops;
+  QRectF slot = view.condition;
+  // Beside it stands who commands; with nobody there the place is free.
+  if (!sharesWithAge && !axis.command) slot.setRight(view.source.right());
+  drawNote(slot, note);
+}
+
+void DialReadout::drawSource(const DialView& view) {
+  if (view.source.isNull() || !view.axis.command) return;
+  const double speed = view.axis.command->speed;
+  Note note;
+  note.glyph = speed == 0 ? Glyph::Commanded : Glyph::CommandPlus;
+  note.ink = note.textInk = m_colours.text;
+  note.text = view.axis.command->source;
+  if (speed != 0) {
+    if (view.kind == DialAxisKind::Rotation)
+      note.turned = speed > 0 ? 0 : 180;
+    else
+      note.turned = speed > 0 ? -90 : 90;
+  }
+  drawNote(view.source, note, !m_layout.compact);
+}
+
+void DialReadout::drawNote(const QRectF& slot, const Note& note, bool right) {
+  const double pixels = m_layout.textSize;
+  QFont f = font(pixels);
+  const double sign = note.bare ? 0 : std::ceil(QFontMetricsF(f).capHeight() * 1.25);
+  const double gap = note.bare ? 0 : std::ceil(pixels * 0.35);
+  const double room = slot.width() - sign - gap;
+  QString text = note.text;
+  // A pixel of size is worth less than half a word.
+  if (QFontMetricsF(f).horizontalAdvance(text) > room) f = font(pixels - 1);
+  const QFontMetricsF metrics(f);
+  if (metrics.horizontalAdvance(text) > room) text = metrics.elidedText(text, Qt::ElideMiddle, room);
+  // Two letters and three dots say nothing that the glyph does not.
+  if (text.size() < 4 && text != note.text) text.clear();
+  const double width = sign + (text.isEmpty() ? 0 : gap + metrics.horizontalAdvance(text));
+  double x = right ? slot.right() - width : slot.left();
+  const double middle = slot.center().y();
+  if (!note.bare) {
+    m_painter.save();
+    m_painter.translate(x + sign / 2, middle);
+    m_painter.rotate(note.turned);
+    drawGlyph(m_painter, QRectF(-sign / 2, -sign / 2, sign, sign), note.glyph, note.ink, Qt::transparent,
+              m_colours.stroke);
+    m_painter.restore();
+    x += sign + gap;
+  }
+  m_painter.setFont(f);
+  m_painter.setPen(note.textInk);
+  m_painter.drawText(QPointF(x, middle + metrics.capHeight() / 2), text);
+}
+
+void DialReadout::drawChips(const DialValues& values) {
+  Note note;
+  m_painter.save();
+  m_painter.setRenderHint(QPainter::Antialiasing);
+  note.text = DialText::enable(values.enable);
+  if (values.enable == Flag::Off) {
+    note.glyph = Glyph::Locked;
+    note.ink = note.textInk = m_colours.attend.onFill;
+    drawChip(m_layout.enableChip, note, &m_colours.attend);
+  } else if (values.enable == Flag::On) {
+    note.glyph = Glyph::Fine;
+    note.ink = note.textInk = m_colours.fine.ink;
+    drawChip(m_layout.enableChip, note, nullptr);
+  }
+  note.text = DialText::stowed(values.stowed);
+  note.glyph = Glyph::Stowed;
+  note.ink = note.textInk = m_colours.textSecondary;
+  if (!note.text.isEmpty()) drawChip(m_layout.stowedChip, note, nullptr);
+  m_painter.restore();
+}
+
+void DialReadout::drawChip(const QRectF& slot, const Note& note, const Tone* plate) {
+  const double inset = std::ceil(slot.height() * 0.14);
+  if (plate) {
+    m_painter.setPen(QPen(plate->ink, m_colours.stroke));
+    m_painter.setBrush(plate->fill);
+    m_painter.drawRoundedRect(slot.adjusted(0.5, 0.5, -0.5, -0.5), inset, inset);
+  }
+  const QRectF inner = slot.adjusted(inset, 0, -inset, 0);
+  if (m_layout.compact)
+    drawGlyph(m_painter, plate ? slot.adjusted(inset, inset, -inset, -inset) : slot, note.glyph, note.ink,
+              Qt::transparent, m_colours.stroke);
+  else
+    drawNote(inner, note, &slot == &m_layout.stowedChip);
+}
+
+}  // namespace deckpipe

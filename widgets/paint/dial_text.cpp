@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/dial_text.h"
+
+#include <QStringList>
+#include <cmath>
+
+#include "paint/figures.h"
+
+namespace deckpipe {
+
+using Reading = DialAxis::Reading;
+using Stop = DialAxis::Stop;
+using Flag = DialValues::Flag;
+
+QString DialText::title(DialAxisKind kind) {
+  return kind == DialAxisKind::Rotation ? tr("Rotation") : tr("Elevation");
+}
+
+QString DialText::reading(Reading reading) {
+  switch (reading) {
+    case Reading::NoData: return tr("No data");
+    case Reading::Ok: return {};
+    case Reading::SensorError: return tr("Sensor error");
+    case Reading::NotFitted: return tr("No sensor");
+    case Reading::Invalid: return tr("Invalid");
+  }
+  return {};
+}
+
+QString DialText::readingShort(Reading reading) {
+  return reading == Reading::SensorError ? tr("Error", "sensor error where there is little room")
+                                         : DialText::reading(reading);
+}
+
+QString DialText::stops(DialAxisKind kind, const DialAxis& axis) {
+  const bool plan = kind == DialAxisKind::Rotation;
+  const auto side = [&](Stop stop, bool plus) {
+    if (stop == Stop::On) {
+      if (plan) return plus ? tr("Right stop") : tr("Left stop");
+      return plus ? tr("Up stop") : tr("Down stop");
+    }
+    if (plan) return plus ? tr("Right stop error") : tr("Left stop error");
+    return plus ? tr("Up stop error") : tr("Down stop error");
+  };
+  const auto shown = [](Stop stop) { return stop == Stop::On || stop == Stop::Error; };
+  if (axis.plusStop == Stop::On && axis.minusStop == Stop::On) return tr("Both stops");
+  if (axis.plusStop == Stop::Error && axis.minusStop == Stop::Error) return tr("Stop errors");
+  // A stop that is on says more than one in error; both blocks are drawn anyway.
+  if (axis.plusStop == Stop::On || (shown(axis.plusStop) && axis.minusStop != Stop::On))
+    return side(axis.plusStop, true);
+  if (shown(axis.minusStop)) return side(axis.minusStop, false);
+  return {};
+}
+
+QString DialText::enable(Flag flag) {
+  switch (flag) {
+    case Flag::Unknown: return {};
+    case Flag::Off: return tr("Disabled");
+    case Flag::On: return tr("Enabled");
+  }
+  return {};
+}
+
+QString DialText::stowed(Flag flag) { return flag == Flag::On ? tr("Stowed") : QString(); }
+
+QString DialText::enableLong(Flag flag) {
+  switch (flag) {
+    case Flag::Unknown: return tr("Whether motion is allowed is not known.");
+    case Flag::Off: return tr("Motion is disabled.");
+    case Flag::On: return tr("Motion is enabled.");
+  }
+  return {};
+}
+
+QString DialText::stowedLong(Flag flag) {
+  switch (flag) {
+    case Flag::Unknown: return {};
+    case Flag::Off: return tr("Not stowed.");
+    case Flag::On: return tr("Stowed.");
+  }
+  return {};
+}
+
+QString DialText::angle(DialAxisKind kind, double degrees) {
+  const QString number = degreesText(std::abs(degrees));
+  const double tenths = std::round(degrees * 10);
+  if (kind == DialAxisKind::Rotation) {
+    if (tenths == 0) return tr("0 degrees, straight ahead");
+    return tenths > 0 ? tr("%1 degrees right").arg(number) : tr("%1 degrees left").arg(number);
+  }
+  if (tenths == 0) return tr("0 degrees, level");
+  return tenths > 0 ? tr("%1 degrees up").arg(number) : tr("%1 degrees down").arg(number);
+}
+
+QString DialText::direction(DialAxisKind kind, bool plus) {
+  if (kind == DialAxisKind::Rotation) return plus ? tr("right") : tr("left");
+  return plus ? tr("up") : tr("down");
+}
+
+QString DialText::describe(DialAxisKind kind, const DialAxis& axis) {
+  QStringList parts;
+  const QString name = title(kind);
+  QString first;
+  switch (axis.reading) {
+    case Reading::NoData: first = tr("%1: no data received").arg(name); break;
+    case Reading::Ok: first = tr("%1: %2").arg(name, angle(kind, axis.degrees)); break;
+    case Reading::SensorError: first = tr("%1: sensor error, no position").arg(name); break;
+    case Reading::NotFitted: first = tr("%1: no position sensor fitted").arg(name); break;
+    case Reading::Invalid: first = tr("%1: invalid position value").arg(name); break;
+  }
+  if (axis.stale)
+    first = axis.age ? tr("%1, stale, %2 old").arg(first, ageText(*axis.age)) : tr("%1, stale").arg(first);
+  parts << first + QLatin1Char('.');
+
+  const QString stop = stops(kind, axis);
+  if (!stop.isEmpty()) parts << tr("%1.").arg(stop);
+  if (axis.limitLow && axis.limitHigh) {
+    const QString low = angle(kind, *axis.limitLow), high = angle(kind, *axis.limitHigh);
+    QString limits = axis.oscillating ? tr("Oscillating between %1 and %2").arg(low, high)
+                                      : tr("Soft limits %1 and %2").arg(low, high);
+    if (axis.limitsStale) limits = tr("%1, stale").arg(limits);
+    parts << limits + QLatin1Char('.');
+  } else if (axis.limitLow || axis.limitHigh) {
+    parts << tr("Soft limit %1.").arg(angle(kind, axis.limitLow ? *axis.limitLow : *axis.limitHigh));
+  }
+  if (axis.command) {
+    const int percent = static_cast<int>(std::lround(std::min(1.0, std::abs(axis.command->speed)) * 100));
+    parts << (percent == 0 ? tr("%1 commands no motion.").arg(axis.command->source)
+                           : tr("%1 commands %2, %3 percent.")
+                                 .arg(axis.command->source, direction(kind, axis.command->speed > 0))
+                                 .arg(percent));
+  }
+  return parts.join(QLatin1Char(' '));
+}
+
+QString DialText::description(const DialValues& v) {
+  QStringList parts{describe(DialAxisKind::Rotation, v.rotation),
+                    describe(DialAxisKind::Elevation, v.elevation), enableLong(v.enable),
+                    stowedLong(v.stowed)};
+  parts.removeAll(QString());
+  return parts.join(QLatin1Char(' '));
+}
+
+}  // namespace deckpipe

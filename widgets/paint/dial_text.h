@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dial's words: short ones for its texts, whole sentences for who does not see it.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "paint/dial_layout.h"
+#include "paint/dial_values.h"
+
+namespace deckpipe {
+
+class DialText {
+  Q_DECLARE_TR_FUNCTIONS(DialText)
+
+ public:
+  static QString title(DialAxisKind kind);
+  // Why there is no value: "Sensor error"; empty for a reading that is Ok. The short form is for 75 pixels.
+  static QString reading(DialAxis::Reading reading);
+  static QString readingShort(DialAxis::Reading reading);
+  // "Right stop", "Down stop error"; empty where neither stop is on or in error.
+  static QString stops(DialAxisKind kind, const DialAxis& axis);
+  static QString enable(DialValues::Flag flag);
+  static QString stowed(DialValues::Flag flag);
+  static QString enableLong(DialValues::Flag flag);
+  static QString stowedLong(DialValues::Flag flag);
+  // Everything that the dial draws, in sentences.
+  static QString description(const DialValues& values);
+
+ private:
+  static QString angle(DialAxisKind kind, double degrees);
+  static QString direction(DialAxisKind kind, bool plus);
+  static QString describe(DialAxisKind kind, const DialAxis& axis);
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/figures.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace deckpipe {
+namespace {
+
+constexpr QChar kMinus(0x2212);
+
+struct Units {
+  Q_DECLARE_TR_FUNCTIONS(Units)
+};
+
+double cellWidth(const QFontMetricsF& metrics) {
+  double widest = 0;
+  for (char16_t digit = u'0'; digit <= u'9'; ++digit)
+    widest = std::max(widest, metrics.horizontalAdvance(QChar(digit)));
+  return widest;
+}
+
+// The sign takes a digit's cell too: a full minus of some fonts is half as wide again and tears the number.
+bool inCell(QChar c) { return c.isDigit() || c == kMinus; }
+
+int rounded(double pixels) { return std::max(1, static_cast<int>(std::lround(std::floor(pixels)))); }
+
+}  // namespace
+
+QString degreesText(double degrees) {
+  const double tenths = std::round(degrees * 10);
+  QString text = QString::number(std::abs(tenths) / 10, 'f', 1);
+  text.replace(QLatin1Char('.'), QLocale().decimalPoint());
+  return tenths < 0 ? kMinus + text : text;
+}
+
+QString ageText(Duration age) {
+  const double seconds = std::max(0.0, std::chrono::duration<double>(age).count());
+  if (seconds < 9.95) {
+    QString text = QString::number(seconds, 'f', 1);
+    return Units::tr("%1 s").arg(text.replace(QLatin1Char('.'), QLocale().decimalPoint()));
+  }
+  const auto whole = static_cast<qint64>(std::min(seconds, 1e12));
+  if (whole < 100) return Units::tr("%1 s").arg(whole);
+  if (whole < 100 * 60) return Units::tr("%1 min").arg(whole / 60);
+  if (whole < 48 * 3600) return Units::tr("%1 h").arg(whole / 3600);
+  return Units::tr("%1 d").arg(whole / 86400);
+}
+
+double figuresWidth(const QFont& font, const QString& text) {
+  const QFontMetricsF metrics(font);
+  const double cell = cellWidth(metrics);
+  double width = 0;
+  for (const QChar c : text) width += inCell(c) ? cell : metrics.horizontalAdvance(c);
+  return width;
+}
+
+void drawFigures(QPainter& p, const QRectF& slot, const Figures& f) {
+  const QFontMetricsF metrics(f.numberFont);
+  const double cell = cellWidth(metrics);
+  const double baseline = slot.center().y() + metrics.capHeight() / 2;
+  double right = slot.right();
+  if (!f.unit.isEmpty()) {
+    right -= QFontMetricsF(f.unitFont).horizontalAdvance(f.unit);
+    p.setFont(f.unitFont);
+    p.setPen(f.unitColour);
+    // A degree sign hangs from the top of the figures, a letter stands on their baseline.
+    const bool hangs = f.unit == QStringLiteral("°");
+    const double rise = hangs ? metrics.capHeight() - QFontMetricsF(f.unitFont).capHeight() : 0;
+    p.drawText(QPointF(right, baseline - rise), f.unit);
+  }
+  p.setFont(f.numberFont);
+  p.setPen(f.numberColour);
+  for (auto i = f.number.size(); i-- > 0;) {
+    const QChar c = f.number.at(i);
+    const double advance = metrics.horizontalAdvance(c);
+    const double width = inCell(c) ? cell : advance;
+    right -= width;
+    p.drawText(QPointF(right + (width - advance) / 2, baseline), QString(c));
+  }
+}
+
+QFont fittedFont(QFont font, double pixels, const QString& widest, double width, double least) {
+  font.setPixelSize(rounded(pixels));
+  const double needed = figuresWidth(font, widest);
+  if (needed > width) font.setPixelSize(rounded(std::max(least, std::floor(pixels) * width / needed)));
+  return font;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/status_lamp.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace deckpipe {
+namespace {
+
+constexpr int kHeight = 32;
+constexpr double kLamp = 22;  // side of the lamp itself
+constexpr double kGap = 8;
+
+}  // namespace
+
+StatusLamp::StatusLamp(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+  setObjectName(QStringLiteral("statusLamp"));
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  describe();
+}
+
+void StatusLamp::setLabel(const QString& label) {
+  m_label = label;
+  describe();
+  updateGeometry();
+  update();
+}
+
+void StatusLamp::setWhenOn(WhenOn whenOn) {
+  m_whenOn = whenOn;
+  update();
+}
+
+void StatusLamp::setState(State state, bool stale) {
+  if (state == m_state && stale == m_stale) return;
+  m_state = state;
+  m_stale = stale;
+  describe();
+  update();
+}
+
+void StatusLamp::setColours(const Colours& colours) {
+  m_colours = colours;
+  update();
+}
+
+QString StatusLamp::word() const {
+  switch (m_state) {
+    case State::Unknown: return tr("unknown");
+    case State::Off: return tr("off");
+    case State::On: return tr("on");
+    case State::Error: return tr("error");
+    case State::NotAvailable: return tr("not available");
+  }
+  return {};
+}
+
+void StatusLamp::describe() {
+  setAccessibleName(m_label);
+  setAccessibleDescription(m_stale ? tr("%1, stale").arg(word()) : word());
+}
+
+StatusLamp::Look StatusLamp::look() const {
+  const Colours& c = m_colours;
+  if (m_stale && m_state != State::Unknown)
+    return {Glyph::Stale, c.stale.ink, c.stale.fill, c.stale.onFill, true};
+  switch (m_state) {
+    case State::Unknown: return {Glyph::Unknown, c.stale.ink, Qt::transparent, c.stale.ink, true};
+    case State::Off: return {Glyph::Off, c.textSecondary, Qt::transparent, c.outline, false};
+    case State::Error: return {Glyph::Attend, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case State::NotAvailable:
+      return {Glyph::NotAvailable, c.textSecondary, Qt::transparent, c.textSecondary, true};
+    case State::On: break;
+  }
+  switch (m_whenOn) {
+    case WhenOn::Plain: return {Glyph::On, c.text, c.text, c.surface, false};
+    case WhenOn::Fine: return {Glyph::Fine, c.fine.ink, c.fine.fill, c.fine.onFill, false};
+    case WhenOn::Attend: return {Glyph::On, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case WhenOn::Stop: break;
+  }
+  return {Glyph::Stop, c.fault.ink, c.fault.fill, c.fault.onFill, false};
+}
+
+QSize StatusLamp::sizeHint() const {
+  // The widest word, so that no change of state moves a neighbour.
+  const QFontMetricsF metrics(font());
+  double words = 0;
+  for (const QString& w : {tr("unknown"), tr("off"), tr("on"), tr("error"), tr("not available")})
+    words = std::max(words, metrics.horizontalAdvance(w));
+  return {static_cast<int>(std::ceil(kLamp + metrics.horizontalAdvance(m_label) + words + 4 * kGap)),
+          std::max(kHeight, static_cast<int>(metrics.height() * 1.6))};
+}
+
+QSize StatusLamp::minimumSizeHint() const { return {static_cast<int>(kLamp + 2 * kGap), kHeight}; }
+
+void StatusLamp::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const Look look = this->look();
+  const double middle = height() / 2.0;
+  const QRectF lamp(kGap / 2, middle - kLamp / 2, kLamp, kLamp);
+  QPen frame(look.ink, 1.5 * m_colours.stroke, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+  if (look.dashed) frame.setDashPattern({2, 1.5});
+  p.setPen(frame);
+  p.setBrush(look.fill);
+  p.drawRoundedRect(lamp, 4, 4);
+  const double inset = kLamp * 0.2;
+  drawGlyph(p, lamp.adjusted(inset, inset, -inset, -inset), look.glyph, look.glyphInk, Qt::transparent,
+            m_colours.stroke);
+
+  const QFontMetricsF metrics(font());
+  const double baseline = middle + metrics.capHeight() / 2;
+  const double left = lamp.right() + kGap;
+  const double right = width() - kGap / 2;
+  p.setFont(font());
+  // The lamp says the state already: the word goes first when room is short, then the label is elided.
+  const double wordWidth = metrics.horizontalAdvance(word());
+  const bool wordFits = left + metrics.horizontalAdvance(m_label) + kGap + wordWidth <= right;
+  if (wordFits) {
+    p.setPen(look.ink);
+    p.drawText(QPointF(right - wordWidth, baseline), word());
+  }
+  p.setPen(m_stale ? m_colours.stale.ink : m_colours.text);
+  p.drawText(QPointF(left, baseline), metrics.elidedText(m_label, Qt::ElideRight, right - left));
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One status of two bits as a lamp: its sign, its label, its word. Panels line them up for the stops by axis
+// and for the outputs. Stops are lit as a fault, an output as fine, or as plain text where on is neither good
+// nor bad.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <cstdint>
+
+#include "paint/glyph.h"
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class StatusLamp : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class State : std::uint8_t { Unknown, Off, On, Error, NotAvailable };
+  enum class WhenOn : std::uint8_t { Plain, Fine, Attend, Stop };
+
+  explicit StatusLamp(QWidget* parent = nullptr);
+
+  void setLabel(const QString& label);
+  void setWhenOn(WhenOn whenOn);
+  // Stale: the last state heard, drawn as old; never as a steady one.
+  void setState(State state, bool stale = false);
+  void setColours(const Colours& colours);
+
+  State state() const { return m_state; }
+  bool isStale() const { return m_stale; }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  struct Look {
+    Glyph glyph;
+    QColor ink;       // of the frame and the word
+    QColor fill;      // of the lamp
+    QColor glyphInk;  // on the fill
+    bool dashed;
+  };
+  Look look() const;
+  QString word() const;
+  void describe();
+
+  Colours m_colours;
+  QString m_label;
+  State m_state = State::Unknown;
+  WhenOn m_whenOn = WhenOn::Plain;
+  bool m_stale = false;
+};
+
+}  // namespace deckpipe
