@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl decode: protocol.md section 5.
 #include <array>
-#include <memory>
+#include <optional>
 
 #include "arguments.h"
 #include "command.h"
 #include "log_input.h"
 #include "output.h"
-#include "protocol/classify.h"
+#include "protocol/role_walk.h"
 #include "report/decode_lines.h"
 
 namespace deckpipe::ctl {
@@ -35,35 +35,24 @@ class Decoder {
   }
 
  private:
-  struct ChannelWalk {
-    ChannelRoles roles;
-    std::string_view name;
-  };
-
   void decodeOne(const Frame& frame, Instant time) {
-    ChannelWalk& channel = walkOf(frame.channel);
-    const Classified what = classify(frame, time, channel.roles);
-    appendDecoded(m_output.text(), m_format, frame, channel.name, what);
-    channel.roles.observe(frame, time, what);
-  }
-
-  ChannelWalk& walkOf(std::uint8_t index) {
-    std::unique_ptr<ChannelWalk>& walk = m_channels[index];
-    if (walk == nullptr) {
-      walk = std::make_unique<ChannelWalk>();
-      walk->name = m_frames.channelName(index);
+    std::optional<std::string_view>& name = m_names[frame.channel];
+    if (!name) {
+      name = m_frames.channelName(frame.channel);
       for (const ChannelAddress& drive : m_drives) {
-        if (drive.channel.empty() || drive.channel == walk->name) walk->roles.sayDrive(drive.address, true);
+        if (drive.channel.empty() || drive.channel == *name)
+          m_roles.sayDrive({frame.channel}, drive.address, true);
       }
     }
-    return *walk;
+    appendDecoded(m_output.text(), m_format, frame, *name, m_roles.next(frame, time));
   }
 
   const FrameStore& m_frames;
   LogTimes m_times;
   DecodeFormat m_format;
   std::vector<ChannelAddress> m_drives;
-  std::array<std::unique_ptr<ChannelWalk>, 256> m_channels;
+  std::array<std::optional<std::string_view>, 256> m_names;  // of the channels seen so far
+  RoleWalk m_roles;
   std::uint64_t m_next = 0;
   Output m_output;
 };

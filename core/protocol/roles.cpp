@@ -30,47 +30,56 @@ void ChannelRoles::sayDrive(Address a, bool isDrive) {
   role = static_cast<std::uint8_t>(isDrive ? role | kDrive : role & ~kDrive);
 }
 
-void ChannelRoles::observe(const Frame& frame, Instant time, const Classified& classified) {
-  if (classified.malformed) return;
+bool ChannelRoles::observe(const Frame& frame, Instant time, const Classified& classified) {
+  if (classified.malformed) return false;
   switch (classified.message) {
-    case MessageId::Name: observeName(J1939Id::of(frame.identifier()).source, frame); break;
+    case MessageId::Name: return observeName(J1939Id::of(frame.identifier()).source, frame);
     case MessageId::AddressAnnouncement: {
       const Address source = J1939Id::of(frame.identifier()).source;
-      if (source != kNullAddress && source != kGlobalAddress) m_roles[source.value] |= kAkron;
-      break;
+      if (source == kNullAddress || source == kGlobalAddress || isAkron(source)) return false;
+      m_roles[source.value] |= kAkron;
+      return true;
     }
-    case MessageId::SdoReadResponse:
-      if (isPartNumberAnswer(frame, classified)) m_akronNodes.set(CobId::of(frame.identifier()).node.value);
-      break;
+    case MessageId::SdoReadResponse: {
+      const NodeId node = CobId::of(frame.identifier()).node;
+      if (isAkronNode(node) || !isPartNumberAnswer(frame, classified)) return false;
+      m_akronNodes.set(node.value);
+      return true;
+    }
     case MessageId::ZeroAxesRequest:
     case MessageId::ZeroAxesAck:
     case MessageId::SetupModeRequest:
-    case MessageId::SetupModeAck: observeExchange(frame, time, classified); break;
-    default: break;
+    case MessageId::SetupModeAck: return observeExchange(frame, time, classified);
+    default: return false;
   }
 }
 
 // J1939-81: claims from the global address or with NAME 0 mean nothing; from the null address a NAME says
 // that its owner could not claim.
-void ChannelRoles::observeName(Address source, const Frame& frame) {
+bool ChannelRoles::observeName(Address source, const Frame& frame) {
   const std::uint64_t name = loadLittle(frame.data);
-  if (source == kGlobalAddress || name == 0) return;
+  if (source == kGlobalAddress || name == 0) return false;
   if (source == kNullAddress) {
+    bool dropped = false;
     for (std::size_t a = 0; a < m_names.size(); ++a) {
-      if (m_names[a] == name) m_names[a] = m_roles[a] = 0;
+      if (m_names[a] != name) continue;
+      m_names[a] = m_roles[a] = 0;
+      dropped = true;
     }
-    return;
+    return dropped;
   }
+  std::uint64_t& held = m_names[source.value];
+  if (held == name) return false;
   const bool akron = readBits(frame.data, kManufacturer) == j1939::kAkronManufacturer;
   std::uint8_t& role = m_roles[source.value];
-  std::uint64_t& held = m_names[source.value];
-  if (held != 0 && held != name) {
+  if (held != 0) {
     role = 0;  // another NAME takes the address
-  } else if (held == 0 && !akron) {
+  } else if (!akron) {
     role &= static_cast<std::uint8_t>(~kAkron);  // who announced itself there cannot have this NAME
   }
   held = name;
   role |= akron ? kAkron : kForeign;
+  return true;
 }
 
 std::size_t ChannelRoles::findRequest(std::uint8_t type, Address from, Address to, Instant time) const {
@@ -84,7 +93,7 @@ std::size_t ChannelRoles::findRequest(std::uint8_t type, Address from, Address t
   return oldest;
 }
 
-void ChannelRoles::observeExchange(const Frame& frame, Instant time, const Classified& classified) {
+bool ChannelRoles::observeExchange(const Frame& frame, Instant time, const Classified& classified) {
   for (Request& r : m_requests) {
     if (r.time != kNotYet && time - r.time > kAnswerWithin) {
       r = {};
@@ -95,10 +104,10 @@ void ChannelRoles::observeExchange(const Frame& frame, Instant time, const Class
   const std::uint8_t type = frame.data[0];
   if (messageOf(classified.message).device == DeviceEnd::Sender) {
     const std::size_t answered = findRequest(type, id.destination, id.source, time);
-    if (answered == kRequests) return;
+    if (answered == kRequests) return false;
     m_requests[answered] = {};
     --m_waiting;
-    return;
+    return true;
   }
   std::size_t slot = 0;  // a free one, or the oldest
   for (std::size_t i = 0; i < kRequests; ++i) {
@@ -106,6 +115,7 @@ void ChannelRoles::observeExchange(const Frame& frame, Instant time, const Class
   }
   if (m_requests[slot].time == kNotYet) ++m_waiting;
   m_requests[slot] = {time, type, id.source, id.destination};
+  return true;
 }
 
 }  // namespace deckpipe

@@ -30,8 +30,9 @@ class ChannelRoles {
   // The person says that a Copley drive is at this address, or takes it back.
   void sayDrive(Address a, bool isDrive);
 
-  // Learns from a frame that was classified with these roles. Call once a frame, in order.
-  void observe(const Frame& frame, Instant time, const Classified& classified);
+  // Learns from a frame that was classified with these roles; says whether there was anything to learn. Call
+  // once a frame, in order.
+  bool observe(const Frame& frame, Instant time, const Classified& classified);
 
   // Whether a request of this type (41 or 46) from `to` to `from` waits for an answer at this time.
   bool awaitsAnswer(std::uint8_t type, Address from, Address to, Instant time) const {
@@ -50,9 +51,9 @@ class ChannelRoles {
   };
   static constexpr std::size_t kRequests = 64;
 
-  void observeName(Address source, const Frame& frame);
+  bool observeName(Address source, const Frame& frame);
   std::size_t findRequest(std::uint8_t type, Address from, Address to, Instant time) const;
-  void observeExchange(const Frame& frame, Instant time, const Classified& classified);
+  bool observeExchange(const Frame& frame, Instant time, const Classified& classified);
 
   std::array<std::uint8_t, 256> m_roles{};
   std::array<std::uint64_t, 256> m_names{};

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The roles at any frame of a log, from the few frames and notes that changed them. A worker calls build()
+// while the log grows; the trace takes a walk() from its first visible row on. Rows beyond what is built yet
+// are classified with the roles known so far.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "log/frame_store.h"
+#include "log/note_store.h"
+#include "protocol/role_walk.h"
+
+namespace deckpipe {
+
+class RoleIndex {
+ public:
+  RoleIndex(const FrameStore& frames, const NoteStore& notes) : m_frames(frames), m_notes(notes) {}
+
+  // Looks at up to so many further frames. False where there was none.
+  bool build(std::uint64_t atMost);
+  std::uint64_t built() const;
+  // A walk that stands before frame `i`: its next() wants exactly that one.
+  RoleWalk walk(std::uint64_t i) const;
+  // A drive was said or unsaid before a frame that was built already: everything behind is built anew.
+  void invalidateAfter(std::uint64_t frame);
+
+ private:
+  // Replaying the frames that changed roles gives the same roles as replaying all: what a frame is depends on
+  // roles alone. A walk is kept every so many of them.
+  static constexpr std::size_t kKeepEvery = 512;
+  struct Change {
+    std::uint64_t frame;  // a note: the frame it stands before
+    bool isNote;
+    bool isDrive;
+    Channel channel;
+    Address address;
+  };
+  void take(RoleWalk& walk, const Change& change) const;
+  void record(const Change& change);
+
+  const FrameStore& m_frames;
+  const NoteStore& m_notes;
+  mutable std::mutex m_lock;
+  std::vector<Change> m_changes;
+  std::vector<RoleWalk> m_kept;  // [i] is after (i + 1) * kKeepEvery changes
+  RoleWalk m_end;                // after all changes
+  std::uint64_t m_built = 0;
+};
+
+}  // namespace deckpipe
