@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/adapters.h"
+
+#include <QCanBus>
+#include <QCanBusDeviceInfo>
+#include <algorithm>
+
+#include "link/can_interface.h"
+#include "link/plugins.h"
+
+namespace deckpipe {
+namespace {
+
+// The plugin leaves out interfaces that are down, which is just when a person needs to see them.
+void addKernelFacts(QList<Adapter>& adapters) {
+  const QString plugin = QStringLiteral("socketcan");
+  for (const CanInterface& link : readCanInterfaces()) {
+    const QString name = QString::fromStdString(link.name);
+    auto found = std::find_if(adapters.begin(), adapters.end(), [&](const Adapter& adapter) {
+      return adapter.plugin == plugin && adapter.interfaceName == name;
+    });
+    if (found == adapters.end()) {
+      Adapter adapter;
+      adapter.plugin = plugin;
+      adapter.interfaceName = name;
+      adapter.isVirtual = link.kind == "vcan" || link.kind == "vxcan";
+      adapter.isFlexibleDataRate = link.hasFlexibleDataRate;
+      found = adapters.insert(adapters.end(), adapter);
+    }
+    found->isUp = link.isUp;
+    found->isListenOnly = link.isListenOnly;
+    found->bitRate = link.bitRate;
+  }
+}
+
+}  // namespace
+
+AdapterList listAdapters() {
+  AdapterList list;
+  const QCanBus* bus = QCanBus::instance();
+  for (const QString& plugin : bus->plugins()) {
+    QString error;
+    for (const QCanBusDeviceInfo& info : bus->availableDevices(plugin, &error)) {
+      Adapter adapter;
+      adapter.plugin = plugin;
+      adapter.interfaceName = info.name();
+      adapter.description = info.description();
+      adapter.serialNumber = info.serialNumber();
+      adapter.alias = info.alias();
+      adapter.channel = info.channel();
+      adapter.isVirtual = info.isVirtual();
+      adapter.isFlexibleDataRate = info.hasFlexibleDataRate();
+      list.adapters.append(adapter);
+    }
+    list.plugins.append({plugin, pluginTitle(plugin), error});
+    if (plugin == QLatin1String("socketcan")) addKernelFacts(list.adapters);
+  }
+  return list;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person can connect to. The connection panel and `deckpipectl` ask for it; it may take a moment, as
+// plugins load their maker's library, so it is asked for on the bus thread like everything of QtSerialBus
+// (its registry has no lock), and not on every tick.
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <cstdint>
+
+namespace deckpipe {
+
+struct Adapter {
+  QString plugin;  // these two for LinkSettings
+  QString interfaceName;
+  QString description;  // in the plugin's words; may be empty, as may be the next two
+  QString serialNumber;
+  QString alias;
+  int channel = 0;
+  bool isVirtual = false;
+  bool isFlexibleDataRate = false;
+  bool isUp = true;           // an interface of Linux that is down must be set up first; others are up
+  bool isListenOnly = false;  // as set on an interface of Linux
+  std::uint32_t bitRate = 0;  // bit/s it runs at now; 0: not known
+};
+
+struct AdapterPlugin {
+  QString plugin;
+  QString title;  // the maker
+  QString error;  // why it lists nothing, e.g. that a library is missing; empty if all is well
+};
+
+struct AdapterList {
+  QList<Adapter> adapters;
+  QList<AdapterPlugin> plugins;  // all that are installed
+};
+
+// Virtualcan's two channels are of its default port; a private bus (VirtualBus) is in no list.
+AdapterList listAdapters();
+
+}  // namespace deckpipe

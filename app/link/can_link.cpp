@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/can_link.h"
+
+#include <QAbstractSocket>
+#include <QCanBus>
+#include <QCanBusDevice>
+#include <QSocketNotifier>
+#include <QTimer>
+#include <QVariant>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <mutex>
+
+#include "link/convert.h"
+#include "link/interface_watch.h"
+#include "link/plugins.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kReceiveBufferBytes = 4 * 1'024 * 1'024;  // some 5,000 frames, more than 0.1 s of a full bus
+constexpr qint64 kMostQueued =
+    32;  // in plugins that queue inside; more would be sent long after it was meant
+
+// virtualcan's open() touches a server that all links of the program share, without a lock.
+std::mutex openMutex;
+
+bool isAnyOf(const QString& text, std::initializer_list<int> errors) {
+  return std::any_of(errors.begin(), errors.end(), [&](int e) { return text == qt_error_string(e); });
+}
+
+}  // namespace
+
+CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock)
+    : QObject(parent), m_settings(std::move(settings)), m_clock(std::move(clock)) {
+  m_connectTimer = new QTimer(this);
+  m_connectTimer->setSingleShot(true);
+  connect(m_connectTimer, &QTimer::timeout, this, [this] { gone(LinkFault::NoAnswer, tr("No answer.")); });
+}
+
+CanLink::~CanLink() {
+  m_listener = nullptr;
+  dropDevice(Leave::Politely);
+  // What was written last, neutral perhaps, leaves before the sockets are destroyed.
+  for (auto* socket : findChildren<QAbstractSocket*>()) socket->flush();
+}
+
+std::int64_t CanLink::systemClock() {
+  using namespace std::chrono;
+  return duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+bool CanLink::isSocketCan() const { return m_settings.plugin == QLatin1String("socketcan"); }
+
+bool CanLink::echoes() const { return pluginEchoes(m_settings.plugin, m_settings.interfaceName); }
+
+void CanLink::open(PortListener& listener) {
+  close();
+  m_listener = &listener;
+  m_status = {};
+  m_own = OwnFrames(echoes() ? 512 : 64);
+  tell(LinkState::Connecting, LinkFault::None, {});
+  for (const auto step : {&CanLink::checkHardware, &CanLink::createDevice, &CanLink::connectDevice}) {
+    if (m_status.state != LinkState::Connecting) return;  // the listener thought better of it
+    if (const auto obstacle = (this->*step)()) return gone(obstacle->fault, obstacle->reason);
+  }
+  if (m_status.state == LinkState::Connecting) m_connectTimer->start(kConnectTimeout);
+}
+
+void CanLink::close() {
+  if (m_listener == nullptr) return;
+  deliver();
+  dropDevice(Leave::Politely);
+  PortListener* listener = std::exchange(m_listener, nullptr);
+  if (std::exchange(m_status.state, LinkState::Closed) != LinkState::Closed && listener != nullptr) {
+    listener->linkChanged(LinkState::Closed, {});
+  }
+}
+
+std::optional<CanLink::Obstacle> CanLink::checkHardware() {
+  if (!isSocketCan()) return {};
+  const std::string name = m_settings.interfaceName.toStdString();
+  const auto facts = readInterface(name);
+  if (!facts) return Obstacle{LinkFault::NoInterface, QString::fromStdString(facts.error())};
+  m_status.hardware = facts.value();
+  const CanInterface& hardware = *m_status.hardware;
+  if (!hardware.isCan) return Obstacle{LinkFault::NoInterface, tr("This is no CAN interface.")};
+  if (!hardware.isUp) return Obstacle{LinkFault::InterfaceDown, tr("The interface is down.")};
+  const auto asked = static_cast<std::uint32_t>(m_settings.bitRate);
+  if (asked != 0 && hardware.bitRate != 0 && hardware.bitRate != asked) {
+    return Obstacle{LinkFault::WrongBitRate,
+                    tr("The interface runs at %1 bit/s, not at %2.").arg(hardware.bitRate).arg(asked)};
+  }
+  return {};
+}
+
+std::optional<CanLink::Obstacle> CanLink::createDevice() {
+  QString error;
+  QCanBus* bus = QCanBus::instance();
+  m_device = bus->createDevice(m_settings.plugin, m_settings.interfaceName, &error);
+  if (m_device == nullptr) return Obstacle{LinkFault::NoPlugin, error};
+  m_device->setParent(this);
+  // virtualcan finds fault with its interface in the constructor, and would go on with some other channel.
+  if (m_device->error() != QCanBusDevice::NoError) {
+    return Obstacle{LinkFault::NoInterface, m_device->errorString()};
+  }
+  if (pluginTakesBitRate(m_settings.plugin)) {
+    // The plugins' own 500,000 must not stand. Without a value socketcan leaves the interface alone.
+    const QVariant asked = m_settings.bitRate != 0 ? QVariant(m_settings.bitRate) : QVariant();
+    m_device->setConfigurationParameter(QCanBusDevice::BitRateKey, asked);
+    const bool taken = m_device->configurationParameter(QCanBusDevice::BitRateKey) == asked;
+    if (!taken || (m_settings.bitRate == 0 && !isSocketCan())) {
+      const QString why = m_device->errorString();
+      return Obstacle{LinkFault::BitRateRefused, why.isEmpty() ? tr("It needs a bit rate.") : why};
+    }
+  }
+  if (isSocketCan()) {
+    m_device->setConfigurationParameter(QCanBusDevice::LoopbackKey, true);
+    m_device->setConfigurationParameter(QCanBusDevice::ReceiveOwnKey, true);
+    m_device->setConfigurationParameter(QCanBusDevice::CanFdKey, true);  // only so that they are counted
+  }
+  connect(m_device, &QCanBusDevice::framesReceived, this, &CanLink::takeFrames);
+  connect(m_device, &QCanBusDevice::errorOccurred, this, &CanLink::deviceError);
+  connect(m_device, &QCanBusDevice::stateChanged, this, &CanLink::deviceStateChanged);
+  return {};
+}
+
+std::optional<CanLink::Obstacle> CanLink::connectDevice() {
+  bool opened = false;
+  {
+    // What the device reports while it opens is looked at below; no callback may come with the lock held.
+    const std::lock_guard lock(openMutex);
+    const QSignalBlocker quiet(m_device);
+    opened = m_device->connectDevice();
+  }
+  if (!opened) return Obstacle{LinkFault::Other, m_device->errorString()};
+  if (auto* socket = m_device->findChild<QAbstractSocket*>(QString(), Qt::FindDirectChildrenOnly)) {
+    // The plugin does not listen to its socket's errors.
+    connect(socket, &QAbstractSocket::errorOccurred, this, &CanLink::socketFailed);
+    if (socket->error() != QAbstractSocket::UnknownSocketError) {
+      return Obstacle{LinkFault::NoAnswer, socket->errorString()};
+    }
+  }
+  if (m_device->state() == QCanBusDevice::ConnectedState) cameUp();
+  return {};
+}
+
+void CanLink::cameUp() {
+  m_connectTimer->stop();
+  if (auto* socket = m_device->findChild<QAbstractSocket*>(QString(), Qt::FindDirectChildrenOnly)) {
+    // Otherwise a small frame may wait for the acknowledgement of the one before, up to 40 ms.
+    socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+  }
+  if (isSocketCan()) {
+    const auto* notifier = m_device->findChild<QSocketNotifier*>(QString(), Qt::FindDirectChildrenOnly);
+    m_descriptor = notifier != nullptr ? static_cast<int>(notifier->socket()) : -1;
+    if (m_descriptor >= 0) growReceiveBuffer(m_descriptor, kReceiveBufferBytes);
+    m_drops = 0;
+    m_watch = std::make_unique<InterfaceWatch>(m_status.hardware->index);
+    connect(m_watch.get(), &InterfaceWatch::changed, this, &CanLink::hardwareChanged, Qt::QueuedConnection);
+    // Again, as the watch sees only what happens from now on.
+    if (const auto obstacle = checkHardware()) return gone(obstacle->fault, obstacle->reason);
+  }
+  tell(LinkState::Up, LinkFault::None, {});
+}
+
+void CanLink::deviceStateChanged() {
+  if (m_device == nullptr) return;
+  const auto state = m_device->state();
+  if (state == QCanBusDevice::ConnectedState && m_status.state == LinkState::Connecting) cameUp();
+  if (state == QCanBusDevice::UnconnectedState) gone(LinkFault::Gone, m_device->errorString());
+}
+
+void CanLink::socketFailed() {
+  const auto* socket = qobject_cast<QAbstractSocket*>(sender());
+  const bool isUp = m_status.state == LinkState::Up;
+  gone(isUp ? LinkFault::Gone : LinkFault::NoAnswer, socket != nullptr ? socket->errorString() : QString());
+}
+
+void CanLink::deviceError() {
+  if (m_writing) {
+    m_writeError = m_device->errorString();
+    return;
+  }
+  ++m_status.errors;
+  m_status.reason = m_device->errorString().toStdString();
+  if (m_listener != nullptr && m_status.state == LinkState::Up) {
+    m_listener->linkChanged(m_status.state, m_status.reason);
+  }
+}
+
+// The socket stays bound while its interface is down, so the link may come up again by itself; not if the
+// interface was removed or set to another rate.
+void CanLink::hardwareChanged(const CanInterface& facts) {
+  if (m_device == nullptr || !m_status.hardware || facts.index != m_status.hardware->index) return;
+  const ControllerState before = m_status.hardware->controller;
+  if (facts.isRemoved) return gone(LinkFault::Gone, tr("The interface was removed."));
+  const auto obstacle = checkHardware();  // now, not as it was when this event was queued
+  if (obstacle && obstacle->fault == LinkFault::InterfaceDown) {
+    if (m_status.state == LinkState::Up) {
+      deliver();
+      m_own.clear();
+      tell(LinkState::Lost, obstacle->fault, obstacle->reason);
+    }
+  } else if (obstacle) {
+    gone(obstacle->fault, obstacle->reason);
+  } else if (m_status.state == LinkState::Lost) {
+    tell(LinkState::Up, LinkFault::None, {});
+  } else if (m_status.hardware->controller == ControllerState::BusOff && before != ControllerState::BusOff) {
+    ++m_status.errors;
+    m_status.reason = tr("The controller is bus-off.").toStdString();
+    if (m_listener != nullptr) m_listener->linkChanged(LinkState::Up, m_status.reason);
+  }
+}
+
+// The end of it: back to Closed if it was never up, otherwise Lost for good.
+void CanLink::gone(LinkFault fault, const QString& reason) {
+  const bool wasUp = m_status.state == LinkState::Up || m_status.state == LinkState::Lost;
+  deliver();
+  dropDevice(Leave::AtOnce);  // nobody is there to take leave of
+  tell(wasUp ? LinkState::Lost : LinkState::Closed, fault, reason);
+}
+
+void CanLink::tell(LinkState state, LinkFault fault, const QString& reason) {
+  m_status.state = state;
+  m_status.fault = fault;
+  m_status.reason = reason.toStdString();
+  if (m_listener != nullptr) m_listener->linkChanged(state, m_status.reason);
+}
+
+void CanLink::dropDevice(Leave leave) {
+  m_connectTimer->stop();
+  m_watch.reset();
+  m_descriptor = -1;
+  m_own.clear();
+  m_batch.clear();
+  m_missing.clear();
+  if (m_device == nullptr) return;
+  QCanBusDevice* device = std::exchange(m_device, nullptr);
+  device->disconnect(this);
+  if (leave == Leave::Politely && device->state() == QCanBusDevice::ConnectedState) {
+    // virtualcan takes leave of its server first; the device is done with when that is answered.
+    connect(device, &QCanBusDevice::stateChanged, device, [device](QCanBusDevice::CanBusDeviceState state) {
+      if (state == QCanBusDevice::UnconnectedState) device->deleteLater();
+    });
+    device->disconnectDevice();
+  } else {
+    device->deleteLater();
+  }
+}
+
+WriteResult CanLink::write(const Frame& frame) {
+  if (m_status.state != LinkState::Up || m_device == nullptr) return WriteResult::NotOpen;
+  const auto refuse = [this](WriteResult result, const QString& why) {
+    ++m_status.refused;
+    m_status.reason = why.toStdString();
+    return result;
+  };
+  if (frame.isError() || frame.length > 8) return refuse(WriteResult::Failed, tr("No frame to send."));
+  if (m_device->framesToWrite() >= kMostQueued) return refuse(WriteResult::QueueFull, tr("Queue full."));
+
+  m_writeError.clear();
+  m_writing = true;
+  const bool written = m_device->writeFrame(toCanBusFrame(frame));
+  m_writing = false;
+  if (!written) {
+    if (isAnyOf(m_writeError, {ENOBUFS, EAGAIN})) return refuse(WriteResult::QueueFull, m_writeError);
+    return refuse(WriteResult::Failed, m_writeError);
+  }
+  ++m_status.written;
+  m_own.wrote(frame);
+  if (!echoes()) {
+    takeFrames();  // these came before
+    Frame own = frame;
+    own.channel = m_settings.channel.value;
+    own.flags = Frame::kSent;
+    own.stamp = m_clock();
+    m_batch.push_back(own);
+    postDelivery();
+  }
+  return WriteResult::Accepted;
+}
+
+void CanLink::postDelivery() {
+  if (m_deliveryPosted) return;
+  m_deliveryPosted = true;
+  QMetaObject::invokeMethod(this, &CanLink::deliver, Qt::QueuedConnection);
+}
+
+// At once, since a device that is not connected any more gives nothing out; they are handed over together.
+void CanLink::takeFrames() {
+  if (m_device == nullptr || m_device->state() != QCanBusDevice::ConnectedState) return;
+  const QList<QCanBusFrame> frames = m_device->readAllFrames();
+  m_batch.reserve(m_batch.size() + static_cast<std::size_t>(frames.size()));
+  for (const QCanBusFrame& frame : frames) takeFrame(frame);
+  if (!m_batch.empty() || !m_missing.empty()) postDelivery();
+}
+
+void CanLink::takeFrame(const QCanBusFrame& frame) {
+  auto converted = fromCanBusFrame(frame, m_settings.channel);
+  if (!converted) {
+    m_missing.emplace_back(m_batch.size(), converted.error());
+    return;
+  }
+  Frame& out = converted.value();
+  if (frame.hasLocalEcho()) {
+    const bool isAwaited = m_own.cameBack(out);
+    if (isAwaited && !echoes()) return;  // an echo all the same; delivered when it was written
+    if (echoes()) {
+      out.flags = Frame::kSent | Frame::kConfirmed;
+      ++m_status.confirmed;
+    }
+  }
+  if ((out.flags & Frame::kSent) == 0) ++m_status.received;
+  m_batch.push_back(out);
+}
+
+// To the listener, in the order of arrival. It may write, close or open again from inside.
+void CanLink::deliver() {
+  m_deliveryPosted = false;
+  takeFrames();
+  auto batch = std::exchange(m_batch, {});
+  const auto missing = std::exchange(m_missing, {});
+  const std::uint32_t drops = newDrops();
+  m_status.notKept += missing.size() + drops;
+  std::size_t from = 0;
+  const auto hand = [&](std::size_t to) {
+    if (m_listener != nullptr && to > from) {
+      m_listener->framesReceived(std::span<const Frame>(batch).subspan(from, to - from));
+    }
+    from = to;
+  };
+  for (const auto& [place, reason] : missing) {
+    hand(place);
+    if (m_listener != nullptr) m_listener->framesNotKept(reason, 1);
+  }
+  hand(batch.size());
+  if (m_listener != nullptr && drops > 0) m_listener->framesNotKept(NotKept::Overflow, drops);
+  if (m_batch.empty()) {
+    batch.clear();
+    m_batch = std::move(batch);  // its memory serves again
+  }
+}
+
+std::optional<ReceiveBuffer> CanLink::receiveBuffer() const {
+  return m_descriptor >= 0 ? readReceiveBuffer(m_descriptor) : std::nullopt;
+}
+
+std::uint32_t CanLink::newDrops() {
+  const auto buffer = receiveBuffer();
+  return buffer ? buffer->drops - std::exchange(m_drops, buffer->drops) : 0;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The receive buffer of the socket behind Qt's socketcan plugin, which itself never says when the kernel had
+// to drop frames. CanLink finds the descriptor by the plugin's QSocketNotifier. Linux only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace deckpipe {
+
+struct ReceiveBuffer {
+  std::uint32_t bytes = 0;  // its size; the kernel counts some 800 bytes for a classic CAN frame
+  std::uint32_t used = 0;
+  std::uint32_t drops = 0;  // frames dropped since the socket was opened; wraps
+};
+
+std::optional<ReceiveBuffer> readReceiveBuffer(int descriptor);
+
+// Asks for room; the system's limit (net.core.rmem_max) may give less.
+void growReceiveBuffer(int descriptor, int bytes);
+
+}  // namespace deckpipe

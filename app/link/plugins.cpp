@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/plugins.h"
+
+#include <QUrl>
+
+namespace deckpipe {
+
+bool pluginEchoes(const QString& plugin, const QString& interfaceName) {
+  if (plugin == QLatin1String("socketcan")) return true;
+  return plugin == QLatin1String("virtualcan") && QUrl(interfaceName).query() == QLatin1String("echo");
+}
+
+bool pluginTakesBitRate(const QString& plugin) { return plugin != QLatin1String("virtualcan"); }
+
+QString pluginTitle(const QString& plugin) {
+  static constexpr struct {
+    const char* key;
+    const char* title;
+  } kTitles[] = {
+      {"passthrucan", "SAE J2534 Pass-Thru"},
+      {"peakcan", "PEAK-System"},
+      {"socketcan", "SocketCAN"},
+      {"systeccan", "SYS TEC electronic"},
+      {"tinycan", "MHS Elektronik Tiny-CAN"},
+      {"vectorcan", "Vector Informatik"},
+      {"virtualcan", "Qt virtual CAN"},
+  };
+  for (const auto& row : kTitles) {
+    if (plugin == QLatin1String(row.key)) return QString::fromLatin1(row.title);
+  }
+  return plugin;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Qt's CAN plugins differ in, of Qt 6.4.2. Read by CanLink and the adapter list.
+#pragma once
+
+#include <QString>
+
+namespace deckpipe {
+
+// Whether frames we wrote come back marked once they were on the bus.
+// socketcan: yes, MSG_CONFIRM on our own socket after the controller sent it. virtualcan: its own 'receive
+// own' hands a copy back inside writeFrame() and so proves nothing; but a host that returns frames with the
+// local-echo flag is honest, and VirtualBus does: it says so by "?echo" in the interface name. All others: no
+// such mark in 6.4.2.
+bool pluginEchoes(const QString& plugin, const QString& interfaceName);
+
+// Whether the plugin takes BitRateKey. All do but virtualcan, which has no bits; unknown plugins are asked.
+bool pluginTakesBitRate(const QString& plugin);
+
+// The maker's name for a plugin, a proper name: not translated. The key itself for an unknown one.
+QString pluginTitle(const QString& plugin);
+
+}  // namespace deckpipe

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/own_frames.h"
+
+#include <gtest/gtest.h>
+
+#include "support/raw_frames.h"
+
+namespace deckpipe {
+namespace {
+
+using namespace test;
+
+TEST(OwnFrames, EachComesBackOnce) {
+  OwnFrames own;
+  own.wrote(frameOf(0x123, {1}));
+  own.wrote(frameOf(0x123, {1}));
+  EXPECT_TRUE(own.cameBack(frameOf(0x123, {1})));
+  EXPECT_EQ(own.waiting(), 1u);
+  EXPECT_TRUE(own.cameBack(frameOf(0x123, {1})));
+  EXPECT_FALSE(own.cameBack(frameOf(0x123, {1})));
+}
+
+TEST(OwnFrames, StampChannelAndFlagsDoNotMatter) {
+  OwnFrames own;
+  own.wrote(frameOf(0x123, {1}));
+  Frame echo = frameOf(0x123, {1});
+  echo.stamp = 5;
+  echo.channel = 2;
+  echo.flags = Frame::kSent;
+  EXPECT_TRUE(own.cameBack(echo));
+}
+
+TEST(OwnFrames, IdentifierBitsLengthAndDataDo) {
+  OwnFrames own;
+  own.wrote(frameOf(0x123, {0}));
+  EXPECT_FALSE(own.cameBack(extendedFrame(0x123, {0})));
+  EXPECT_FALSE(own.cameBack(frameOf(0x123, {0, 0})));
+  EXPECT_FALSE(own.cameBack(frameOf(0x123, {1})));
+  EXPECT_EQ(own.waiting(), 1u);
+}
+
+TEST(OwnFrames, ALaterOneMayOvertake) {
+  OwnFrames own;
+  own.wrote(frameOf(0x700, {}));
+  own.wrote(frameOf(0x080, {}));
+  EXPECT_TRUE(own.cameBack(frameOf(0x080, {})));
+  EXPECT_TRUE(own.cameBack(frameOf(0x700, {})));
+}
+
+TEST(OwnFrames, TheOldestIsGivenUpAboveTheLimit) {
+  OwnFrames own(2);
+  for (int i = 0; i < 3; ++i) own.wrote(frameOf(0x123, {i}));
+  EXPECT_EQ(own.waiting(), 2u);
+  EXPECT_FALSE(own.cameBack(frameOf(0x123, {0})));
+  EXPECT_TRUE(own.cameBack(frameOf(0x123, {2})));
+}
+
+}  // namespace
+}  // namespace deckpipe
