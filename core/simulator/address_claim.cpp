@@ -60,7 +60,7 @@ AddressClaim::Event AddressClaim::claimHeard(Instant now, Address source, Name n
   const bool contested = source == m_address;
   if (contested && m_name.value < name.value) {
     const bool claimed = m_state == State::Claimed;
-    claim(now, m_address, out);
+    claim(now + kThinking, m_address, out);
     // Who has the address already keeps using it while it defends it.
     if (claimed) {
       m_state = State::Claimed;
@@ -72,7 +72,7 @@ AddressClaim::Event AddressClaim::claimHeard(Instant now, Address source, Name n
   if (!contested) return Event::None;
   out.clear();
   if (const auto next = nextFree()) {
-    claim(now, *next, out);
+    claim(now + kThinking, *next, out);
   } else {
     cannotClaim(now, out);
   }
@@ -86,7 +86,7 @@ AddressClaim::Event AddressClaim::requestHeard(Instant now, Address destination,
   if (m_state == State::CannotClaim) {
     cannotClaim(now, out);
   } else {
-    out.post(now, nameFrame(m_name, m_address));
+    out.post(now + kThinking, nameFrame(m_name, m_address));
   }
   return Event::Answered;
 }

@@ -22,6 +22,8 @@ namespace deckpipe {
 class AddressClaim {
  public:
   static constexpr Duration kContention = 250ms;
+  // From hearing a claim or a request to the answer; ours, no frame can follow another at once.
+  static constexpr Duration kThinking = 1ms;
 
   enum class State : std::uint8_t { Off, Contending, Claimed, CannotClaim };
   enum class Event : std::uint8_t {

@@ -49,7 +49,7 @@ class Device {
   virtual void tick(Instant) {}
   // Any 29-bit data frame of another node, polls 02-05 and claims included.
   virtual void heard(Instant, const J1939Id&, const Frame&) {}
-  // Answers of messages 02 and 01: the map of Misbehaviour and the code of what is wrong, 0 = nothing.
+  // For the answer to a fault poll: the code of what is wrong, 0 = nothing.
   virtual std::uint16_t pcodeError() const { return 0; }
 
   // An EF00 message from a node that can be answered to our own address.

@@ -44,7 +44,7 @@ TEST(Claim, DefendsItsAddressAgainstAHigherName) {
   MonitorRig rig;
   const Instant before = rig.now();
   rig.send(claim(rig.monitor.identity().name.value + 1, 0x80));
-  rig.run(1ms);
+  rig.run(5ms);
   EXPECT_EQ(rig.monitor.address(), Address{0x80});
   EXPECT_EQ(rig.all(kName, before).size(), 2u) << "theirs, and ours again";
   rig.run(1s);
@@ -56,7 +56,7 @@ TEST(Claim, LosesItsAddressToALowerNameAndAnnouncesTheNextOne) {
   const Instant before = rig.now();
   rig.send(claim(1, 0x80));
   EXPECT_EQ(rig.monitor.address(), kNullAddress);
-  rig.run(249ms);
+  rig.run(250ms);
   for (const Seen& seen : rig.log) {
     if (seen.time > before) {
       EXPECT_EQ(seen.what.message, kName) << "spoke without an address";
