@@ -80,6 +80,24 @@ TEST(Motion, StopsTwoHundredMillisecondsAfterTheLastMessage) {
   EXPECT_EQ(rig.rotation(), stopped);
 }
 
+// How long after `from` the rotation is no longer at full speed, by the millisecond.
+Duration untilSlower(MonitorRig& rig, Instant from) {
+  while (rig.monitor.control().axes()[0].speed() == 120'000 && rig.now() - from < 1s) rig.run(1ms);
+  return rig.now() - from;
+}
+
+TEST(Motion, TimeOutTakesEffectWithinOnePassOfTheControlLoop) {
+  for (const Duration phase : {0ms, 1ms, 5ms, 9ms}) {
+    MonitorRig rig;
+    rig.run(phase);
+    rig.hold(stick(0x33, kFull, 0), 1s);
+    const Duration slower = untilSlower(rig, rig.now() - 20ms);
+    EXPECT_GE(slower, JoystickInputs::kTimeout) << phase.count();
+    EXPECT_LE(slower, JoystickInputs::kTimeout + MonitorControl::kStep) << phase.count();
+  }
+  static_assert(JoystickInputs::kTimeout == 200ms);
+}
+
 TEST(Motion, NeutralStopsAtOnce) {
   MonitorRig rig;
   rig.hold(stick(0x33, kFull, 0), 1s);
@@ -456,6 +474,25 @@ TEST(Permissive, TimesOutAfterThreeHundredMilliseconds) {
   const double stopped = rig.rotation();
   rig.hold(stick(0x33, kFull, 0), 1s);
   EXPECT_EQ(rig.rotation(), stopped) << "without a ramp, and while the stick is still deflected";
+}
+
+TEST(Permissive, TimeOutTakesEffectWithinOnePassOfTheControlLoop) {
+  for (const Duration phase : {0ms, 1ms, 5ms, 9ms}) {
+    MonitorSettings settings = MonitorRig::ahead();
+    settings.soeMode = true;
+    MonitorRig rig(settings);
+    rig.run(phase);
+    for (int i = 0; i < 10; ++i) {
+      rig.send("18EF8005", "A10001");
+      rig.hold(stick(0x33, kFull, 0), 100ms);
+    }
+    const Instant last = rig.now() - 100ms;
+    rig.hold(stick(0x33, kFull, 0), 160ms);
+    const Duration stopped = untilSlower(rig, last);
+    EXPECT_EQ(rig.monitor.control().axes()[0].speed(), 0);
+    EXPECT_GE(stopped, 300ms) << phase.count();
+    EXPECT_LE(stopped, 310ms) << phase.count();
+  }
 }
 
 TEST(Permissive, ToAnotherNodeAllowsNothing) {
