@@ -3,7 +3,6 @@
 // catalogue. The rig owns the time; nothing sleeps.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -31,7 +30,6 @@ class Rig {
  public:
   Bench bench;
   std::vector<Seen> log;  // sent by the bench and by us, in order
-  std::size_t fromUs = 0;
 
   Instant now() const { return m_now; }
 
@@ -46,7 +44,6 @@ class Rig {
   }
   void send(const Frame& frame) {
     observe({m_now, frame});
-    ++fromUs;
     bench.received(m_now, frame);
     collect();
   }
