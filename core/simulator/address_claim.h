@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a device of the bench twin gets its address: SAE J1939-81 as the CAN Messaging manual's Appendix A uses
+// it. Owned by Device, which passes it every frame and the time, and announces itself on Event::Claimed.
+//
+// 1. An address may be used 250 ms after it was claimed, unless a numerically lower NAME claimed it too.
+// 2. Whoever loses forgets what it wanted to send, and claims the next address nobody is known to hold.
+// 3. Where none is free it says so once from the null address, 0-153 ms later, and then only when asked.
+// 4. Claims of a length other than 8, from the global address or with NAME 0 mean nothing.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "base/time.h"
+#include "bus/j1939.h"
+#include "protocol/typed.h"
+#include "simulator/outbox.h"
+#include "simulator/random.h"
+
+namespace deckpipe {
+
+class AddressClaim {
+ public:
+  static constexpr Duration kContention = 250ms;
+  // From hearing a claim or a request to the answer; ours, no frame can follow another at once.
+  static constexpr Duration kThinking = 1ms;
+
+  enum class State : std::uint8_t { Off, Contending, Claimed, CannotClaim };
+  enum class Event : std::uint8_t {
+    None,
+    Claimed,   // the address may be used from now on
+    Lost,      // it may not be used any more
+    Answered,  // a request for the NAME was answered
+  };
+  // Addresses that may be claimed, the first one first. Akron's devices start at 80 hex.
+  struct Range {
+    Address first{0x80}, last{0xF7};
+  };
+
+  AddressClaim(Name name, Range range, std::uint64_t seed) : m_name(name), m_range(range), m_random(seed) {}
+
+  void start(Instant now, Outbox& out);
+  void stop();
+  Event received(Instant now, const J1939Id& id, const Frame& frame, Outbox& out);
+  Event timeCame(Instant now, Outbox& out);
+  Instant nextTime() const { return m_deadline; }
+
+  State state() const { return m_state; }
+  // Null unless claimed.
+  Address address() const { return m_state == State::Claimed ? m_address : kNullAddress; }
+  Name name() const { return m_name; }
+
+ private:
+  Event claimHeard(Instant now, Address source, Name name, Outbox& out);
+  Event requestHeard(Instant now, Address destination, Outbox& out);
+  void claim(Instant now, Address address, Outbox& out);
+  void cannotClaim(Instant now, Outbox& out);
+  std::optional<Address> nextFree() const;
+
+  Name m_name;
+  Range m_range;
+  Random m_random;
+  State m_state = State::Off;
+  Address m_address = kNullAddress;
+  Instant m_deadline = kNever;
+  std::array<std::uint64_t, 256> m_holders{};  // NAMEs of others by their address, 0 = none heard
+};
+
+}  // namespace deckpipe

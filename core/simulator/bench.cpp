@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/bench.h"
+
+#include <algorithm>
+
+#include "simulator/intruder.h"
+
+namespace deckpipe {
+
+template <typename F>
+void Bench::forEach(F&& f) const {
+  for (const Member& member : m_members) {
+    f(*member.device);
+    if (member.intruder) f(*member.intruder);
+  }
+}
+
+std::size_t Bench::add(std::unique_ptr<Device> device, Duration boot) {
+  m_members.push_back({std::move(device), boot, nullptr});
+  return m_members.size() - 1;
+}
+
+void Bench::powerOn(Instant now) {
+  for (const Member& member : m_members) member.device->powerOn(now, member.boot);
+}
+
+void Bench::misbehave(Instant when, std::size_t index, const Misbehaviour& how) {
+  const auto later = std::upper_bound(m_plan.begin(), m_plan.end(), when,
+                                      [](Instant t, const Planned& planned) { return t < planned.when; });
+  m_plan.insert(later, {when, index, how});
+}
+
+Instant Bench::nextTime() const {
+  Instant next = m_plan.empty() ? kNever : m_plan.front().when;
+  forEach([&](const Device& device) { next = std::min(next, device.nextTime()); });
+  return next;
+}
+
+void Bench::timeCame(Instant now) {
+  for (Instant t = nextTime(); t <= now && t != kNever; t = nextTime()) step(t);
+}
+
+void Bench::received(Instant now, const Frame& frame) {
+  timeCame(now);
+  forEach([&](Device& device) { device.received(now, frame); });
+  exchange(now);
+}
+
+void Bench::takeFrames(std::vector<DueFrame>& out) {
+  out.insert(out.end(), m_out.begin(), m_out.end());
+  m_out.clear();
+}
+
+void Bench::step(Instant now) {
+  while (!m_plan.empty() && m_plan.front().when <= now) {
+    device(m_plan.front().index).misbehave(m_plan.front().how);
+    m_plan.erase(m_plan.begin());
+  }
+  for (Member& member : m_members) placeIntruder(now, member);
+  forEach([&](Device& device) { device.timeCame(now); });
+  exchange(now);
+}
+
+void Bench::placeIntruder(Instant now, Member& member) {
+  const bool wanted = member.device->misbehaviour().addressTaken;
+  if (!wanted) {
+    member.intruder.reset();
+  } else if (!member.intruder && member.device->address() != kNullAddress) {
+    member.intruder = std::make_unique<Intruder>(member.device->address(), ++m_intruders);
+    member.intruder->powerOn(now, Duration{0});
+  }
+}
+
+// Passes on what was sent until nobody has sent anything more at this instant.
+void Bench::exchange(Instant now) {
+  for (;;) {
+    m_onBus.clear();
+    forEach([&](Device& device) {
+      m_fresh.clear();
+      device.takeFrames(m_fresh);
+      for (const DueFrame& frame : m_fresh) m_onBus.emplace_back(&device, frame);
+    });
+    if (m_onBus.empty()) return;
+    for (const auto& [sender, sent] : m_onBus) {
+      m_out.push_back(sent);
+      forEach([&, from = sender, frame = sent.frame](Device& device) {
+        if (&device != from) device.received(now, frame);
+      });
+    }
+  }
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bench twin: simulated devices on one bus. The demo and the tests of services use it as the other end of
+// the wire; it has no clock, no IO and no thread of its own.
+//
+//   bench.powerOn(now);
+//   loop: wait until bench.nextTime() or a frame of others
+//         bench.received(now, frame) | bench.timeCame(now)
+//         bench.takeFrames(frames): put them on the bus
+//
+// 1. Frames come out in order, each with the instant at which it was due, never later than the time passed
+// in.
+// 2. What one device sends all others get at that instant. What comes from outside all get.
+// 3. The same seed, and the same frames from outside at the same instants, give the same frames out, however
+//    often timeCame is called.
+// 4. A late call makes up for everything that was due meanwhile. Who slept (a suspended machine) passes in a
+//    time of its own that did not jump, or there will be a burst of old frames.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "simulator/device.h"
+
+namespace deckpipe {
+
+class Bench {
+ public:
+  // Devices in the order they are added; `boot` is the time from power to the first claim.
+  std::size_t add(std::unique_ptr<Device> device, Duration boot);
+  template <typename D, typename... Args>
+  D& add(Duration boot, Args&&... args) {
+    auto device = std::make_unique<D>(std::forward<Args>(args)...);
+    D& kept = *device;
+    add(std::move(device), boot);
+    return kept;
+  }
+  void powerOn(Instant now);
+
+  void received(Instant now, const Frame& frame);
+  void timeCame(Instant now);
+  Instant nextTime() const;
+  // Appends what was due since the last call.
+  void takeFrames(std::vector<DueFrame>& out);
+
+  std::size_t size() const { return m_members.size(); }
+  Device& device(std::size_t index) { return *m_members[index].device; }
+  const Device& device(std::size_t index) const { return *m_members[index].device; }
+  // From `when` on a device behaves like this. For at once there is Device::misbehave.
+  void misbehave(Instant when, std::size_t index, const Misbehaviour& how);
+
+ private:
+  struct Member {
+    std::unique_ptr<Device> device;
+    Duration boot{0};
+    std::unique_ptr<Device> intruder;  // has taken its address
+  };
+  struct Planned {
+    Instant when;
+    std::size_t index;
+    Misbehaviour how;
+  };
+
+  void step(Instant now);
+  void placeIntruder(Instant now, Member& member);
+  void exchange(Instant now);
+  template <typename F>
+  void forEach(F&& f) const;
+
+  std::vector<Member> m_members;
+  std::vector<Planned> m_plan;  // by time
+  std::vector<DueFrame> m_out;
+  std::vector<std::pair<const Device*, DueFrame>> m_onBus;
+  std::vector<DueFrame> m_fresh;
+  std::uint32_t m_intruders = 0;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every device of the bench twin is and does on the bus, whatever it is for: powers up, claims an
+// address, announces itself, answers polls 02-05, and misbehaves on request. The four verbs of a service:
+// received, timeCame, nextTime, takeFrames. No clock, no IO; Bench or a test passes the time in.
+// Sources: CAN Messaging manual, message types FF, 02, 03, 04, 05 and Appendix A.
+//
+// 1. Time never falls, and a frame is passed in after everything due before it was done (received does it).
+// 2. What a device does at an instant follows from its seed and what it heard before, not from how often
+//    timeCame was called.
+// 3. It speaks from a claimed address only; its parts go on moving while it has none.
+#pragma once
+
+#include <vector>
+
+#include "simulator/address_claim.h"
+#include "simulator/identity.h"
+#include "simulator/misbehaviour.h"
+
+namespace deckpipe {
+
+class Device {
+ public:
+  virtual ~Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  void received(Instant now, const Frame& frame);
+  void timeCame(Instant now);
+  Instant nextTime() const;
+  // Appends the frames that were due by the last time passed in, in order.
+  void takeFrames(std::vector<DueFrame>& out);
+
+  // It claims its address `boot` later.
+  void powerOn(Instant now, Duration boot);
+  void misbehave(const Misbehaviour& how) { m_misbehaviour = how; }
+  const Misbehaviour& misbehaviour() const { return m_misbehaviour; }
+
+  const Identity& identity() const { return m_identity; }
+  // Null while it has none.
+  Address address() const { return m_claim.address(); }
+  AddressClaim::State claimState() const { return m_claim.state(); }
+
+ protected:
+  // `period` is that of tick(); zero = never.
+  Device(Identity identity, Duration period, std::uint64_t seed, AddressClaim::Range range = {});
+
+  // Powered up, or reset: what was asked for before is forgotten.
+  virtual void started(Instant) {}
+  virtual void tick(Instant) {}
+  // Any 29-bit data frame of another node, polls 02-05 and claims included.
+  virtual void heard(Instant, const J1939Id&, const Frame&) {}
+  // For the answer to a fault poll: the code of what is wrong, 0 = nothing.
+  virtual std::uint16_t pcodeError() const { return 0; }
+
+  // An EF00 message from a node that can be answered to our own address.
+  bool isForUs(const J1939Id& id) const {
+    return id.pgn == pgn::kProprietaryA && address() != kNullAddress && id.destination == address() &&
+           id.source != kNullAddress && id.source != kGlobalAddress;
+  }
+  // A status of its own address; nothing while it has none.
+  void broadcast(Instant now, MessageId id, const Encoded& data) { broadcastFrom(now, id, data, address()); }
+  void broadcastFrom(Instant now, MessageId id, const Encoded& data, Address source);
+  void answer(Instant now, MessageId id, const Encoded& data, Address to);
+  void reset(Instant now);
+
+ private:
+  void step(Instant now);
+  void announce(Instant now);
+  void answerPoll(Instant now, const J1939Id& id, const Frame& frame);
+  Frame made(MessageId id, Encoded data, Address source, Address to) const;
+
+  Identity m_identity;
+  Duration m_period;
+  AddressClaim m_claim;
+  Random m_random;
+  Misbehaviour m_misbehaviour;
+  Outbox m_outbox;
+  std::vector<DueFrame> m_ready;
+  Instant m_startAt = kNever;
+  Instant m_tickAt = kNever;
+  bool m_running = false;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/identity.h"
+
+#include <bit>
+#include <cassert>
+#include <string>
+
+namespace deckpipe {
+
+Name akronName(std::uint32_t identityNumber) {
+  const Encoded name =
+      encoded(MessageId::Name, {{"identity_number", Value::integer(identityNumber)},
+                                {"manufacturer_code", Value::integer(j1939::kAkronManufacturer)},
+                                {"function", Value::integer(66)},
+                                {"industry_group", Value::integer(1)},
+                                {"arbitrary_address_capable", Value::flag(true)}});
+  return {loadLittle(name.data)};
+}
+
+Identity identityOf(std::string_view pin, PcodeVersion pcode, ConfigVersion config) {
+  const auto parsed = Pin::parse(pin);
+  assert(parsed);
+  constexpr std::uint64_t kLowBits = fieldOf(j1939::kNameFields, "identity_number").bits.mask();
+  Identity identity;
+  identity.pin = parsed.value_or(Pin());
+  identity.name = akronName(static_cast<std::uint32_t>(identity.pin->serial() & kLowBits));
+  identity.pcode = pcode;
+  identity.config = config;
+  return identity;
+}
+
+Encoded encoded(MessageId id, std::initializer_list<FieldValue> values) {
+  const auto result = encode(messageOf(id), values);
+  assert(result);
+  return result ? result.value() : Encoded{};
+}
+
+Value versionValue(std::uint16_t version) {
+  return Value::text(std::to_string(version >> 8) + '.' + std::to_string(version & 0xFF));
+}
+
+Frame nameFrame(Name name, Address source) {
+  return j1939Frame(messageOf(MessageId::Name), {std::bit_cast<Payload>(name.value), 8}, source);
+}
+
+Frame announcementFrame(const Pin& pin, Address source) {
+  return j1939Frame(messageOf(MessageId::AddressAnnouncement),
+                    encoded(MessageId::AddressAnnouncement, {{"pin", Value::text(pin.text())}}), source);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/joystick_inputs.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr Functions functions(std::initializer_list<Function> members) {
+  unsigned long bits = 0;
+  for (const Function f : members) bits |= 1ul << static_cast<unsigned>(f);
+  return Functions(bits);
+}
+
+// Functions of which only one can be had at a time.
+const Functions kConflicts[] = {
+    functions({Function::Stream, Function::Fog}),
+    functions({Function::DischargeOn, Function::DischargeOff}),
+    functions({Function::FlowHigh, Function::FlowLow}),
+    functions({Function::Deploy, Function::Stow}),
+    functions({Function::CafsDry, Function::CafsWet}),
+    functions({Function::OscillateSet}),
+    functions({Function::OscillatePause}),
+};
+
+}  // namespace
+
+std::optional<int> JoystickInputs::aimOf(const StickAxis& grip) const {
+  if (!grip.tenths) return {};
+  const bool directed = grip.plus == Status2::On || grip.minus == Status2::On;
+  return directed || m_aimAtNeutral ? std::optional<int>(*grip.tenths) : std::nullopt;
+}
+
+void JoystickInputs::received(Instant now, const J1939Id& id, const Frame& frame) {
+  if (id.source < kFirst || id.source > kLast || frame.length != 8) return;
+  Source& source = m_sources[static_cast<std::size_t>(id.source.value - kFirst.value)];
+  if (id.pgn == pgn::kBasicJoystick) {
+    const BasicJoystick stick = BasicJoystick::of(frame);
+    source.heard = now;
+    source.rotation = stick.x.tenths.value_or(0);
+    source.elevation = -stick.y.tenths.value_or(0);  // back is up
+    for (std::size_t i = 0; i < stick.switches.size(); ++i)
+      source.functions[i] = stick.switches[i] == Status2::On;
+  } else if (id.pgn == pgn::kExtendedJoystick) {
+    const ExtendedJoystick stick = ExtendedJoystick::of(frame);
+    source.heard = now;
+    source.aimRotation = aimOf(stick.gripX);
+    source.aimElevation = aimOf(stick.gripY);
+  }
+}
+
+void JoystickInputs::expire(Instant now) {
+  for (Source& source : m_sources) {
+    if (source.heard != kNotYet && now - source.heard >= kTimeout) source = {};
+  }
+}
+
+Demand JoystickInputs::demand() const {
+  Demand demand;
+  Functions decided;  // a source of a higher priority has asked for one of the same group
+  const auto axis = [](int deflection, const std::optional<int>& aim, int& speed,
+                       std::optional<int>& target) {
+    if (speed != 0 || target) return;
+    speed = deflection;
+    if (deflection == 0) target = aim;
+  };
+  for (const Source& source : m_sources) {
+    axis(source.rotation, source.aimRotation, demand.rotation, demand.aimRotation);
+    axis(source.elevation, source.aimElevation, demand.elevation, demand.aimElevation);
+    for (const Functions& group : kConflicts) {
+      const Functions asked = source.functions & group;
+      if (asked.none() || (decided & group).any()) continue;
+      decided |= group;
+      if (asked.count() == 1) demand.functions |= asked;
+    }
+  }
+  return demand;
+}
+
+}  // namespace deckpipe

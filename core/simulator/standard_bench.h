@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The truck of the demo: a 6032 on a Trident, a 6033 riser, a 6039 I/O module and a 6035 joystick whose hand
+// follows a script. They power up together and are ready after a boot time each, contending for addresses
+// from 80 hex up.
+#pragma once
+
+#include "simulator/bench.h"
+#include "simulator/io_module_6039.h"
+#include "simulator/joystick_6035.h"
+#include "simulator/mini_universal_6033.h"
+#include "simulator/monitor_6032.h"
+
+namespace deckpipe {
+
+// The devices belong to the bench; index them in Bench::misbehave in this order.
+struct StandardBench {
+  Bench bench;
+  Monitor6032* monitor = nullptr;
+  MiniUniversal6033* riser = nullptr;
+  IoModule6039* ioModule = nullptr;
+  Joystick6035* joystick = nullptr;
+};
+
+StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings = {});
+
+}  // namespace deckpipe
