@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -61,13 +62,15 @@ class BlockReading {
     }
     if (!looksLikeCandump(head))
       return Failure{ReadError{ReadError::Kind::NotThisFormat, std::string(kNotCandump)}};
+    std::thread second;
     if (m_options.threads > 1) {
-      std::thread second([this] { work(); });
-      work();
-      second.join();
-    } else {
-      work();
+      try {
+        second = std::thread([this] { work(); });
+      } catch (const std::system_error&) {  // no thread to be had: one does as well
+      }
     }
+    work();
+    if (second.joinable()) second.join();
     if (m_failed) return Failure{m_error};
     return ReadSummary{m_appender.frames(), m_appender.lines(), m_cancelled};
   }

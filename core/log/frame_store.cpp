@@ -127,9 +127,9 @@ const FrameStore::Offset* FrameStore::offsetAt(std::uint8_t channel, std::uint64
   return low == 0 ? nullptr : &(*list)[low - 1];
 }
 
-std::int64_t FrameStore::valueOf(std::uint64_t i, const Frame& frame) const {
+std::int64_t FrameStore::liveValueOf(std::uint64_t i, const Frame& frame) const {
   const Offset* offset = offsetAt(frame.channel, i);
-  if (!offset) return frame.stamp;  // kNoStamp is the lowest number
+  if (!offset) return frame.stamp;
   if (offset->frame == i) return offset->at;
   return frame.hasStamp() ? plus(frame.stamp, offset->offset) : kNoStamp;
 }
@@ -210,17 +210,6 @@ std::uint64_t FrameStore::indexBytes() const {
     }
   }
   return bytes;
-}
-
-Instant LogTimes::at(std::uint64_t i) {
-  if (i == m_next) {
-    const std::int64_t value = m_store.valueOf(i, m_store[i]);
-    m_time = std::max(m_time, value);
-  } else if (i + 1 != m_next) {
-    m_time = m_store.timeAt(i).ns;
-  }
-  m_next = i + 1;
-  return {m_time};
 }
 
 }  // namespace deckpipe

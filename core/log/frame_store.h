@@ -17,6 +17,7 @@
 // of several interfaces and a leap follows its stamp; both are marked so that a person can look for them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -111,8 +112,11 @@ class FrameStore {
   void setOffset(std::uint64_t i, const Frame& frame, std::int64_t now);
   // The offset in force on a channel at a frame; null before the first.
   const Offset* offsetAt(std::uint8_t channel, std::uint64_t i) const;
-  // What a frame says about the time; the lowest number where it says nothing.
-  std::int64_t valueOf(std::uint64_t i, const Frame& frame) const;
+  // What a frame says about the time; the lowest number where it says nothing, which kNoStamp is.
+  std::int64_t valueOf(std::uint64_t i, const Frame& frame) const {
+    return m_offsets[frame.channel].load(std::memory_order_acquire) ? liveValueOf(i, frame) : frame.stamp;
+  }
+  std::int64_t liveValueOf(std::uint64_t i, const Frame& frame) const;
 
   const StoreLimits m_limits;
   StableList<Chunk> m_chunks;
@@ -137,7 +141,15 @@ class FrameStore {
 class LogTimes {
  public:
   explicit LogTimes(const FrameStore& store) : m_store(store) {}
-  Instant at(std::uint64_t i);
+  Instant at(std::uint64_t i) {
+    if (i == m_next) {
+      m_time = std::max(m_time, m_store.valueOf(i, m_store[i]));
+    } else if (i + 1 != m_next) {
+      m_time = m_store.timeAt(i).ns;
+    }
+    m_next = i + 1;
+    return {m_time};
+  }
 
  private:
   const FrameStore& m_store;

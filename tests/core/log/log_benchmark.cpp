@@ -177,7 +177,8 @@ void scanById(benchmark::State& state) {
     std::span<const Frame> run;
     for (std::uint64_t i = 0; i < store.count(); i += run.size()) {
       run = store.run(i);
-      for (const Frame& frame : run) found += frame.id == (kExtendedBit | 0x18EF'FF85) && frame.data[0] == 1;
+      for (const Frame& frame : run)
+        found += (frame.id == (kExtendedBit | 0x18EF'FF85)) & (frame.data[0] == 1);
     }
     benchmark::DoNotOptimize(found);
   }

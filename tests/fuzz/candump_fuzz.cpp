@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arbitrary bytes through the block reader, on one thread and on two, and through the stream: the same
+// frames, channels, reports and ends, and no crash. The first two bytes choose how the text is cut.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "log/candump.h"
+
+namespace {
+
+using namespace deckpipe;
+
+struct Reading {
+  // Nothing of it belongs on disk, and the usual budget would only cost time.
+  FrameStore store{{.memoryBytes = 64 << 20, .spillFolder = "/nonexistent"}};
+  UnkeptList unkept;
+  Result<ReadSummary, ReadError> result = ReadSummary{};
+};
+
+void demand(bool condition) {
+  if (!condition) std::abort();
+}
+
+void demandEqual(const Reading& a, const Reading& b) {
+  demand(bool(a.result) == bool(b.result));
+  if (a.result) {
+    demand(a.result.value() == b.result.value());
+  } else {
+    demand(a.result.error() == b.result.error());
+  }
+  demand(a.store.count() == b.store.count());
+  for (std::uint64_t i = 0; i < a.store.count(); ++i) {
+    demand(a.store[i] == b.store[i]);
+    demand(a.store.timeAt(i) == b.store.timeAt(i));
+  }
+  demand(a.store.channelCount() == b.store.channelCount());
+  for (std::size_t i = 0; i < a.store.channelCount(); ++i) {
+    const auto index = static_cast<std::uint8_t>(i);
+    demand(a.store.channelName(index) == b.store.channelName(index));
+  }
+  demand(a.unkept.content().places() == b.unkept.content().places());
+  demand(a.unkept.content().unreadable() == b.unkept.content().unreadable());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) return 0;
+  const std::size_t block = data[0] * 8u + 1, piece = data[1] * 4u + 1;
+  const std::string_view text(reinterpret_cast<const char*>(data) + 2, size - 2);
+
+  Reading whole;
+  whole.result = readCandumpText(text, whole.store, whole.unkept);
+
+  Reading blocks;
+  ReadOptions options;
+  options.threads = 1 + data[0] % 2;
+  options.blockBytes = block;
+  blocks.result = readCandumpText(text, blocks.store, blocks.unkept, options);
+  demandEqual(whole, blocks);
+
+  Reading pieces;
+  CandumpStream stream(pieces.store, pieces.unkept);
+  for (std::size_t at = 0; at < text.size() && stream.feed(text.substr(at, piece)); at += piece) {
+  }
+  pieces.result = stream.finish();
+  demandEqual(whole, pieces);
+
+  // What was read can be written, and reads back as itself.
+  std::string written;
+  for (std::uint64_t i = 0; i < whole.store.count(); ++i) {
+    const Frame& frame = whole.store[i];
+    writeCandump(frame, whole.store.channelName(frame.channel), written);
+  }
+  Reading back;
+  back.result = readCandumpText(written, back.store, back.unkept);
+  demand(back.store.count() == whole.store.count());
+  for (std::uint64_t i = 0; i < back.store.count(); ++i) demand(back.store[i] == whole.store[i]);
+  return 0;
+}
