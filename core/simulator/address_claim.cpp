@@ -4,7 +4,7 @@
 #include "protocol/catalogue.h"
 #include "simulator/identity.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 void AddressClaim::start(Instant now, Outbox& out) { claim(now, m_range.first, out); }
 
@@ -98,4 +98,4 @@ AddressClaim::Event AddressClaim::timeCame(Instant now, Outbox&) {
   return Event::Claimed;
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -17,7 +17,7 @@
 #include "simulator/outbox.h"
 #include "simulator/random.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class AddressClaim {
  public:
@@ -66,4 +66,4 @@ class AddressClaim {
   std::array<std::uint64_t, 256> m_holders{};  // NAMEs of others by their address, 0 = none heard
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

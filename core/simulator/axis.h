@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Axis {
  public:
@@ -93,4 +93,4 @@ class Axis {
   bool m_mayPlus = true, m_mayMinus = true;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

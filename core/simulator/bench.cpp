@@ -5,7 +5,7 @@
 
 #include "simulator/intruder.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 template <typename F>
 void Bench::forEach(F&& f) const {
@@ -90,4 +90,4 @@ void Bench::exchange(Instant now) {
   }
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

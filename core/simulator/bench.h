@@ -22,7 +22,7 @@
 
 #include "simulator/device.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Bench {
  public:
@@ -75,4 +75,4 @@ class Bench {
   std::uint32_t m_intruders = 0;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

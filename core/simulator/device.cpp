@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 // How long a controller takes to answer, and to come back after a reset: ours, the manual gives neither.
@@ -126,4 +126,4 @@ void Device::answer(Instant now, MessageId id, const Encoded& data, Address to) 
   m_outbox.post(now + kThinking, made(id, data, address(), to));
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -16,7 +16,7 @@
 #include "simulator/identity.h"
 #include "simulator/misbehaviour.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Device {
  public:
@@ -81,4 +81,4 @@ class Device {
   bool m_running = false;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

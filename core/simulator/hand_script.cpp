@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 // How far the stick moves in one step: half a second from neutral to full.
@@ -86,4 +86,4 @@ BasicJoystick HandScript::next(bool released) {
   return stick;
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

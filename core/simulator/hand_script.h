@@ -10,7 +10,7 @@
 #include "simulator/joystick_inputs.h"
 #include "simulator/random.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class HandScript {
  public:
@@ -41,4 +41,4 @@ class HandScript {
   int m_x = 0, m_y = 0;  // where the stick is: a hand needs time to move it
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <string>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 Name akronName(std::uint32_t identityNumber) {
   const Encoded name =
@@ -48,4 +48,4 @@ Frame announcementFrame(const Pin& pin, Address source) {
                     encoded(MessageId::AddressAnnouncement, {{"pin", Value::text(pin.text())}}), source);
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

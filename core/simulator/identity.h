@@ -10,7 +10,7 @@
 #include "protocol/encode.h"
 #include "protocol/typed.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 struct Identity {
   Name name;
@@ -33,4 +33,4 @@ Value versionValue(std::uint16_t version);
 Frame nameFrame(Name name, Address source);
 Frame announcementFrame(const Pin& pin, Address source);
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

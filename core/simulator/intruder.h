@@ -6,7 +6,7 @@
 
 #include "simulator/device.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Intruder : public Device {
  public:
@@ -28,4 +28,4 @@ class Intruder : public Device {
   static constexpr int kSomebody = 2000;  // any code but Akron's
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/io_module_6039.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 // The manual names no 6039's numbers; these are the twin's own.
@@ -33,4 +33,4 @@ void IoModule6039::tick(Instant now) {
   broadcast(now, MessageId::DigitalInputs, m_inputs.encode());
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -6,7 +6,7 @@
 
 #include "simulator/device.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class IoModule6039 : public Device {
  public:
@@ -29,4 +29,4 @@ class IoModule6039 : public Device {
   bool m_scripted = true;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

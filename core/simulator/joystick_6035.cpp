@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/joystick_6035.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 // The manual names no 6035's numbers; these are the twin's own.
@@ -17,4 +17,4 @@ void Joystick6035::tick(Instant now) {
   broadcastFrom(now, MessageId::BasicJoystick, m_hand.next(m_released).encode(), m_source);
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -8,7 +8,7 @@
 #include "simulator/device.h"
 #include "simulator/hand_script.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Joystick6035 : public Device {
  public:
@@ -29,4 +29,4 @@ class Joystick6035 : public Device {
   bool m_released = false;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/joystick_inputs.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 constexpr Functions functions(std::initializer_list<Function> members) {
@@ -75,4 +75,4 @@ Demand JoystickInputs::demand() const {
   return demand;
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

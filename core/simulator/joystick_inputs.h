@@ -17,7 +17,7 @@
 #include "bus/j1939.h"
 #include "protocol/typed.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 // Switches 1..12 of the basic joystick message, as bits of Demand::functions.
 enum class Function : std::uint8_t {
@@ -73,4 +73,4 @@ class JoystickInputs {
   std::array<Source, kLast.value - kFirst.value + 1> m_sources{};  // by address: highest priority first
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/mini_universal_6033.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 // The manual names no 6033's numbers; these are the twin's own.
@@ -47,4 +47,4 @@ void MiniUniversal6033::tick(Instant now) {
   broadcast(now, MessageId::MiniDigitalOutputs, outputs.encode());
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

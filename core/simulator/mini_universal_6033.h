@@ -9,7 +9,7 @@
 #include "simulator/device.h"
 #include "simulator/joystick_inputs.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class MiniUniversal6033 : public Device {
  public:
@@ -34,4 +34,4 @@ class MiniUniversal6033 : public Device {
   Functions m_before;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

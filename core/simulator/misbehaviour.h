@@ -10,7 +10,7 @@
 #include "base/time.h"
 #include "protocol/akron.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 struct Misbehaviour {
   bool silent = false;        // sends nothing, but hears and moves on: a broken transmitter
@@ -35,4 +35,4 @@ consteval std::uint32_t faultBit(std::string_view key) {
   throw "no fault of that key";
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 // The manual's own example: 3356 Trident, analog sensors; Novotechnik sensors.
@@ -186,4 +186,4 @@ void Monitor6032::answerVista(Instant now, Address to) {
          encoded(MessageId::VistaPosition, {{"rotation_raw", scaled(0)}, {"elevation_raw", scaled(1)}}), to);
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

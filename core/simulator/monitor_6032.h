@@ -9,7 +9,7 @@
 #include "simulator/monitor_control.h"
 #include "simulator/pipe_shell.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Monitor6032 : public Device {
  public:
@@ -51,4 +51,4 @@ class Monitor6032 : public Device {
   bool m_setupMode = false;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/monitor_control.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 namespace {
 
 constexpr int kTenth = 100'000;  // micro-degrees in 0.1 degree
@@ -186,4 +186,4 @@ void MonitorControl::commandValves(const Functions& functions) {
   m_axes[4].drive(1000 * m_valve);
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -19,7 +19,7 @@
 #include "simulator/joystick_inputs.h"
 #include "simulator/oscillation.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 // 0.1 degree, as the messages have it; mechanical zero is dead ahead and level.
 struct MonitorSettings {
@@ -85,4 +85,4 @@ class MonitorControl {
   Functions m_before;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Oscillation {
  public:
@@ -56,4 +56,4 @@ class Oscillation {
   bool m_on = false, m_paused = false, m_toRight = true;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -11,7 +11,7 @@
 #include "base/time.h"
 #include "bus/frame.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 struct DueFrame {
   Instant time;
@@ -55,4 +55,4 @@ class Outbox {
   std::uint64_t m_dropped = 0;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

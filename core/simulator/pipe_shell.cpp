@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 void PipeShell::clear() {
   m_line.clear();
@@ -46,4 +46,4 @@ std::optional<std::string> PipeShell::takePacket(Instant now) {
   return packet;
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -11,7 +11,7 @@
 #include "base/ids.h"
 #include "base/time.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class PipeShell {
  public:
@@ -37,4 +37,4 @@ class PipeShell {
   Instant m_ackBy = kNever;  // kNever: none is on its way
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

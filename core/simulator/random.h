@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 class Random {
  public:
@@ -26,4 +26,4 @@ class Random {
   std::uint64_t m_state;
 };
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/standard_bench.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings) {
   Random random(seed);
@@ -14,4 +14,4 @@ StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings)
   return s;
 }
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

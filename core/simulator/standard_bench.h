@@ -10,7 +10,7 @@
 #include "simulator/mini_universal_6033.h"
 #include "simulator/monitor_6032.h"
 
-namespace deckpipe {
+namespace deckpipe::simulator {
 
 // The devices belong to the bench; index them in Bench::misbehave in this order.
 struct StandardBench {
@@ -23,4 +23,4 @@ struct StandardBench {
 
 StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings = {});
 
-}  // namespace deckpipe
+}  // namespace deckpipe::simulator

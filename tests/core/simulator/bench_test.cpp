@@ -8,7 +8,7 @@
 
 #include "rig.h"
 
-namespace deckpipe::test {
+namespace deckpipe::simulator::test {
 namespace {
 
 std::vector<DueFrame> standardRun(std::uint64_t seed, Duration d) {
@@ -307,4 +307,4 @@ TEST(Bench, SpeedForTheRecord) {
 }
 
 }  // namespace
-}  // namespace deckpipe::test
+}  // namespace deckpipe::simulator::test

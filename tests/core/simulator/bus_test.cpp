@@ -4,7 +4,7 @@
 
 #include "rig.h"
 
-namespace deckpipe::test {
+namespace deckpipe::simulator::test {
 namespace {
 
 TEST(Status, ComesEveryHundredMilliseconds) {
@@ -327,4 +327,4 @@ TEST(Joystick, ReleasedItGoesOnSendingNeutral) {
 }
 
 }  // namespace
-}  // namespace deckpipe::test
+}  // namespace deckpipe::simulator::test

@@ -7,7 +7,7 @@
 
 #include "rig.h"
 
-namespace deckpipe::test {
+namespace deckpipe::simulator::test {
 namespace {
 
 constexpr MessageId kName = MessageId::Name;
@@ -210,4 +210,4 @@ TEST(Claim, IoModuleHasANameAndMakesNoAnnouncement) {
 }
 
 }  // namespace
-}  // namespace deckpipe::test
+}  // namespace deckpipe::simulator::test

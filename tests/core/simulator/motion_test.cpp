@@ -6,7 +6,7 @@
 
 #include "rig.h"
 
-namespace deckpipe::test {
+namespace deckpipe::simulator::test {
 namespace {
 
 constexpr int kFull = 1000;
@@ -508,4 +508,4 @@ TEST(Permissive, ToAnotherNodeAllowsNothing) {
 }
 
 }  // namespace
-}  // namespace deckpipe::test
+}  // namespace deckpipe::simulator::test

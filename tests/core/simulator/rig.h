@@ -14,7 +14,8 @@
 #include "simulator/standard_bench.h"
 #include "support/frames.h"
 
-namespace deckpipe::test {
+namespace deckpipe::simulator::test {
+using deckpipe::test::frame;
 
 // A frame on the bus and what it is, with what was known of the nodes before it.
 struct Seen {
@@ -137,4 +138,4 @@ inline Frame stick(unsigned source, int x, int y, std::initializer_list<Function
                     Address{static_cast<std::uint8_t>(source)});
 }
 
-}  // namespace deckpipe::test
+}  // namespace deckpipe::simulator::test
