@@ -170,18 +170,30 @@ const FrameStore& filledStore() {
   return *store;
 }
 
+std::uint64_t matches(std::span<const Frame> frames) {
+  std::uint64_t found = 0;
+  for (const Frame& frame : frames)
+    found += (frame.id == (kExtendedBit | 0x18EF'FF85)) & (frame.data[0] == 1);
+  return found;
+}
+
 void scanById(benchmark::State& state) {
   const FrameStore& store = filledStore();
   for (auto _ : state) {
     std::uint64_t found = 0;
     std::span<const Frame> run;
-    for (std::uint64_t i = 0; i < store.count(); i += run.size()) {
-      run = store.run(i);
-      for (const Frame& frame : run)
-        found += (frame.id == (kExtendedBit | 0x18EF'FF85)) & (frame.data[0] == 1);
-    }
+    for (std::uint64_t i = 0; i < store.count(); i += run.size()) found += matches(run = store.run(i));
     benchmark::DoNotOptimize(found);
   }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kFrames));
+}
+
+// The floor of scanById: the same frames in one array.
+void scanPlainArray(benchmark::State& state) {
+  const FrameStore& store = filledStore();
+  std::vector<Frame> frames(kFrames);
+  for (std::uint64_t i = 0; i < kFrames; ++i) frames[i] = store[i];
+  for (auto _ : state) benchmark::DoNotOptimize(matches(frames));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kFrames));
 }
 
@@ -222,6 +234,7 @@ BENCHMARK(openCandump)
     ->UseManualTime()
     ->Iterations(8);
 BENCHMARK(scanById)->Unit(benchmark::kMillisecond);
+BENCHMARK(scanPlainArray)->Unit(benchmark::kMillisecond);
 BENCHMARK(lookUpByTime);
 BENCHMARK(timeOfAFrame);
 BENCHMARK(timesInOrder)->Unit(benchmark::kMillisecond);
