@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/bench_runner.h"
+
+#include <QTimer>
+#include <algorithm>
+#include <ctime>
+
+namespace deckpipe {
+namespace {
+
+Instant monotonicTime() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return Instant{std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec};
+}
+
+}  // namespace
+
+BenchRunner::BenchRunner(std::uint64_t seed) : m_bench(simulator::standardBench(seed)) {}
+BenchRunner::~BenchRunner() { stop(); }
+
+void BenchRunner::startDemo() {
+  m_bus = std::make_unique<VirtualBus>();
+  if (!m_bus->start()) {
+    Q_EMIT failed(m_bus->errorString());
+    return;
+  }
+  LinkSettings settings;
+  settings.plugin = QStringLiteral("virtualcan");
+  settings.interfaceName = m_bus->interfaceName(0);
+  start(settings);
+}
+
+void BenchRunner::start(const LinkSettings& settings) {
+  m_timer = new QTimer(this);
+  m_timer->setTimerType(Qt::PreciseTimer);
+  m_timer->setSingleShot(true);
+  connect(m_timer, &QTimer::timeout, this, &BenchRunner::run);
+  m_link = std::make_unique<CanLink>(settings);
+  m_link->open(*this);
+}
+
+void BenchRunner::stop() {
+  if (m_link != nullptr) {
+    m_timer->stop();
+    m_link->close();
+  }
+  m_link.reset();
+  m_bus.reset();
+}
+
+// Bench time starts at 0 with power-on.
+Instant BenchRunner::now() const { return Instant{} + (monotonicTime() - m_powerOn); }
+
+void BenchRunner::linkChanged(LinkState state, const std::string& reason) {
+  if (state == LinkState::Up && !m_powered) {
+    m_powered = true;
+    m_powerOn = monotonicTime();
+    m_bench.bench.powerOn(now());
+    Q_EMIT busReady(m_link->settings().interfaceName);
+    run();
+  } else if (state == LinkState::Closed && m_link != nullptr && m_link->status().fault != LinkFault::None) {
+    Q_EMIT failed(QString::fromStdString(reason));
+  }
+}
+
+void BenchRunner::framesReceived(std::span<const Frame> frames) {
+  for (const Frame& frame : frames) {
+    if ((frame.flags & Frame::kSent) == 0) m_bench.bench.received(now(), frame);
+  }
+  run();
+}
+
+void BenchRunner::run() {
+  if (m_link == nullptr || !m_powered) return;
+  m_bench.bench.timeCame(now());
+  send();
+  const Instant next = m_bench.bench.nextTime();
+  if (next == kNever) return;
+  const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - now());
+  m_timer->start(std::max(wait, std::chrono::milliseconds{0}));
+}
+
+void BenchRunner::send() {
+  m_due.clear();
+  m_bench.bench.takeFrames(m_due);
+  // A frame that finds no room is lost, as on a controller whose mailbox is full: the next one is fresher.
+  for (const simulator::DueFrame& due : m_due) m_link->write(due.frame);
+}
+
+}  // namespace deckpipe

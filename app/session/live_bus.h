@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bus thread's side of a live connection: it owns the link, the writer end of the store and the live
+// State, and publishes snapshots of it. Made by the session, moved to the bus thread, started and stopped by
+// queued calls; only latest() is for other threads.
+//
+// Time-outs are applied up to FrameStore::kLiveDrift before now: no later frame can get an earlier log time
+// than that (the store sets its offset anew first), so what was shown live is what a replay of the log will
+// show.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <mutex>
+
+#include "bus/port.h"
+#include "link/can_link.h"
+#include "state/log_view.h"
+
+class QTimer;
+
+namespace deckpipe {
+
+// CLOCK_BOOTTIME: goes on while the laptop sleeps, and does not follow the wall clock.
+Instant bootTime();
+
+class LiveBus : public QObject, private PortListener {
+  Q_OBJECT
+ public:
+  struct Published {
+    std::shared_ptr<const State> state;  // never null
+    LinkStatus link;
+    std::uint64_t notKept = 0;
+    bool storeFull = false;
+  };
+
+  LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings);
+  ~LiveBus() override;
+
+  Published latest() const;
+
+ public Q_SLOTS:
+  void start();
+
+ private:
+  void stop();
+  void framesReceived(std::span<const Frame> frames) override;
+  void framesNotKept(NotKept reason, std::uint32_t count) override;
+  void linkChanged(LinkState state, const std::string& reason) override;
+  void note(NoteKind kind, std::uint64_t number, const std::string& text);
+  void publish();
+
+  std::shared_ptr<LogDocument> m_document;
+  LinkSettings m_settings;
+  std::unique_ptr<CanLink> m_link;
+  QTimer* m_tick = nullptr;
+  State m_state;
+  LogTimes m_times;
+  LinkState m_linkState = LinkState::Closed;
+  std::uint64_t m_notKept = 0;
+  bool m_storeFull = false;
+
+  mutable std::mutex m_lock;
+  Published m_published;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/log_opening.h"
+
+#include <QFile>
+
+namespace deckpipe {
+
+LogOpening::LogOpening(std::shared_ptr<LogDocument> document, const QString& path)
+    : m_thread([this, document = std::move(document),
+                file = QFile::encodeName(path).toStdString()](const std::stop_token& stop) {
+        ReadOptions options;
+        options.threads = 2;
+        options.onProgress = [&](const ReadProgress& progress) {
+          if (progress.bytesTotal != 0) {
+            m_fraction.store(
+                static_cast<double>(progress.bytesDone) / static_cast<double>(progress.bytesTotal),
+                std::memory_order_relaxed);
+          }
+          return !stop.stop_requested();
+        };
+        m_outcome.emplace(readCandump(file, document->frames, document->unkept, options));
+        m_ended.store(true, std::memory_order_release);
+      }) {}
+
+LogOpening::~LogOpening() = default;
+
+}  // namespace deckpipe

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.h"
+
+#include <QThread>
+#include <algorithm>
+#include <utility>
+
+#include "session/bench_runner.h"
+#include "session/live_bus.h"
+#include "session/log_opening.h"
+#include "session/state_walker.h"
+
+namespace deckpipe {
+
+Session::Session(QObject* parent) : QObject(parent) {
+  m_snapshot.view.state = std::make_shared<const State>();
+  m_timer.setInterval(kTick);
+  connect(&m_timer, &QTimer::timeout, this, &Session::tick);
+}
+
+Session::~Session() { closeSource(); }
+
+// Workers that need an event loop each get a thread. A worker is deleted in its own thread when that ends,
+// which closes its link.
+QThread* Session::startThread(QObject* worker, const char* name) {
+  auto* thread = new QThread(this);
+  thread->setObjectName(QLatin1String(name));
+  worker->moveToThread(thread);
+  connect(thread, &QThread::finished, worker, &QObject::deleteLater);
+  thread->start();
+  return thread;
+}
+
+void Session::closeSource() {
+  m_timer.stop();
+  for (QThread** thread : {&m_busThread, &m_benchThread}) {
+    if (*thread == nullptr) continue;
+    (*thread)->quit();
+    (*thread)->wait();
+    delete std::exchange(*thread, nullptr);
+  }
+  m_live = nullptr;
+  m_bench = nullptr;
+  m_opening.reset();
+  m_walker.reset();
+  m_document.reset();
+  m_snapshot = {};
+  m_snapshot.view.state = std::make_shared<const State>();
+}
+
+void Session::beginDocument() {
+  closeSource();
+  m_document = std::make_shared<LogDocument>();
+  m_walker = std::make_unique<StateWalker>(m_document);
+  m_snapshot.view.document = m_document;
+  m_timer.start();
+}
+
+void Session::openLog(const QString& path) {
+  beginDocument();
+  m_snapshot.source.kind = SourceStatus::Kind::File;
+  m_snapshot.source.progress = SourceStatus::Progress::Opening;
+  m_snapshot.source.name = path;
+  m_opening = std::make_unique<LogOpening>(m_document, path);
+  Q_EMIT changed();
+}
+
+void Session::openLink(const LinkSettings& settings) {
+  beginDocument();
+  m_snapshot.source.kind = SourceStatus::Kind::Link;
+  m_snapshot.source.progress = SourceStatus::Progress::Opening;
+  m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
+  m_snapshot.source.bitRate = settings.bitRate;
+  const QString channelName = settings.interfaceName;
+  LinkSettings onChannel = settings;
+  onChannel.channel = {m_document->frames.channel(channelName.toStdString())};
+  m_live = new LiveBus(m_document, onChannel);
+  m_busThread = startThread(m_live, "bus");
+  QMetaObject::invokeMethod(m_live, &LiveBus::start, Qt::QueuedConnection);
+  Q_EMIT changed();
+}
+
+void Session::openDemo() {
+  beginDocument();
+  m_snapshot.source.kind = SourceStatus::Kind::Link;
+  m_snapshot.source.progress = SourceStatus::Progress::Opening;
+  m_snapshot.source.simulated = true;
+  m_snapshot.source.name = tr("Bench twin");
+  m_snapshot.source.bitRate = LinkSettings{}.bitRate;
+  m_bench = new BenchRunner;
+  // The twin is on the bus first: frames written before the other end listens reach nobody.
+  connect(m_bench, &BenchRunner::busReady, this, [this](const QString& interfaceName) {
+    if (m_document == nullptr || m_live != nullptr) return;
+    const Channel channel{m_document->frames.channel("can0")};
+    m_live = new LiveBus(m_document,
+                         {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel});
+    m_busThread = startThread(m_live, "bus");
+    QMetaObject::invokeMethod(m_live, &LiveBus::start, Qt::QueuedConnection);
+  });
+  connect(m_bench, &BenchRunner::failed, this, [this](const QString& reason) {
+    m_snapshot.source.progress = SourceStatus::Progress::Failed;
+    m_snapshot.source.reason = reason;
+    Q_EMIT changed();
+  });
+  m_benchThread = startThread(m_bench, "bench");
+  QMetaObject::invokeMethod(m_bench, &BenchRunner::startDemo, Qt::QueuedConnection);
+  Q_EMIT changed();
+}
+
+Cursor Session::endCursor() const {
+  if (grows()) return m_live->latest().state->cursor();
+  return m_document == nullptr ? Cursor{} : cursorAfter(m_document->frames, m_document->frames.count());
+}
+
+void Session::setCursor(Cursor cursor) {
+  m_snapshot.view.cursor = cursor;
+  if (m_walker != nullptr) m_walker->request(cursor);
+}
+
+void Session::play() {
+  if (m_document == nullptr || m_snapshot.playing) return;
+  LogView& view = m_snapshot.view;
+  if (view.atEnd && grows()) return;  // it goes on by itself
+  const Cursor end = endCursor();
+  if (view.cursor.frames >= end.frames && !grows()) setCursor({0, view.begin});
+  view.atEnd = false;
+  m_snapshot.playing = true;
+  m_playClock.start();
+  Q_EMIT changed();
+}
+
+void Session::pause() {
+  if (m_document == nullptr) return;
+  if (!m_snapshot.playing && !m_snapshot.view.atEnd) return;
+  m_snapshot.playing = false;
+  m_snapshot.view.atEnd = false;
+  Q_EMIT changed();
+}
+
+void Session::seek(Instant time) {
+  if (m_document == nullptr) return;
+  m_snapshot.playing = false;
+  m_snapshot.view.atEnd = false;
+  setCursor(cursorAt(m_document->frames, std::clamp(time, m_snapshot.view.begin,
+                                                    std::max(m_snapshot.view.begin, m_snapshot.view.end))));
+  Q_EMIT changed();
+}
+
+void Session::seekFrames(std::uint64_t frames) {
+  if (m_document == nullptr) return;
+  m_snapshot.playing = false;
+  m_snapshot.view.atEnd = false;
+  setCursor(cursorAfter(m_document->frames, std::min(frames, m_document->frames.count())));
+  Q_EMIT changed();
+}
+
+void Session::step(int frames) {
+  const std::uint64_t here = m_snapshot.view.cursor.frames;
+  const auto back = static_cast<std::uint64_t>(std::abs(frames));
+  seekFrames(frames < 0 ? here - std::min(here, back) : here + back);
+}
+
+void Session::goToEnd() {
+  if (m_document == nullptr) return;
+  m_snapshot.playing = false;
+  m_snapshot.view.atEnd = true;
+  tick();
+  Q_EMIT changed();
+}
+
+void Session::setSpeed(double speed) {
+  m_snapshot.speed = std::clamp(speed, kSlowest, kFastest);
+  Q_EMIT changed();
+}
+
+void Session::movePlayingCursor() {
+  const Duration passed{
+      static_cast<std::int64_t>(static_cast<double>(m_playClock.nsecsElapsed()) * m_snapshot.speed)};
+  m_playClock.start();
+  const Instant target = m_snapshot.view.cursor.time + passed;
+  const Cursor end = endCursor();
+  if (target < end.time) {
+    setCursor(cursorAt(m_document->frames, target));
+    return;
+  }
+  setCursor(end);
+  m_snapshot.playing = false;
+  m_snapshot.view.atEnd = true;
+}
+
+void Session::updateSource() {
+  SourceStatus& source = m_snapshot.source;
+  if (m_opening != nullptr) {
+    source.fraction = m_opening->fraction();
+    const UnkeptPlaces unkept = m_document->unkept.content();
+    source.unreadable = unkept.unreadable();
+    source.notKept = unkept.count(Unkept::CanFd) + unkept.count(Unkept::CanXl);
+    if (const auto* outcome = m_opening->outcome()) {
+      source.fraction = 1;
+      source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
+      if (!*outcome) {
+        const std::string_view what = readErrorText(outcome->error().kind);
+        source.reason = QString::fromUtf8(what.data(), static_cast<qsizetype>(what.size()));
+        if (!outcome->error().detail.empty())
+          source.reason += QStringLiteral(": ") + QString::fromStdString(outcome->error().detail);
+      }
+    }
+  }
+  if (m_live == nullptr) return;
+  const LiveBus::Published published = m_live->latest();
+  source.notKept = published.notKept;
+  source.reason = QString::fromStdString(published.link.reason);
+  switch (published.link.state) {
+    case LinkState::Up: source.progress = SourceStatus::Progress::Running; break;
+    case LinkState::Connecting: source.progress = SourceStatus::Progress::Opening; break;
+    case LinkState::Lost: source.progress = SourceStatus::Progress::Lost; break;
+    case LinkState::Closed:
+      if (published.link.fault != LinkFault::None) source.progress = SourceStatus::Progress::Failed;
+      break;
+  }
+  if (published.storeFull) {
+    source.progress = SourceStatus::Progress::Failed;
+    source.reason = tr("No room for more frames, neither in memory nor on disk.");
+  }
+}
+
+void Session::tick() {
+  if (m_document == nullptr) return;
+  const Snapshot before = m_snapshot;
+  updateSource();
+  LogView& view = m_snapshot.view;
+  const FrameStore& frames = m_document->frames;
+  const Cursor end = endCursor();
+  view.frameCount = end.frames;
+  view.begin = end.frames == 0 ? end.time : frames.timeAt(0);
+  view.end = end.time;
+  if (view.atEnd) {
+    view.cursor = end;
+  } else if (m_snapshot.playing) {
+    movePlayingCursor();
+  }
+  if (view.atEnd && grows()) {
+    view.state = m_live->latest().state;
+    view.cursor = view.state->cursor();
+    // Keeps the walker's indexes growing with the log.
+    if (end.frames - std::min(end.frames, m_document->roles.built()) > 0) m_walker->index();
+  } else {
+    m_walker->request(view.cursor);
+    view.state = m_walker->latest();
+  }
+  const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
+                    before.view.frameCount == view.frameCount && before.source == m_snapshot.source &&
+                    before.playing == m_snapshot.playing;
+  if (!same) Q_EMIT changed();
+}
+
+}  // namespace deckpipe

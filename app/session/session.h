@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one object that the window talks to: opens a source (log file, adapter, demo), moves the cursor, and
+// makes a snapshot on its tick. It composes store, bus thread, walker and bench; it lives on the window's
+// thread and never waits for any of them.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "link/can_link.h"
+#include "session/snapshot.h"
+
+class QThread;
+
+namespace deckpipe {
+
+class BenchRunner;
+class LiveBus;
+class LogOpening;
+class StateWalker;
+
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr std::chrono::milliseconds kTick{33};
+  static constexpr double kSlowest = 0.25, kFastest = 16;
+
+  explicit Session(QObject* parent = nullptr);
+  ~Session() override;
+
+  // Each closes what was open before.
+  void openLog(const QString& path);
+  void openLink(const LinkSettings& settings);
+  // The bench twin behind a virtual bus of its own, and a link to it.
+  void openDemo();
+  void closeSource();
+
+  const Snapshot& snapshot() const { return m_snapshot; }
+
+  // Plays on from the cursor; from the end it starts over where the log does not grow.
+  void play();
+  void pause();
+  // To a time, to behind so many frames; both stop at the ends and stop playing.
+  void seek(Instant time);
+  void seekFrames(std::uint64_t frames);
+  void step(int frames);
+  // To the end, and from then on with it.
+  void goToEnd();
+  void setSpeed(double speed);
+
+ Q_SIGNALS:
+  // The snapshot differs from the one before; at most once a tick, and at once on what a person asked for.
+  void changed();
+
+ private:
+  void beginDocument();
+  void tick();
+  void updateSource();
+  void movePlayingCursor();
+  void setCursor(Cursor cursor);
+  Cursor endCursor() const;
+  bool grows() const { return m_live != nullptr; }
+  QThread* startThread(QObject* worker, const char* name);
+
+  Snapshot m_snapshot;
+  std::shared_ptr<LogDocument> m_document;
+  std::unique_ptr<StateWalker> m_walker;
+  std::unique_ptr<LogOpening> m_opening;
+  LiveBus* m_live = nullptr;       // on m_busThread, which deletes it
+  BenchRunner* m_bench = nullptr;  // on m_benchThread, which deletes it
+  QThread* m_busThread = nullptr;
+  QThread* m_benchThread = nullptr;
+  QTimer m_timer;
+  QElapsedTimer m_playClock;  // since the cursor was last moved by playing
+};
+
+}  // namespace deckpipe

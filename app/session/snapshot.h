@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window draws at one tick: the view of the log, how it is played, and how its source is doing.
+#pragma once
+
+#include <QString>
+
+#include "state/log_view.h"
+
+namespace deckpipe {
+
+// Where the frames come from and how that goes: for the status strip alone, never for a view of the log.
+struct SourceStatus {
+  enum class Kind : std::uint8_t { Nothing, File, Link };
+  enum class Progress : std::uint8_t {
+    Idle,
+    Opening,  // a link is connecting; a file is being read
+    Running,  // a link is up
+    Done,     // a file was read
+    Lost,     // a link went away
+    Failed,   // could not be opened, or not be read to its end
+  };
+  Kind kind = Kind::Nothing;
+  Progress progress = Progress::Idle;
+  QString name;                  // file path, or plugin and interface
+  QString reason;                // the system's or the adapter's own words, if something went wrong
+  double fraction = 0;           // of a file being read, 0..1
+  std::uint64_t unreadable = 0;  // lines of a file
+  std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
+  int bitRate = 0;               // bit/s asked for; 0 = not applicable
+  bool simulated = false;        // behind it is the bench twin
+
+  friend bool operator==(const SourceStatus&, const SourceStatus&) = default;
+};
+
+struct Snapshot {
+  LogView view;
+  bool playing = false;
+  double speed = 1;
+  SourceStatus source;
+};
+
+}  // namespace deckpipe

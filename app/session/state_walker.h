@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the state at a cursor on a thread of its own, and builds keyframes and the index of roles when there
+// is nothing else to do. The session asks on its tick and takes what is there: the window never waits for a
+// walk.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "state/log_view.h"
+
+namespace deckpipe {
+
+class StateWalker {
+ public:
+  explicit StateWalker(std::shared_ptr<LogDocument> document);
+  ~StateWalker();
+
+  // The newest request wins.
+  void request(Cursor cursor);
+  // The log has grown: index what is new.
+  void index();
+  // The state at the last cursor that was reached; never null.
+  std::shared_ptr<const State> latest() const;
+
+ private:
+  void run(std::stop_token stop);
+  std::shared_ptr<const State> walkTo(Cursor cursor, const std::stop_token& stop);
+  // A step of keyframes and roles; false where both are complete.
+  bool indexMore();
+  bool isSuperseded() const;
+
+  std::shared_ptr<LogDocument> m_document;
+  mutable std::mutex m_lock;
+  std::condition_variable_any m_wake;
+  std::optional<Cursor> m_request;
+  bool m_indexRequested = false;
+  std::shared_ptr<const State> m_latest;
+  std::jthread m_thread;  // last: it uses all of the above
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The composition root, whole: files, the demo behind its virtual bus, and the cursor over both.
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace deckpipe {
+namespace {
+
+constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
+const Pin kMonitor = *Pin::parse("1032AE100801035");
+
+QString writeLog(const QTemporaryDir& dir, const QByteArray& text) {
+  const QString path = dir.filePath(QStringLiteral("test.log"));
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+  return path;
+}
+
+const QByteArray kThreeFrames =
+    "(10.000000) can0 18EFFF80#FF83150206021A0B\n"
+    "(11.000000) can0 18EFFF80#011D940371000041\n"
+    "(12.000000) can0 18EFFF80#01000C0371000041\n";
+
+// The state the snapshot shows has caught up with its cursor.
+bool isSettled(const Session& session) {
+  return session.snapshot().view.state->cursor() == session.snapshot().view.cursor;
+}
+
+class OpenedLog : public testing::Test {
+ protected:
+  void SetUp() override {
+    m_session.openLog(writeLog(m_dir, kThreeFrames));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Done && settledAt(3); },
+        kPatience));
+  }
+  bool settledAt(std::uint64_t frames) const {
+    return isSettled(m_session) && m_session.snapshot().view.cursor.frames == frames;
+  }
+  const LogView& view() const { return m_session.snapshot().view; }
+  int rotation() const { return view().state->devices().byPin(kMonitor)->position.value.rotation.tenths; }
+
+  QTemporaryDir m_dir;
+  Session m_session;
+};
+
+TEST_F(OpenedLog, StandsAtItsEndWithTheStateThere) {
+  EXPECT_TRUE(view().atEnd);
+  EXPECT_EQ(view().frameCount, 3u);
+  EXPECT_EQ(view().begin, Instant{10'000'000'000});
+  EXPECT_EQ(view().end, Instant{12'000'000'000});
+  EXPECT_EQ(rotation(), 0);
+}
+
+TEST_F(OpenedLog, ShowsTheStateAtTheTimeSoughtForwardsAndBackwards) {
+  m_session.seek({11'500'000'000});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return settledAt(2); }, kPatience));
+  EXPECT_EQ(rotation(), 473);
+  EXPECT_TRUE(view().state->devices().byPin(kMonitor)->isStale(Periodic::Position));
+  m_session.seek({10'000'000'000});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return settledAt(1); }, kPatience));
+  EXPECT_FALSE(view().state->devices().byPin(kMonitor)->position.isKnown());
+}
+
+TEST_F(OpenedLog, StepsByFramesAndStopsAtBothEnds) {
+  m_session.step(-1);
+  EXPECT_EQ(view().cursor.frames, 2u);
+  m_session.step(-10);
+  EXPECT_EQ(view().cursor.frames, 0u);
+  m_session.step(10);
+  EXPECT_EQ(view().cursor.frames, 3u);
+  m_session.seek({99'000'000'000});
+  EXPECT_EQ(view().cursor.time, view().end);
+}
+
+TEST_F(OpenedLog, PlaysFromTheStartWhenItStoodAtTheEndAndStopsThere) {
+  m_session.setSpeed(Session::kFastest);
+  m_session.play();
+  EXPECT_TRUE(m_session.snapshot().playing);
+  EXPECT_EQ(view().cursor.frames, 0u);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().playing; }, kPatience));
+  EXPECT_TRUE(view().atEnd);
+  EXPECT_EQ(view().cursor.frames, 3u);
+}
+
+TEST_F(OpenedLog, ClosesWhenAnotherIsOpened) {
+  m_session.openLog(m_dir.filePath(QStringLiteral("absent.log")));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
+  EXPECT_EQ(view().frameCount, 0u);
+  EXPECT_FALSE(m_session.snapshot().source.reason.isEmpty());
+}
+
+TEST(SessionOnABadLog, SaysThatItIsNoLog) {
+  QTemporaryDir dir;
+  Session session;
+  session.openLog(writeLog(dir, QByteArray(5000, 'x') + '\n'));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
+}
+
+TEST(SessionOnABadLog, KeepsWhatIsWholeAndCountsTheRest) {
+  QTemporaryDir dir;
+  Session session;
+  session.openLog(writeLog(dir, kThreeFrames + "(13.0) can0 garbage\n" + "(14.0) can0 123#11\n"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session.snapshot().view.frameCount == 4; }, kPatience));
+  EXPECT_EQ(session.snapshot().source.unreadable, 1u);
+}
+
+bool hasMovingMonitor(const Session& session) {
+  const Device* monitor = session.snapshot().view.state->devices().byPin(kMonitor);
+  return monitor != nullptr && monitor->position.isKnown() && monitor->address != kNullAddress;
+}
+
+TEST(Demo, BringsTheTwinsMonitorThroughTheWholeRealPath) {
+  Session session;
+  session.openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(session); }, kPatience));
+  EXPECT_EQ(session.snapshot().source.progress, SourceStatus::Progress::Running);
+  EXPECT_TRUE(session.snapshot().source.simulated);
+  EXPECT_TRUE(session.snapshot().view.atEnd);
+  EXPECT_EQ(session.snapshot().view.state->channel({0}).link, ChannelLink::Up);
+}
+
+TEST(Demo, GoesOnRecordingWhileTheCursorIsPaused) {
+  Session session;
+  session.openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(session); }, kPatience));
+  session.pause();
+  const Cursor paused = session.snapshot().view.cursor;
+  const std::uint64_t before = session.snapshot().view.frameCount;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session.snapshot().view.frameCount > before + 50; }, kPatience));
+  EXPECT_EQ(session.snapshot().view.cursor, paused);
+  session.goToEnd();
+  EXPECT_GT(session.snapshot().view.cursor.frames, before + 50);
+}
+
+TEST(Demo, ShowsLiveWhatAReplayOfTheSameLogShows) {
+  Session session;
+  session.openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(session); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session.snapshot().view.frameCount > 200; }, kPatience));
+  const LogView& view = session.snapshot().view;
+  const auto live = view.state;
+  State replayed;
+  advance(replayed, view.document->frames, view.document->notes, live->cursor());
+  EXPECT_EQ(replayed, *live);
+}
+
+TEST(Demo, RunsTwiceAtOnceWithoutMixing) {
+  Session one, two;
+  one.openDemo();
+  two.openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(one) && hasMovingMonitor(two); }, kPatience));
+  const auto contests = [](const Session& session) {
+    return session.snapshot().view.state->channel({0}).claims[{0x80}].claimsLost;
+  };
+  EXPECT_EQ(contests(one), contests(two)) << "twins on one bus would fight for the same addresses";
+  one.closeSource();
+  const std::uint64_t before = two.snapshot().view.frameCount;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return two.snapshot().view.frameCount > before + 50; }, kPatience));
+}
+
+TEST(Link, SaysWhyAnAdapterCannotBeOpened) {
+  Session session;
+  session.openLink({QStringLiteral("socketcan"), QStringLiteral("no_such_can"), 250'000, {}});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
+  EXPECT_FALSE(session.snapshot().source.reason.isEmpty());
+}
+
+}  // namespace
+}  // namespace deckpipe
