@@ -13,5 +13,6 @@ inline constexpr int kBadUsage = 2;  // unusable arguments
 
 int decodeCommand(const QStringList& arguments);
 int infoCommand(const QStringList& arguments);
+int simulateCommand(const QStringList& arguments);
 
 }  // namespace deckpipe::ctl

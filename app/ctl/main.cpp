@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl: the headless half of Deckpipe.
 #include <QCoreApplication>
+#include <QLoggingCategory>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
@@ -19,6 +20,7 @@ struct Command {
 constexpr Command kCommands[] = {
     {"decode", "decode every frame of a log, one line each", deckpipe::ctl::decodeCommand},
     {"info", "say what is in a log", deckpipe::ctl::infoCommand},
+    {"simulate", "put the bench twin on an interface, or write a log of it", deckpipe::ctl::simulateCommand},
 };
 
 void printHelp() {
@@ -42,6 +44,8 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationVersion(QStringLiteral(DECKPIPE_VERSION));
   // Numbers in machine-readable output never follow the locale.
   std::setlocale(LC_NUMERIC, "C");
+  // Qt tells on standard error what its adapters do; what matters of it comes back as reasons.
+  QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
   QStringList arguments = QCoreApplication::arguments();
   const QString name = arguments.value(1);
   if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help")) {

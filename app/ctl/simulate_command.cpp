@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl simulate: the bench twin on an interface in real time, or into a log at once.
+#include <QCoreApplication>
+#include <QSaveFile>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <thread>
+
+#include "arguments.h"
+#include "command.h"
+#include "log/candump.h"
+#include "misbehave_option.h"
+#include "output.h"
+#include "session/bench_runner.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+// Logs start at a fixed wall-clock time, so that the same seed gives the same bytes.
+constexpr std::int64_t kLogStart = 1'700'000'000'000'000'000;
+
+// Hands over pieces of candump text; false from `write` ends it.
+bool simulateInto(simulator::StandardBench& bench, double seconds,
+                  const std::function<bool(const std::string&)>& write) {
+  constexpr std::size_t kPiece = 1 << 20;
+  const Instant end = Instant{} + Duration(std::llround(seconds * 1e9));
+  std::string text;
+  std::vector<simulator::DueFrame> due;
+  bench.bench.powerOn({});
+  while (bench.bench.nextTime() <= end) {
+    bench.bench.timeCame(bench.bench.nextTime());
+    due.clear();
+    bench.bench.takeFrames(due);
+    for (simulator::DueFrame& frame : due) {
+      frame.frame.stamp = kLogStart + frame.time.ns;
+      writeCandump(frame.frame, "can0", text);
+    }
+    if (text.size() < kPiece) continue;
+    if (!write(text)) return false;
+    text.clear();
+  }
+  return write(text);
+}
+
+int writeLog(simulator::StandardBench& bench, double seconds, const QString& path) {
+  if (path == QLatin1String("-")) {
+    Output output;
+    return simulateInto(bench, seconds,
+                        [&](const std::string& text) {
+                          output.text() += text;
+                          return output.flush();
+                        })
+               ? kDone
+               : kNotWhole;
+  }
+  QSaveFile file(path);
+  const bool written = file.open(QIODevice::WriteOnly) &&
+                       simulateInto(bench, seconds,
+                                    [&](const std::string& text) {
+                                      return file.write(text.data(), static_cast<qint64>(text.size())) ==
+                                             static_cast<qint64>(text.size());
+                                    }) &&
+                       file.commit();
+  if (written) return kDone;
+  std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(path), qPrintable(file.errorString()));
+  return kNotWhole;
+}
+
+// Ctrl+C and a polite kill end the event loop. A thread waits for them, as a handler may do next to nothing.
+void quitOnSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] {
+    int caught = 0;
+    sigwait(&signals, &caught);
+    QMetaObject::invokeMethod(QCoreApplication::instance(), &QCoreApplication::quit, Qt::QueuedConnection);
+  }).detach();
+}
+
+int runOnInterface(BenchRunner& runner, const LinkSettings& settings) {
+  int status = kDone;
+  QObject::connect(&runner, &BenchRunner::busReady, [&](const QString& interfaceName) {
+    std::fprintf(stderr, "deckpipectl: the bench twin is on %s; Ctrl+C ends it\n", qPrintable(interfaceName));
+  });
+  QObject::connect(&runner, &BenchRunner::failed, [&](const QString& reason) {
+    std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(settings.interfaceName), qPrintable(reason));
+    status = kNotWhole;
+    QCoreApplication::quit();
+  });
+  quitOnSignals();
+  QMetaObject::invokeMethod(
+      &runner, [&] { runner.start(settings); }, Qt::QueuedConnection);
+  QCoreApplication::exec();
+  return status;
+}
+
+}  // namespace
+
+int simulateCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral(
+      "Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose\n"
+      "scripted hand drives the monitor; on an interface in real time, or into a candump log."));
+  const QCommandLineOption plugin(QStringLiteral("plugin"),
+                                  QStringLiteral("Qt CAN bus plugin, e.g. socketcan."),
+                                  QStringLiteral("PLUGIN"));
+  const QCommandLineOption interfaceName(QStringLiteral("interface"),
+                                         QStringLiteral("Interface of the plugin, e.g. vcan0."),
+                                         QStringLiteral("NAME"));
+  const QCommandLineOption bitRate(QStringLiteral("bitrate"),
+                                   QStringLiteral("Bit rate to ask for; 250000 by default, 0 as it is."),
+                                   QStringLiteral("BITS"), QStringLiteral("250000"));
+  const QCommandLineOption log(QStringLiteral("log"),
+                               QStringLiteral("Write a candump log instead; - is standard output."),
+                               QStringLiteral("FILE"));
+  const QCommandLineOption seconds(QStringLiteral("seconds"),
+                                   QStringLiteral("Length of the log; 60 by default."), QStringLiteral("N"),
+                                   QStringLiteral("60"));
+  const QCommandLineOption seed(QStringLiteral("seed"),
+                                QStringLiteral("The same seed gives the same truck; 1 by default."),
+                                QStringLiteral("S"), QStringLiteral("1"));
+  const QCommandLineOption misbehave(QStringLiteral("misbehave"), misbehaveHelp(),
+                                     QStringLiteral("DEVICE:WHAT[@SECONDS]"));
+  parser.addOptions({plugin, interfaceName, bitRate, log, seconds, seed, misbehave});
+  if (const auto status = parse(parser, arguments)) return *status;
+  if (!parser.positionalArguments().isEmpty())
+    return badUsage(QStringLiteral("simulate: takes options only"));
+
+  bool seedOk = false, secondsOk = false, rateOk = false;
+  const quint64 seedValue = parser.value(seed).toULongLong(&seedOk);
+  const double secondsValue = parser.value(seconds).toDouble(&secondsOk);
+  const int rate = parser.value(bitRate).toInt(&rateOk);
+  if (!seedOk) return badUsage(QStringLiteral("simulate: --seed wants a whole number"));
+  if (!secondsOk || !(secondsValue > 0) || secondsValue > 1e6) {
+    return badUsage(QStringLiteral("simulate: --seconds wants a number above 0, at most 1000000"));
+  }
+  if (!rateOk || rate < 0) return badUsage(QStringLiteral("simulate: --bitrate wants bits a second"));
+  const bool toLog = parser.isSet(log);
+  if (toLog == (parser.isSet(plugin) || parser.isSet(interfaceName))) {
+    return badUsage(QStringLiteral("simulate: either --log, or --plugin and --interface"));
+  }
+  if (!toLog && !(parser.isSet(plugin) && parser.isSet(interfaceName))) {
+    return badUsage(QStringLiteral("simulate: --plugin and --interface go together"));
+  }
+
+  BenchRunner runner(seedValue);
+  MisbehavePlan plan;
+  for (const QString& text : parser.values(misbehave)) {
+    if (!plan.add(text))
+      return badUsage(QStringLiteral("simulate: --misbehave '%1': %2").arg(text, misbehaveHelp()));
+  }
+  plan.apply(runner.bench());
+  if (toLog) return writeLog(runner.bench(), secondsValue, parser.value(log));
+  return runOnInterface(runner, {parser.value(plugin), parser.value(interfaceName), rate, {}});
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The headless tool as a script meets it: the program itself, its output, its exit status.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+namespace {
+
+struct Outcome {
+  int status = -1;
+  QByteArray out, err;
+  QList<QByteArray> lines() const {
+    QList<QByteArray> all = out.split('\n');
+    if (!all.isEmpty() && all.last().isEmpty()) all.removeLast();
+    return all;
+  }
+};
+
+Outcome run(const QStringList& arguments, const QByteArray& input = {}) {
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), arguments);
+  process.write(input);
+  process.closeWriteChannel();
+  EXPECT_TRUE(process.waitForFinished(60'000));
+  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+          process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QStringList decode(const QStringList& more = {}) {
+  return QStringList{QStringLiteral("decode")} + more + QStringList{QStringLiteral("-")};
+}
+
+const QByteArray kAnnouncement = "(1700000000.000000) can0 18EFFF80#FF83150206021A0B\n";
+const QByteArray kPosition = "(1700000000.123456) can0 18EFFF80#011D940371000041\n";
+
+TEST(Decode, WritesTheLineOfTheProtocolPage) {
+  const Outcome r = run(decode(), kAnnouncement + kPosition);
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  ASSERT_EQ(r.lines().size(), 2);
+  const QByteArray line = r.lines()[1];
+  EXPECT_TRUE(line.startsWith(
+      R"({"t":1700000000.123456,"channel":"can0","id":"18EFFF80","data":"011D940371000041",)"
+      R"("family":"akron","message":"position_limit_status","source":128,"destination":255,)"))
+      << line.constData();
+  const QJsonObject fields = QJsonDocument::fromJson(line).object()[QStringLiteral("fields")].toObject();
+  EXPECT_EQ(fields[QStringLiteral("rotation_deg")].toDouble(), 47.3);
+  EXPECT_EQ(fields[QStringLiteral("elevation_deg")].toDouble(), -5.5);
+  EXPECT_TRUE(line.contains(R"("rotation_deg":47.3,)"));
+}
+
+struct LineCase {
+  const char* name;
+  const char* input;
+  const char* expected;
+};
+
+class DecodeLine : public testing::TestWithParam<LineCase> {};
+TEST_P(DecodeLine, IsExactly) {
+  const Outcome r = run(decode(), QByteArray(GetParam().input) + '\n');
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_EQ(r.out, QByteArray(GetParam().expected) + '\n');
+}
+INSTANTIATE_TEST_SUITE_P(
+    Contract, DecodeLine,
+    testing::Values(
+        LineCase{
+            "NoTime", "  can0  123   [2]  01 02",
+            R"({"t":null,"channel":"can0","id":"123","data":"0102","family":null,"message":null,"fields":null})"},
+        LineCase{
+            "UnknownPgn", "(1.5) can0 18FF0005#",
+            R"({"t":1.500000,"channel":"can0","id":"18FF0005","data":"","family":null,"message":null,"source":5,)"
+            R"("pgn":65280,"fields":null})"},
+        LineCase{
+            "Remote", "(1.0) can0 724#R1",
+            R"({"t":1.000000,"channel":"can0","id":"724","data":"","family":null,"message":null,"node":36,)"
+            R"("remote":true,"fields":null})"},
+        LineCase{"Error", "(1.0) can0 20000080#0000000000000000",
+                 R"({"t":1.000000,"channel":"can0","id":"20000080","data":"0000000000000000","family":null,)"
+                 R"("message":null,"error":true,"fields":null})"},
+        LineCase{
+            "Malformed", "(1.0) can0 0CFDD633#0100",
+            R"({"t":1.000000,"channel":"can0","id":"0CFDD633","data":"0100","family":"j1939","message":"malformed",)"
+            R"("source":51,"reason":"8 bytes wanted, 2 came","fields":null})"},
+        LineCase{
+            "NoFields", "(1.0) can0 18EF8005#02",
+            R"({"t":1.000000,"channel":"can0","id":"18EF8005","data":"02","family":"presumed","message":"fault_poll",)"
+            R"("source":5,"destination":128,"fields":{}})"},
+        LineCase{
+            "Faults", "(1.0) can0 18EF0580#02002010000000",
+            R"({"t":1.000000,"channel":"can0","id":"18EF0580","data":"02002010000000","family":"presumed",)"
+            R"("message":"fault_response","source":128,"destination":5,)"
+            R"("fields":{"faults":["internal_fuse"],"reserved_bits":[12],"pcode_error":0}})"},
+        LineCase{
+            "OneDecimalAtMost", "(1.0) can0 18EFFF80#810000FFFF80",
+            R"({"t":1.000000,"channel":"can0","id":"18EFFF80","data":"810000FFFF80","family":"presumed",)"
+            R"("message":"rotation_soft_limits","source":128,"destination":255,)"
+            R"("fields":{"left_deg":0,"right_deg":-0.1,"oscillating":true}})"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Decode, TakesDrivesOnOneChannelOrAll) {
+  const QByteArray log = "(1.0) can0 18EF2105#022101\n(1.0) can1 18EF2105#022101\n";
+  const Outcome all = run(decode({QStringLiteral("--drive"), QStringLiteral("21")}), log);
+  EXPECT_EQ(all.out.count("copley_get_parameter"), 2);
+  const Outcome one = run(decode({QStringLiteral("--drive"), QStringLiteral("can1:21")}), log);
+  EXPECT_EQ(one.out.count("copley_get_parameter"), 1);
+  EXPECT_TRUE(one.lines()[1].contains("copley_get_parameter"));
+}
+
+TEST(Decode, WritesCsvWithTheFieldsAsOneCell) {
+  const Outcome r = run(decode({QStringLiteral("--format"), QStringLiteral("csv")}), kPosition);
+  ASSERT_EQ(r.lines().size(), 2);
+  EXPECT_EQ(r.lines()[0], "t,channel,id,data,family,message,source,destination,node,fields");
+  EXPECT_TRUE(r.lines()[1].startsWith(
+      R"(1700000000.123456,can0,18EFFF80,011D940371000041,presumed,position_limit_status,128,255,,"{""rotation_deg"":47.3,)"))
+      << r.lines()[1].constData();
+}
+
+TEST(Decode, SaysUnreadableLinesWithNumberAndReasonAndGoesOn) {
+  const Outcome r = run(decode(), kPosition + "(1.0) can0 nonsense\n" + kPosition);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_EQ(r.lines().size(), 2);
+  EXPECT_TRUE(r.err.contains("standard input:2: ")) << r.err.constData();
+}
+
+TEST(Decode, CountsCanFdFramesOnStandardErrorWithoutFailing) {
+  const Outcome r = run(decode(), kPosition + "(1.0) can0 123##0112233\n");
+  EXPECT_EQ(r.status, 0);
+  EXPECT_EQ(r.lines().size(), 1);
+  EXPECT_TRUE(r.err.contains("1 not kept")) << r.err.constData();
+}
+
+struct UsageCase {
+  const char* name;
+  QStringList arguments;
+};
+class BadUsage : public testing::TestWithParam<UsageCase> {};
+TEST_P(BadUsage, IsStatusTwoAndSaysWhy) {
+  const Outcome r = run(GetParam().arguments);
+  EXPECT_EQ(r.status, 2);
+  EXPECT_TRUE(r.out.isEmpty());
+  EXPECT_FALSE(r.err.isEmpty());
+}
+QStringList words(const char* text) {
+  return QString::fromLatin1(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Contract, BadUsage,
+    testing::Values(UsageCase{"Nothing", {}}, UsageCase{"NoSuchCommand", words("frobnicate")},
+                    UsageCase{"NoFile", words("decode")}, UsageCase{"TwoFiles", words("decode a b")},
+                    UsageCase{"NoSuchOption", words("decode --nope x")},
+                    UsageCase{"NoSuchFormat", words("decode --format xml -")},
+                    UsageCase{"DriveNotHex", words("decode --drive zz -")},
+                    UsageCase{"DriveGlobal", words("decode --drive FF -")},
+                    UsageCase{"DriveEmptyChannel", words("decode --drive :21 -")},
+                    UsageCase{"AbsentFile", words("decode /nonexistent/x.log")},
+                    UsageCase{"SimulateNowhere", words("simulate")},
+                    UsageCase{"SimulateNegative", words("simulate --log - --seconds -3")},
+                    UsageCase{"SimulateNoSuchFault", words("simulate --log - --misbehave monitor:dances")}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Help, IsOnStandardOutputWithStatusZero) {
+  for (const char* line : {"--help", "decode --help", "info --help", "simulate --help"}) {
+    const Outcome r = run(words(line));
+    EXPECT_EQ(r.status, 0) << line;
+    EXPECT_FALSE(r.out.isEmpty()) << line;
+  }
+}
+
+TEST(Output, EndsQuietlyWhenItsReaderGoesAway) {
+  QProcess shell;
+  shell.start(
+      QStringLiteral("/bin/sh"),
+      {QStringLiteral("-c"), QStringLiteral("%1 simulate --log - --seconds 600 | head -n 1; echo done >&2")
+                                 .arg(QStringLiteral(DECKPIPECTL))});
+  ASSERT_TRUE(shell.waitForFinished(60'000));
+  EXPECT_EQ(shell.readAllStandardOutput().count('\n'), 1);
+  EXPECT_EQ(shell.readAllStandardError(), "done\n");
+}
+
+TEST(Output, SaysWhenItCannotBeWritten) {
+  if (!QFile::exists(QStringLiteral("/dev/full"))) GTEST_SKIP() << "no /dev/full";
+  QProcess shell;
+  shell.start(
+      QStringLiteral("/bin/sh"),
+      {QStringLiteral("-c"),
+       QStringLiteral("%1 simulate --log - --seconds 5 > /dev/full").arg(QStringLiteral(DECKPIPECTL))});
+  ASSERT_TRUE(shell.waitForFinished(60'000));
+  EXPECT_EQ(shell.exitCode(), 1);
+  EXPECT_TRUE(shell.readAllStandardError().contains("standard output"));
+}
+
+TEST(Simulate, WritesTheSameLogForTheSameSeedAndInfoKnowsItsDevices) {
+  QTemporaryDir dir;
+  const QString a = dir.filePath(QStringLiteral("a.log")), b = dir.filePath(QStringLiteral("b.log"));
+  const auto simulate = [](const QString& file, const char* seed) {
+    return run({QStringLiteral("simulate"), QStringLiteral("--log"), file, QStringLiteral("--seconds"),
+                QStringLiteral("20"), QStringLiteral("--seed"), QString::fromLatin1(seed)});
+  };
+  EXPECT_EQ(simulate(a, "7").status, 0);
+  EXPECT_EQ(simulate(b, "7").status, 0);
+  const auto content = [](const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+  };
+  EXPECT_EQ(content(a), content(b));
+  simulate(b, "8");
+  EXPECT_NE(content(a), content(b));
+
+  const Outcome info =
+      run({QStringLiteral("info"), QStringLiteral("--json"), QStringLiteral("--devices"), a});
+  EXPECT_EQ(info.status, 0);
+  const QJsonObject object = QJsonDocument::fromJson(info.out).object();
+  EXPECT_EQ(object[QStringLiteral("frames")].toInt(), content(a).count('\n'));
+  QStringList pins;
+  for (const QJsonValue& device : object[QStringLiteral("devices")].toArray())
+    pins += device[QStringLiteral("pin")].toString();
+  EXPECT_TRUE(pins.contains(QStringLiteral("1032AE100801035"))) << info.out.constData();
+}
+
+TEST(Simulate, MisbehavesFromTheTimeItWasAskedFor) {
+  const Outcome r = run(words("simulate --log - --seconds 20 --misbehave monitor:wrong-lengths@10"));
+  ASSERT_EQ(r.status, 0);
+  const Outcome decoded = run(decode(), r.out);
+  bool early = false, late = false;
+  for (const QByteArray& line : decoded.lines()) {
+    if (!line.contains("\"malformed\"")) continue;
+    (QJsonDocument::fromJson(line).object()[QStringLiteral("t")].toDouble() < 1'700'000'010 ? early : late) =
+        true;
+  }
+  EXPECT_FALSE(early);
+  EXPECT_TRUE(late);
+}
+
+TEST(Info, CountsFramesByIdentifierAndUnreadableLines) {
+  const Outcome r = run({QStringLiteral("info"), QStringLiteral("--json"), QStringLiteral("-")},
+                        kPosition + kPosition + "(1.0) can0 nonsense\n");
+  EXPECT_EQ(r.status, 1);
+  const QJsonObject object = QJsonDocument::fromJson(r.out).object();
+  EXPECT_EQ(object[QStringLiteral("frames")].toInt(), 2);
+  EXPECT_EQ(object[QStringLiteral("unreadable")].toInt(), 1);
+  EXPECT_EQ(object[QStringLiteral("ids")].toArray()[0][QStringLiteral("frames")].toInt(), 2);
+}
+
+}  // namespace
