@@ -41,6 +41,17 @@ constexpr std::uint64_t readBits(const Payload& bytes, BitRange r) {
   return (word >> r.shift()) & r.mask();
 }
 
+// A payload loaded once, for reading many ranges that are known at compile time: the hot path's way.
+struct LoadedPayload {
+  std::uint64_t little, big;
+
+  explicit constexpr LoadedPayload(const Payload& bytes) : little(loadLittle(bytes)), big(loadBig(bytes)) {}
+  template <BitRange R>
+  constexpr std::uint64_t read() const {
+    return ((R.order == ByteOrder::Big ? big : little) >> R.shift()) & R.mask();
+  }
+};
+
 constexpr void writeBits(Payload& bytes, BitRange r, std::uint64_t value) {
   std::uint64_t word = r.order == ByteOrder::Big ? loadBig(bytes) : loadLittle(bytes);
   word = (word & ~(r.mask() << r.shift())) | ((value & r.mask()) << r.shift());

@@ -3,6 +3,8 @@
 
 #include <bit>
 #include <cstdlib>
+#include <iterator>
+#include <utility>
 
 namespace deckpipe {
 namespace {
@@ -38,8 +40,21 @@ constexpr auto kGripSwitches = switches<4>(j1939::kExtendedJoystickFields);
 unsigned bitsOf(const Frame& frame, BitRange range) {
   return static_cast<unsigned>(readBits(frame.data, range));
 }
-Status2 statusOf(const Frame& frame, BitRange range) { return static_cast<Status2>(bitsOf(frame, range)); }
-bool flagOf(const Frame& frame, BitRange range) { return bitsOf(frame, range) != 0; }
+template <BitRange R>
+unsigned bitsAt(const LoadedPayload& payload) {
+  return static_cast<unsigned>(payload.read<R>());
+}
+template <BitRange R>
+Status2 statusAt(const LoadedPayload& payload) {
+  return static_cast<Status2>(bitsAt<R>(payload));
+}
+// One status2 after another from a list of ranges, unrolled at compile time.
+template <auto Ranges, std::size_t N>
+void readStatuses(const LoadedPayload& payload, std::array<Status2, N>& out) {
+  static_assert(Ranges.size() == N);
+  [&]<std::size_t... I>(std::index_sequence<I...>) { ((out[I] = statusAt<Ranges[I]>(payload)), ...); }
+  (std::make_index_sequence<N>{});
+}
 void put(Encoded& out, BitRange range, std::uint64_t value) { writeBits(out.data, range, value); }
 void put(Encoded& out, BitRange range, Status2 value) { put(out, range, static_cast<std::uint64_t>(value)); }
 
@@ -50,10 +65,6 @@ Encoded blank(MessageId id) {
   out.length = static_cast<std::uint8_t>(message.maxLength());
   if (message.firstByte >= 0) out.data[0] = static_cast<std::uint8_t>(message.firstByte);
   return out;
-}
-
-PositionReading readingOf(const Frame& frame, const Field& field) {
-  return readPosition(bitsOf(frame, field.bits), bitsOf(frame, field.plus), bitsOf(frame, field.minus));
 }
 
 void putReading(Encoded& out, const Field& field, const PositionReading& reading) {
@@ -75,14 +86,6 @@ void putReading(Encoded& out, const Field& field, const PositionReading& reading
   }
 }
 
-StickAxis axisOf(const Frame& frame, const Field& percent, BitRange neutral) {
-  const unsigned plus = bitsOf(frame, percent.plus), minus = bitsOf(frame, percent.minus);
-  const auto tenths = readAxis(bitsOf(frame, percent.bits), plus, minus);
-  StickAxis axis{{}, static_cast<Status2>(plus), static_cast<Status2>(minus), statusOf(frame, neutral)};
-  if (tenths) axis.tenths = static_cast<std::int16_t>(*tenths);
-  return axis;
-}
-
 void putAxis(Encoded& out, const Field& percent, BitRange neutral, const StickAxis& axis) {
   put(out, percent.bits, axis.tenths ? static_cast<unsigned>(std::abs(*axis.tenths)) : 0x3FFu);
   put(out, percent.plus, axis.plus);
@@ -92,11 +95,6 @@ void putAxis(Encoded& out, const Field& percent, BitRange neutral, const StickAx
 
 constexpr Field kRotation = fieldOf(akron::kPositionLimitStatusFields, "rotation_deg");
 constexpr Field kElevation = fieldOf(akron::kPositionLimitStatusFields, "elevation_deg");
-SoftLimits limitsOf(const Frame& frame, BitRange low, BitRange high) {
-  return {static_cast<std::int16_t>(signExtend(readBits(frame.data, low), low.width)),
-          static_cast<std::int16_t>(signExtend(readBits(frame.data, high), high.width)), false};
-}
-
 constexpr BitRange kLeft = fieldOf(akron::kRotationSoftLimitsFields, "left_deg").bits;
 constexpr BitRange kRight = fieldOf(akron::kRotationSoftLimitsFields, "right_deg").bits;
 constexpr BitRange kOscillating = fieldOf(akron::kRotationSoftLimitsFields, "oscillating").bits;
@@ -113,6 +111,32 @@ constexpr Field kGripTheta = fieldOf(j1939::kExtendedJoystickFields, "grip_theta
 constexpr BitRange kGripXNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_x_neutral").bits;
 constexpr BitRange kGripYNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_y_neutral").bits;
 constexpr BitRange kGripThetaNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_theta_neutral").bits;
+
+// A value and the two statuses that sign it.
+struct SignedBits {
+  BitRange value, plus, minus;
+};
+constexpr SignedBits signedBits(const Field& field) { return {field.bits, field.plus, field.minus}; }
+
+template <SignedBits B>
+PositionReading readingAt(const LoadedPayload& payload) {
+  return readPosition(bitsAt<B.value>(payload), bitsAt<B.plus>(payload), bitsAt<B.minus>(payload));
+}
+
+template <SignedBits B, BitRange Neutral>
+StickAxis axisAt(const LoadedPayload& payload) {
+  const unsigned plus = bitsAt<B.plus>(payload), minus = bitsAt<B.minus>(payload);
+  const auto tenths = readAxis(bitsAt<B.value>(payload), plus, minus);
+  StickAxis axis{{}, static_cast<Status2>(plus), static_cast<Status2>(minus), statusAt<Neutral>(payload)};
+  if (tenths) axis.tenths = static_cast<std::int16_t>(*tenths);
+  return axis;
+}
+
+template <BitRange Low, BitRange High>
+SoftLimits limitsAt(const LoadedPayload& payload) {
+  return {static_cast<std::int16_t>(signExtend(payload.read<Low>(), Low.width)),
+          static_cast<std::int16_t>(signExtend(payload.read<High>(), High.width)), false};
+}
 
 // A struct's flags beside their bits, so that reading and writing go over one list.
 template <typename Struct>
@@ -157,11 +181,12 @@ constexpr FlagAt<Permissive> kPermissiveFlags[] = {
 };
 constexpr BitRange kRiserCommand = fieldOf(akron::kDigitalOutputsFields, "riser_command").bits;
 
-template <typename Struct, std::size_t N>
-Struct flagsOf(const Frame& frame, const FlagAt<Struct> (&flags)[N]) {
-  Struct result;
-  for (const auto& flag : flags) result.*flag.member = flagOf(frame, flag.bits);
-  return result;
+template <auto& Flags, typename Struct>
+void readFlags(const LoadedPayload& payload, Struct& out) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    ((out.*Flags[I].member = bitsAt<Flags[I].bits>(payload) != 0), ...);
+  }
+  (std::make_index_sequence<std::size(Flags)>{});
 }
 template <typename Struct, std::size_t N>
 Encoded encodeFlags(MessageId id, const Struct& value, const FlagAt<Struct> (&flags)[N]) {
@@ -173,15 +198,14 @@ Encoded encodeFlags(MessageId id, const Struct& value, const FlagAt<Struct> (&fl
 }  // namespace
 
 PositionLimitStatus PositionLimitStatus::of(const Frame& frame) {
+  const LoadedPayload payload(frame.data);
   PositionLimitStatus s;
-  s.rotation = readingOf(frame, kRotation);
-  s.elevation = readingOf(frame, kElevation);
-  for (std::size_t i = 0; i < 5; ++i) {
-    s.plusStop[i] = statusOf(frame, kPlusStops[i]);
-    s.minusStop[i] = statusOf(frame, kMinusStops[i]);
-  }
-  s.operationalError = statusOf(frame, position("operational_error"));
-  s.calibrated = statusOf(frame, position("calibrated"));
+  s.rotation = readingAt<signedBits(kRotation)>(payload);
+  s.elevation = readingAt<signedBits(kElevation)>(payload);
+  readStatuses<kPlusStops>(payload, s.plusStop);
+  readStatuses<kMinusStops>(payload, s.minusStop);
+  s.operationalError = statusAt<position("operational_error")>(payload);
+  s.calibrated = statusAt<position("calibrated")>(payload);
   return s;
 }
 
@@ -199,12 +223,15 @@ Encoded PositionLimitStatus::encode() const {
 }
 
 SoftLimits SoftLimits::ofRotation(const Frame& frame) {
-  SoftLimits limits = limitsOf(frame, kLeft, kRight);
-  limits.oscillating = flagOf(frame, kOscillating);
+  const LoadedPayload payload(frame.data);
+  SoftLimits limits = limitsAt<kLeft, kRight>(payload);
+  limits.oscillating = bitsAt<kOscillating>(payload) != 0;
   return limits;
 }
 
-SoftLimits SoftLimits::ofElevation(const Frame& frame) { return limitsOf(frame, kDown, kUp); }
+SoftLimits SoftLimits::ofElevation(const Frame& frame) {
+  return limitsAt<kDown, kUp>(LoadedPayload(frame.data));
+}
 
 Encoded SoftLimits::encodeRotation() const {
   Encoded out = blank(MessageId::RotationSoftLimits);
@@ -222,8 +249,10 @@ Encoded SoftLimits::encodeElevation() const {
 }
 
 DigitalOutputs DigitalOutputs::of(const Frame& frame) {
-  DigitalOutputs outputs = flagsOf(frame, kOutputFlags);
-  outputs.riserCommand = static_cast<std::uint8_t>(bitsOf(frame, kRiserCommand));
+  const LoadedPayload payload(frame.data);
+  DigitalOutputs outputs;
+  readFlags<kOutputFlags>(payload, outputs);
+  outputs.riserCommand = static_cast<std::uint8_t>(bitsAt<kRiserCommand>(payload));
   return outputs;
 }
 
@@ -233,11 +262,23 @@ Encoded DigitalOutputs::encode() const {
   return out;
 }
 
-MiniOutputs MiniOutputs::of(const Frame& frame) { return flagsOf(frame, kMiniFlags); }
+MiniOutputs MiniOutputs::of(const Frame& frame) {
+  MiniOutputs result;
+  readFlags<kMiniFlags>(LoadedPayload(frame.data), result);
+  return result;
+}
 Encoded MiniOutputs::encode() const { return encodeFlags(MessageId::MiniDigitalOutputs, *this, kMiniFlags); }
-DigitalInputs DigitalInputs::of(const Frame& frame) { return flagsOf(frame, kInputFlags); }
+DigitalInputs DigitalInputs::of(const Frame& frame) {
+  DigitalInputs result;
+  readFlags<kInputFlags>(LoadedPayload(frame.data), result);
+  return result;
+}
 Encoded DigitalInputs::encode() const { return encodeFlags(MessageId::DigitalInputs, *this, kInputFlags); }
-Permissive Permissive::of(const Frame& frame) { return flagsOf(frame, kPermissiveFlags); }
+Permissive Permissive::of(const Frame& frame) {
+  Permissive result;
+  readFlags<kPermissiveFlags>(LoadedPayload(frame.data), result);
+  return result;
+}
 
 StickAxis StickAxis::at(int tenths) {
   StickAxis axis;
@@ -249,10 +290,11 @@ StickAxis StickAxis::at(int tenths) {
 }
 
 BasicJoystick BasicJoystick::of(const Frame& frame) {
+  const LoadedPayload payload(frame.data);
   BasicJoystick joystick;
-  joystick.x = axisOf(frame, kX, kXNeutral);
-  joystick.y = axisOf(frame, kY, kYNeutral);
-  for (std::size_t i = 0; i < kSwitches.size(); ++i) joystick.switches[i] = statusOf(frame, kSwitches[i]);
+  joystick.x = axisAt<signedBits(kX), kXNeutral>(payload);
+  joystick.y = axisAt<signedBits(kY), kYNeutral>(payload);
+  readStatuses<kSwitches>(payload, joystick.switches);
   return joystick;
 }
 
@@ -265,12 +307,12 @@ Encoded BasicJoystick::encode() const {
 }
 
 ExtendedJoystick ExtendedJoystick::of(const Frame& frame) {
+  const LoadedPayload payload(frame.data);
   ExtendedJoystick joystick;
-  joystick.gripX = axisOf(frame, kGripX, kGripXNeutral);
-  joystick.gripY = axisOf(frame, kGripY, kGripYNeutral);
-  joystick.gripTheta = axisOf(frame, kGripTheta, kGripThetaNeutral);
-  for (std::size_t i = 0; i < kGripSwitches.size(); ++i)
-    joystick.switches[i] = statusOf(frame, kGripSwitches[i]);
+  joystick.gripX = axisAt<signedBits(kGripX), kGripXNeutral>(payload);
+  joystick.gripY = axisAt<signedBits(kGripY), kGripYNeutral>(payload);
+  joystick.gripTheta = axisAt<signedBits(kGripTheta), kGripThetaNeutral>(payload);
+  readStatuses<kGripSwitches>(payload, joystick.switches);
   return joystick;
 }
 

@@ -41,44 +41,33 @@ void Device::timeCame(Instant time) {
   }
 }
 
-template <typename T>
-void Device::refresh(Timed<T>& value, const T& newValue, Instant time, Periodic p) {
-  value.set(newValue, time);
-  stale = static_cast<std::uint16_t>(stale & ~(1u << static_cast<unsigned>(p)));
-}
-
 void Device::take(const Frame& frame, MessageId id, Instant time) {
+  const auto periodic = [&](auto& value, Periodic p) {
+    value.set(frame, time);
+    fresh(p);
+  };
   switch (id) {
-    case MessageId::PositionLimitStatus:
-      refresh(position, PositionLimitStatus::of(frame), time, Periodic::Position);
-      break;
-    case MessageId::RotationSoftLimits:
-      refresh(rotationLimits, SoftLimits::ofRotation(frame), time, Periodic::RotationLimits);
-      break;
-    case MessageId::ElevationSoftLimits:
-      refresh(elevationLimits, SoftLimits::ofElevation(frame), time, Periodic::ElevationLimits);
-      break;
-    case MessageId::DigitalOutputs:
-      refresh(outputs, DigitalOutputs::of(frame), time, Periodic::Outputs);
-      break;
-    case MessageId::MiniDigitalOutputs:
-      refresh(miniOutputs, MiniOutputs::of(frame), time, Periodic::MiniOutputs);
-      break;
-    case MessageId::DigitalInputs: refresh(inputs, DigitalInputs::of(frame), time, Periodic::Inputs); break;
+    case MessageId::PositionLimitStatus: periodic(position, Periodic::Position); break;
+    case MessageId::RotationSoftLimits: periodic(rotationLimits, Periodic::RotationLimits); break;
+    case MessageId::ElevationSoftLimits: periodic(elevationLimits, Periodic::ElevationLimits); break;
+    case MessageId::DigitalOutputs: periodic(outputs, Periodic::Outputs); break;
+    case MessageId::MiniDigitalOutputs: periodic(miniOutputs, Periodic::MiniOutputs); break;
+    case MessageId::DigitalInputs: periodic(inputs, Periodic::Inputs); break;
     case MessageId::SoePermissive:
-      refresh(permissive, Permissive::of(frame), time, Periodic::Permissive);
+      periodic(permissive, Periodic::Permissive);
       permissiveFrom = J1939Id::of(frame.identifier()).source;
       break;
-    case MessageId::FaultResponse: faults.set(FaultStatus::of(frame), time); break;
-    case MessageId::FirmwareResponse: firmware.set(FirmwareVersions::of(frame), time); break;
-    case MessageId::PcodeResponse: pcode.set(PcodeVersion::of(frame), time); break;
-    case MessageId::ConfigResponse: config.set(ConfigVersion::of(frame), time); break;
+    case MessageId::FaultResponse: faults.set(frame, time); break;
+    case MessageId::FirmwareResponse: firmware.set(frame, time); break;
+    case MessageId::PcodeResponse: pcode.set(frame, time); break;
+    case MessageId::ConfigResponse: config.set(frame, time); break;
     case MessageId::Heartbeat: {
       constexpr BitRange kState = fieldOf(gateway::kHeartbeatFields, "state").bits;
-      refresh(heartbeat, static_cast<std::uint8_t>(readBits(frame.data, kState)), time, Periodic::Heartbeat);
+      heartbeat.set(static_cast<std::uint8_t>(readBits(frame.data, kState)), time);
+      fresh(Periodic::Heartbeat);
       break;
     }
-    case MessageId::GatewayJoystick: commanded.set(BasicJoystick::of(frame), time); break;
+    case MessageId::GatewayJoystick: commanded.set(frame, time); break;
     case MessageId::SdoReadResponse: takeSdo(frame, time); break;
     default: break;
   }
@@ -92,7 +81,7 @@ void Device::takeSdo(const Frame& frame, Instant time) {
   if (object == sdo::kDeviceType && size == 4) {
     partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
   } else if (object == sdo::kFaultStatus && size == 4) {
-    faults.set({static_cast<std::uint32_t>(readBits(frame.data, kFaultMap)), {}}, time);
+    faultMap.set(static_cast<std::uint32_t>(readBits(frame.data, kFaultMap)), time);
   } else if (object == sdo::kOperationalError && size == 2) {
     operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
   }

@@ -55,23 +55,25 @@ struct Device {
   std::uint32_t malformed = 0;
   std::uint16_t stale = 0;  // bit per Periodic
 
-  Timed<PositionLimitStatus> position;
-  Timed<SoftLimits> rotationLimits, elevationLimits;
-  Timed<DigitalOutputs> outputs;
-  Timed<MiniOutputs> miniOutputs;
-  Timed<DigitalInputs> inputs;
-  Timed<Permissive> permissive;  // as sent to it by a master controller
+  Reported<&PositionLimitStatus::of> position;
+  Reported<&SoftLimits::ofRotation> rotationLimits;
+  Reported<&SoftLimits::ofElevation> elevationLimits;
+  Reported<&DigitalOutputs::of> outputs;
+  Reported<&MiniOutputs::of> miniOutputs;
+  Reported<&DigitalInputs::of> inputs;
+  Reported<&Permissive::of> permissive;  // as sent to it by a master controller
   Address permissiveFrom;
-  Timed<FaultStatus> faults;
-  Timed<FirmwareVersions> firmware;
-  Timed<PcodeVersion> pcode;
-  Timed<ConfigVersion> config;
+  Reported<&FaultStatus::of> faults;
+  Reported<&FirmwareVersions::of> firmware;
+  Reported<&PcodeVersion::of> pcode;
+  Reported<&ConfigVersion::of> config;
 
   // Kind::Node
   Timed<std::uint8_t> heartbeat;  // low seven bits, HeartbeatState
   Timed<std::uint32_t> partNumber;
   Timed<std::uint16_t> operationalErrorCode;
-  Timed<BasicJoystick> commanded;  // RPDO1; the sender is not known
+  Timed<std::uint32_t> faultMap;           // SDO 5001.01; bits as in akron::kFaultBits
+  Reported<&BasicJoystick::of> commanded;  // RPDO1; the sender is not known
 
   bool isStale(Periodic p) const { return (stale >> static_cast<unsigned>(p) & 1u) != 0; }
   // When a periodic value last came; kNotYet where it never did.
@@ -85,8 +87,7 @@ struct Device {
   friend bool operator==(const Device&, const Device&) = default;
 
  private:
-  template <typename T>
-  void refresh(Timed<T>& value, const T& newValue, Instant time, Periodic p);
+  void fresh(Periodic p) { stale = static_cast<std::uint16_t>(stale & ~(1u << static_cast<unsigned>(p))); }
   void takeSdo(const Frame& frame, Instant time);
 };
 

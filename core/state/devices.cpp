@@ -34,6 +34,7 @@ Device* Devices::make() {
     ++m_untracked;
     return nullptr;
   }
+  m_used = std::max(m_used, static_cast<std::size_t>(free - m_devices.begin()) + 1);
   return &*free;
 }
 
@@ -120,14 +121,14 @@ void Devices::addressLeft(Channel channel, Address address, Instant time) {
 
 Instant Devices::nextDeadline() const {
   Instant next = kNever;
-  for (const Device& device : m_devices) {
+  for (const Device& device : used()) {
     if (device.kind != Device::Kind::Free) next = std::min(next, device.nextDeadline());
   }
   return next;
 }
 
 void Devices::timeCame(Instant time) {
-  for (Device& device : m_devices) {
+  for (Device& device : std::span(m_devices).first(m_used)) {
     if (device.kind != Device::Kind::Free) device.timeCame(time);
   }
 }

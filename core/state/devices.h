@@ -11,7 +11,7 @@
 namespace deckpipe {
 
 inline constexpr std::size_t kMaxChannels = 4;
-inline constexpr std::size_t kMaxDevices = 96;
+inline constexpr std::size_t kMaxDevices = 80;
 
 class Devices {
  public:
@@ -55,7 +55,10 @@ class Devices {
   void giveAddress(Device& device, Channel channel, Address address, Instant time);
   void takeAddress(Device& device, Instant time);
 
+  std::span<const Device> used() const { return std::span(m_devices).first(m_used); }
+
   std::array<Device, kMaxDevices> m_devices{};
+  std::size_t m_used = 0;  // no device was ever made behind these
   std::array<std::array<Index, 256>, kMaxChannels> m_byAddress;
   std::array<std::array<Index, 128>, kMaxChannels> m_byNode;
   std::uint32_t m_untracked = 0;

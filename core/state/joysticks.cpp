@@ -27,7 +27,7 @@ Joystick* Joysticks::at(Address source) {
   return &*other;
 }
 
-void Joysticks::heardBasic(Address source, const BasicJoystick& message, Instant time) {
+void Joysticks::heardBasic(Address source, const Frame& frame, Instant time) {
   Joystick* stick = at(source);
   if (stick == nullptr) return;
   if (stick->basic.isKnown()) {
@@ -37,15 +37,15 @@ void Joysticks::heardBasic(Address source, const BasicJoystick& message, Instant
       stick->period = stick->period.count() == 0 ? gap : stick->period + (gap - stick->period) / 8;
     }
   }
-  stick->basic.set(message, time);
+  stick->basic.set(frame, time);
   stick->timedOut = false;
   ++stick->frames;
 }
 
-void Joysticks::heardExtended(Address source, const ExtendedJoystick& message, Instant time) {
+void Joysticks::heardExtended(Address source, const Frame& frame, Instant time) {
   Joystick* stick = at(source);
   if (stick == nullptr) return;
-  stick->extended.set(message, time);
+  stick->extended.set(frame, time);
   ++stick->frames;
 }
 

@@ -19,8 +19,8 @@ inline constexpr Duration kInputTimeout = 200ms;
 
 struct Joystick {
   Address source = kNullAddress;
-  Timed<BasicJoystick> basic;
-  Timed<ExtendedJoystick> extended;
+  Reported<&BasicJoystick::of> basic;
+  Reported<&ExtendedJoystick::of> extended;
   std::uint32_t frames = 0;
   std::uint32_t timeouts = 0;  // how often more than kInputTimeout passed without a basic message
   bool timedOut = false;       // now: controllers have cleared this source's input
@@ -44,8 +44,8 @@ class Joysticks {
   std::span<const Joystick> all() const { return m_sticks; }
   const Joystick* find(Address source) const;
 
-  void heardBasic(Address source, const BasicJoystick& message, Instant time);
-  void heardExtended(Address source, const ExtendedJoystick& message, Instant time);
+  void heardBasic(Address source, const Frame& frame, Instant time);
+  void heardExtended(Address source, const Frame& frame, Instant time);
   Instant nextDeadline() const;
   void timeCame(Instant time);
 

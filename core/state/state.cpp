@@ -79,12 +79,8 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
         sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
         break;
       }
-      case MessageId::BasicJoystick:
-        channel.joysticks.heardBasic(id.source, BasicJoystick::of(frame), time);
-        break;
-      case MessageId::ExtendedJoystick:
-        channel.joysticks.heardExtended(id.source, ExtendedJoystick::of(frame), time);
-        break;
+      case MessageId::BasicJoystick: channel.joysticks.heardBasic(id.source, frame, time); break;
+      case MessageId::ExtendedJoystick: channel.joysticks.heardExtended(id.source, frame, time); break;
       case MessageId::AddressAnnouncement:
         if (const auto pin = announcedPin(frame); pin && isNode(id.source)) {
           m_devices.announced(channelId, id.source, *pin, time);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A value and when it came. What a view shows with an age.
+// Values and when they came: what a view shows with an age.
 #pragma once
 
+#include <type_traits>
+
 #include "base/time.h"
+#include "bus/frame.h"
 
 namespace deckpipe {
 
@@ -17,6 +20,34 @@ struct Timed {
     at = time;
   }
   friend bool operator==(const Timed&, const Timed&) = default;
+};
+
+// The last message of a kind, kept as its bytes and decoded when somebody looks: most are replaced before
+// anyone does. `Of` is the typed struct's reader of a frame.
+template <auto Of>
+class Reported {
+ public:
+  using Value = std::invoke_result_t<decltype(Of), const Frame&>;
+
+  Instant at = kNotYet;
+
+  bool isKnown() const { return at != kNotYet; }
+  Value value() const {
+    Frame frame;
+    frame.data = m_data;
+    frame.length = m_length;
+    return Of(frame);
+  }
+  void set(const Frame& frame, Instant time) {
+    m_data = frame.data;
+    m_length = frame.length;
+    at = time;
+  }
+  friend bool operator==(const Reported&, const Reported&) = default;
+
+ private:
+  Payload m_data{};
+  std::uint8_t m_length = 0;
 };
 
 }  // namespace deckpipe

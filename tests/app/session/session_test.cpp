@@ -45,7 +45,7 @@ class OpenedLog : public testing::Test {
     return isSettled(m_session) && m_session.snapshot().view.cursor.frames == frames;
   }
   const LogView& view() const { return m_session.snapshot().view; }
-  int rotation() const { return view().state->devices().byPin(kMonitor)->position.value.rotation.tenths; }
+  int rotation() const { return view().state->devices().byPin(kMonitor)->position.value().rotation.tenths; }
 
   QTemporaryDir m_dir;
   Session m_session;

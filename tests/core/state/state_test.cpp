@@ -47,7 +47,7 @@ TEST_F(StateOfOneChannel, KnowsADeviceByItsPinThroughChangesOfAddress) {
   EXPECT_EQ(device(kPinA)->address, Address{0x81});
   EXPECT_EQ(device(kPinA)->previousAddress, Address{0x80});
   EXPECT_EQ(device(kPinA)->addressChanges, 1);
-  EXPECT_EQ(device(kPinA)->position.value.rotation.tenths, 473);
+  EXPECT_EQ(device(kPinA)->position.value().rotation.tenths, 473);
   EXPECT_EQ(at(0x80), nullptr);
 }
 
@@ -148,7 +148,7 @@ TEST_F(StateOfOneChannel, MeasuresAJoysticksPeriodAndWorstGap) {
   EXPECT_EQ(stick->worstGap, 110ms);
   EXPECT_GE(stick->period, 20ms);
   EXPECT_LT(stick->period, 40ms);
-  EXPECT_EQ(stick->basic.value.x.tenths, 500);
+  EXPECT_EQ(stick->basic.value().x.tenths, 500);
   EXPECT_EQ(stick->timeouts, 0u);
 }
 
@@ -181,7 +181,7 @@ TEST_F(StateOfOneChannel, AlwaysHasRoomForTheSourcesThatControllersListenTo) {
 TEST_F(StateOfOneChannel, ShowsAPermissiveWithItsSenderUntilItTimesOut) {
   hear("18EFFF80", kAnnouncesA);
   hear("18EF8005", "A10009");
-  EXPECT_TRUE(at(0x80)->permissive.value.axis1Plus);
+  EXPECT_TRUE(at(0x80)->permissive.value().axis1Plus);
   EXPECT_EQ(at(0x80)->permissiveFrom, Address{0x05});
   pass(300ms);
   EXPECT_TRUE(at(0x80)->isStale(Periodic::Permissive));
@@ -192,7 +192,7 @@ TEST_F(StateOfOneChannel, KeepsPolledAnswersWithTheirTime) {
   hear("18EF0580", "0200200000000B");
   const Instant answered = m_now;
   pass(1h);
-  EXPECT_EQ(at(0x80)->faults.value, (FaultStatus{1u << 21, 11}));
+  EXPECT_EQ(at(0x80)->faults.value(), (FaultStatus{1u << 21, 11}));
   EXPECT_EQ(at(0x80)->faults.at, answered);
 }
 
@@ -205,10 +205,10 @@ TEST_F(StateOfOneChannel, KnowsGatewayNodesByNodeId) {
   ASSERT_NE(monitor, nullptr);
   EXPECT_EQ(monitor->heartbeat.value, 0x05);
   EXPECT_EQ(monitor->partNumber.value, 60320022u);
-  EXPECT_EQ(monitor->position.value.elevation.tenths, -55);
-  EXPECT_EQ(monitor->commanded.value.x.tenths, 500);
+  EXPECT_EQ(monitor->position.value().elevation.tenths, -55);
+  EXPECT_EQ(monitor->commanded.value().x.tenths, 500);
   hear("5A4", "4301500100200000");
-  EXPECT_EQ(monitor->faults.value.map, 1u << 21);
+  EXPECT_EQ(monitor->faultMap.value, 1u << 21);
   hear("5A4", "4B0150020B00");
   EXPECT_EQ(monitor->operationalErrorCode.value, 11);
   pass(3s);

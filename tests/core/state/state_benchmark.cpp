@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast frames become state, values and lines, each against a floor measured in the same run: a walk over
+// the same frames that only looks at their identifiers.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+#include "protocol/role_walk.h"
+#include "protocol/typed.h"
+#include "report/decode_lines.h"
+#include "simulator/standard_bench.h"
+#include "state/keyframes.h"
+#include "state/role_index.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr std::uint64_t kFrames = 10'000'000;
+
+// Ten million frames of a working truck: a simulated quarter of an hour, over and over.
+struct Log {
+  FrameStore frames{{.memoryBytes = std::uint64_t{4} << 30, .spillFolder = "/var/tmp"}};
+  NoteStore notes;
+  Keyframes keyframes{frames, notes};
+  RoleIndex roles{frames, notes};
+
+  Log() {
+    simulator::StandardBench bench = simulator::standardBench(1);
+    std::vector<simulator::DueFrame> due;
+    bench.bench.powerOn({});
+    const Instant end{900'000'000'000};
+    while (bench.bench.nextTime() < end) {
+      bench.bench.timeCame(bench.bench.nextTime());
+      bench.bench.takeFrames(due);
+    }
+    std::vector<Frame> batch;
+    for (std::uint64_t n = 0, round = 0; n < kFrames; ++round) {
+      batch.clear();
+      for (const simulator::DueFrame& frame : due) {
+        if (n++ >= kFrames) break;
+        batch.push_back(frame.frame);
+        batch.back().stamp = frame.time.ns + static_cast<std::int64_t>(round) * end.ns;
+      }
+      if (!frames.append(batch)) std::abort();
+    }
+  }
+};
+
+Log& log() {
+  static Log all;
+  return all;
+}
+
+template <typename Each>
+void walk(Each each) {
+  const FrameStore& frames = log().frames;
+  for (std::uint64_t i = 0; i < frames.count();) {
+    for (const Frame& frame : frames.run(i)) each(i++, frame);
+  }
+}
+
+void count(benchmark::State& state, std::uint64_t frames = kFrames) {
+  state.counters["frames/s"] =
+      benchmark::Counter(static_cast<double>(frames), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void floorScanByIdAndByte(benchmark::State& state) {
+  log();
+  for (auto _ : state) {
+    std::uint64_t found = 0;
+    walk([&](std::uint64_t, const Frame& frame) {
+      found += (frame.identifier() & 0xFFFF00) == 0xEFFF00 && frame.data[0] == 1;
+    });
+    benchmark::DoNotOptimize(found);
+  }
+  count(state);
+}
+BENCHMARK(floorScanByIdAndByte)->Unit(benchmark::kMillisecond);
+
+void typedDecodeOfPositions(benchmark::State& state) {
+  std::vector<Frame> positions;
+  walk([&](std::uint64_t, const Frame& frame) {
+    if ((frame.identifier() & 0xFFFF00) == 0xEFFF00 && frame.data[0] == 1 && positions.size() < 100'000)
+      positions.push_back(frame);
+  });
+  for (auto _ : state) {
+    std::int64_t sum = 0;
+    for (const Frame& frame : positions) {
+      const PositionLimitStatus status = PositionLimitStatus::of(frame);
+      sum += status.rotation.tenths + status.elevation.tenths + static_cast<int>(status.plusStop[4]);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  count(state, positions.size());
+}
+BENCHMARK(typedDecodeOfPositions)->Unit(benchmark::kMillisecond);
+
+void classifyEveryFrame(benchmark::State& state) {
+  for (auto _ : state) {
+    RoleWalk roles;
+    LogTimes times(log().frames);
+    std::uint64_t decoded = 0;
+    walk([&](std::uint64_t i, const Frame& frame) { decoded += roles.next(frame, times.at(i)).isDecoded(); });
+    benchmark::DoNotOptimize(decoded);
+  }
+  count(state);
+}
+BENCHMARK(classifyEveryFrame)->Unit(benchmark::kMillisecond);
+
+void indexRoles(benchmark::State& state) {
+  for (auto _ : state) {
+    RoleIndex index(log().frames, log().notes);
+    while (index.build(Keyframes::kEvery)) {
+    }
+  }
+  count(state);
+}
+BENCHMARK(indexRoles)->Unit(benchmark::kMillisecond);
+
+void advanceThroughEveryFrame(benchmark::State& state) {
+  for (auto _ : state) {
+    State s;
+    advance(s, log().frames, log().notes, cursorAfter(log().frames, kFrames));
+    benchmark::DoNotOptimize(s.cursor().frames);
+  }
+  count(state);
+}
+BENCHMARK(advanceThroughEveryFrame)->Unit(benchmark::kMillisecond);
+
+void stateAtAnyInstant(benchmark::State& state) {
+  while (log().keyframes.build()) {
+  }
+  std::mt19937_64 random(1);
+  std::vector<double> milliseconds;
+  for (auto _ : state) {
+    const std::uint64_t n = random() % kFrames + 1;
+    const auto start = std::chrono::steady_clock::now();
+    benchmark::DoNotOptimize(log().keyframes.at(cursorAfter(log().frames, n)).cursor());
+    milliseconds.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::ranges::sort(milliseconds);
+  state.counters["p99 ms"] = milliseconds[milliseconds.size() * 99 / 100];
+}
+BENCHMARK(stateAtAnyInstant)->Iterations(1000)->Unit(benchmark::kMillisecond);
+
+void jsonLines(benchmark::State& state) {
+  constexpr std::uint64_t kSome = 1'000'000;
+  for (auto _ : state) {
+    RoleWalk roles;
+    LogTimes times(log().frames);
+    std::string out;
+    std::uint64_t bytes = 0;
+    for (std::uint64_t i = 0; i < kSome; ++i) {
+      const Frame& frame = log().frames[i];
+      appendDecoded(out, DecodeFormat::JsonLines, frame, "can0", roles.next(frame, times.at(i)));
+      if (out.size() < 256 * 1024) continue;
+      bytes += out.size();
+      out.clear();
+    }
+    benchmark::DoNotOptimize(bytes);
+  }
+  count(state, kSome);
+}
+BENCHMARK(jsonLines)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace deckpipe
+
+BENCHMARK_MAIN();
