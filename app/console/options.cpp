@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options.h"
+
+#include <QCommandLineParser>
+#include <cstdio>
+
+namespace deckpipe {
+namespace {
+
+constexpr int kBadUsage = 2;
+
+int say(const QString& message) {
+  std::fprintf(stderr, "deckpipe: %s\nTry 'deckpipe --help'.\n", qPrintable(message));
+  return kBadUsage;
+}
+
+}  // namespace
+
+std::optional<int> parseOptions(const QStringList& arguments, Options& options) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QCoreApplication::translate("options", "Diagnostic console for fire monitors on CAN."));
+  const auto text = [](const char* english) { return QCoreApplication::translate("options", english); };
+  parser.addPositionalArgument(QStringLiteral("LOG"), text("Log file to open (candump)."),
+                               QStringLiteral("[LOG]"));
+  const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, text("Show this help."));
+  const QCommandLineOption version(QStringLiteral("version"), text("Show the version."));
+  const QCommandLineOption demo(QStringLiteral("demo"),
+                                text("Start with the bench twin, a simulated truck."));
+  const QCommandLineOption plugin(QStringLiteral("plugin"),
+                                  text("Qt CAN bus plugin to connect with, e.g. socketcan."),
+                                  QStringLiteral("PLUGIN"), QStringLiteral("socketcan"));
+  const QCommandLineOption interfaceName(QStringLiteral("interface"),
+                                         text("Interface to connect to, e.g. can0."), QStringLiteral("NAME"));
+  const QCommandLineOption bitRate(QStringLiteral("bitrate"), text("Bit rate of the bus; 250000 by default."),
+                                   QStringLiteral("BITS"), QStringLiteral("250000"));
+  const QCommandLineOption theme(QStringLiteral("theme"), text("light, dark or sunlight."),
+                                 QStringLiteral("THEME"));
+  const QCommandLineOption grab(QStringLiteral("grab"), text("Save a picture of the window, then end."),
+                                QStringLiteral("PNG"));
+  const QCommandLineOption after(QStringLiteral("after"), text("Seconds until --grab; 5 by default."),
+                                 QStringLiteral("SECONDS"), QStringLiteral("5"));
+  parser.addOptions({help, version, demo, plugin, interfaceName, bitRate, theme, grab, after});
+  if (!parser.parse(arguments)) return say(parser.errorText());
+  if (parser.isSet(help)) {
+    std::fputs(qPrintable(parser.helpText()), stdout);
+    return 0;
+  }
+  if (parser.isSet(version)) {
+    std::puts("deckpipe " DECKPIPE_VERSION);
+    return 0;
+  }
+
+  const QStringList logs = parser.positionalArguments();
+  if (logs.size() > 1) return say(text("one log at a time"));
+  if (!logs.isEmpty()) options.logFile = logs.first();
+  options.demo = parser.isSet(demo);
+  if (parser.isSet(interfaceName)) {
+    bool ok = false;
+    const int rate = parser.value(bitRate).toInt(&ok);
+    if (!ok || rate < 0) return say(text("--bitrate wants bits a second"));
+    options.link = LinkSettings{parser.value(plugin), parser.value(interfaceName), rate, {}};
+  }
+  if (int{!options.logFile.isEmpty()} + int{options.demo} + int{options.link.has_value()} > 1) {
+    return say(text("a log, --demo or --interface: one of them"));
+  }
+  options.theme = parser.value(theme);
+  if (!options.theme.isEmpty() &&
+      !QStringList{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("sunlight")}.contains(
+          options.theme)) {
+    return say(text("--theme is light, dark or sunlight"));
+  }
+  options.grabFile = parser.value(grab);
+  bool ok = false;
+  options.grabAfter = parser.value(after).toDouble(&ok);
+  if (!ok || options.grabAfter < 0 || options.grabAfter > 3600) return say(text("--after wants seconds"));
+  return {};
+}
+
+}  // namespace deckpipe
