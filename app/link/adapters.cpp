@@ -37,6 +37,7 @@ void addKernelFacts(QList<Adapter>& adapters) {
 
 AdapterList listAdapters() {
   AdapterList list;
+  const std::lock_guard lock(serialBusMutex());
   const QCanBus* bus = QCanBus::instance();
   for (const QString& plugin : bus->plugins()) {
     QString error;

@@ -23,9 +23,6 @@ constexpr int kReceiveBufferBytes = 4 * 1'024 * 1'024;  // some 5,000 frames, mo
 constexpr qint64 kMostQueued =
     32;  // in plugins that queue inside; more would be sent long after it was meant
 
-// virtualcan's open() touches a server that all links of the program share, without a lock.
-std::mutex openMutex;
-
 bool isAnyOf(const QString& text, std::initializer_list<int> errors) {
   return std::any_of(errors.begin(), errors.end(), [&](int e) { return text == qt_error_string(e); });
 }
@@ -97,8 +94,10 @@ std::optional<CanLink::Obstacle> CanLink::checkHardware() {
 
 std::optional<CanLink::Obstacle> CanLink::createDevice() {
   QString error;
-  QCanBus* bus = QCanBus::instance();
-  m_device = bus->createDevice(m_settings.plugin, m_settings.interfaceName, &error);
+  {
+    const std::lock_guard lock(serialBusMutex());
+    m_device = QCanBus::instance()->createDevice(m_settings.plugin, m_settings.interfaceName, &error);
+  }
   if (m_device == nullptr) return Obstacle{LinkFault::NoPlugin, error};
   m_device->setParent(this);
   // virtualcan finds fault with its interface in the constructor, and would go on with some other channel.
@@ -130,7 +129,7 @@ std::optional<CanLink::Obstacle> CanLink::connectDevice() {
   bool opened = false;
   {
     // What the device reports while it opens is looked at below; no callback may come with the lock held.
-    const std::lock_guard lock(openMutex);
+    const std::lock_guard lock(serialBusMutex());
     const QSignalBlocker quiet(m_device);
     opened = m_device->connectDevice();
   }

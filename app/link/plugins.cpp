@@ -5,6 +5,11 @@
 
 namespace deckpipe {
 
+std::mutex& serialBusMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 bool pluginEchoes(const QString& plugin, const QString& interfaceName) {
   if (plugin == QLatin1String("socketcan")) return true;
   return plugin == QLatin1String("virtualcan") && QUrl(interfaceName).query() == QLatin1String("echo");

@@ -3,8 +3,14 @@
 #pragma once
 
 #include <QString>
+#include <mutex>
 
 namespace deckpipe {
+
+// QtSerialBus shares things between threads without a lock: QCanBus::instance() makes its singleton and loads
+// plugins on first use, and virtualcan's open() touches one server of the whole program. Hold this while
+// listing, creating or opening; no callback may come with it held.
+std::mutex& serialBusMutex();
 
 // Whether frames we wrote come back marked once they were on the bus.
 // socketcan: yes, MSG_CONFIRM on our own socket after the controller sent it. virtualcan: its own 'receive

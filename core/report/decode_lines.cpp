@@ -32,6 +32,22 @@ Ends endsOf(const Frame& frame) {
   return ends;
 }
 
+void appendBytes(std::string& out, std::span<const std::uint8_t> bytes) {
+  std::uint64_t value = 0;
+  for (const std::uint8_t byte : bytes) value = value << 8 | byte;
+  appendHex(out, value, static_cast<unsigned>(2 * bytes.size()));
+}
+
+// Keys of the catalogue are plain: quoting is all they need, in one piece.
+void appendQuotedKey(std::string& out, std::string_view key) {
+  char text[40];
+  text[0] = '"';
+  const std::size_t length = key.copy(text + 1, sizeof text - 3);
+  text[length + 1] = '"';
+  text[length + 2] = ':';
+  out.append(text, length + 3);
+}
+
 void appendFields(std::string& out, const Frame& frame, const Message& message) {
   out += '{';
   bool first = true;
@@ -39,9 +55,7 @@ void appendFields(std::string& out, const Frame& frame, const Message& message) 
     if (!isPresent(field, frame)) continue;
     if (!first) out += ',';
     first = false;
-    out += '"';
-    out += field.key;
-    out += "\":";
+    appendQuotedKey(out, field.key);
     appendJsonValue(out, valueOf(field, frame));
   }
   out += '}';
@@ -68,7 +82,7 @@ void appendJsonLine(std::string& out, const Frame& frame, std::string_view chann
   out += ",\"id\":\"";
   appendIdentifier(out, frame);
   out += "\",\"data\":\"";
-  for (const std::uint8_t byte : frame.bytes()) appendHex(out, byte, 2);
+  appendBytes(out, frame.bytes());
   out += "\",\"family\":";
   if (const std::string_view family = familyKey(what.family); family.empty()) {
     out += "null";
@@ -126,7 +140,7 @@ void appendCsvLine(std::string& out, const Frame& frame, std::string_view channe
   out += ',';
   appendIdentifier(out, frame);
   out += ',';
-  for (const std::uint8_t byte : frame.bytes()) appendHex(out, byte, 2);
+  appendBytes(out, frame.bytes());
   out += ',';
   out += familyKey(what.family);
   out += ',';

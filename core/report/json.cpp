@@ -32,12 +32,20 @@ std::size_t utf8Length(std::string_view text, std::size_t i) {
 }  // namespace
 
 void appendHex(std::string& out, std::uint64_t value, unsigned digits) {
-  for (unsigned i = digits; i-- > 0;) out += kHexDigits[value >> 4 * i & 15];
+  char text[16];
+  for (unsigned i = 0; i < digits; ++i) text[i] = kHexDigits[value >> 4 * (digits - 1 - i) & 15];
+  out.append(text, digits);
 }
 
 void appendJsonString(std::string& out, std::string_view text) {
+  const auto isPlain = [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; };
   out += '"';
   for (std::size_t i = 0; i < text.size();) {
+    std::size_t plain = i;
+    while (plain < text.size() && isPlain(text[plain])) ++plain;
+    out.append(text, i, plain - i);
+    i = plain;
+    if (i == text.size()) break;
     const std::size_t length = utf8Length(text, i);
     const auto c = static_cast<unsigned char>(text[i]);
     if (length == 0 || c < 0x20) {
@@ -46,7 +54,7 @@ void appendJsonString(std::string& out, std::string_view text) {
       ++i;
     } else {
       if (c == '"' || c == '\\') out += '\\';
-      out += text.substr(i, length);
+      out.append(text, i, length);
       i += length;
     }
   }
@@ -112,11 +120,10 @@ void appendJsonSeconds(std::string& out, std::int64_t stampNs) {
   if (negative && micros != 0) out += '-';
   appendJsonNumber(out, static_cast<std::int64_t>(micros / 1'000'000));
   out += '.';
-  std::uint64_t scale = 100'000;
-  for (std::uint64_t rest = micros % 1'000'000; scale != 0; scale /= 10) {
-    out += static_cast<char>('0' + rest / scale);
-    rest %= scale;
-  }
+  char decimals[6];
+  std::uint64_t rest = micros % 1'000'000;
+  for (std::size_t i = sizeof decimals; i-- > 0; rest /= 10) decimals[i] = static_cast<char>('0' + rest % 10);
+  out.append(decimals, sizeof decimals);
 }
 
 }  // namespace deckpipe
