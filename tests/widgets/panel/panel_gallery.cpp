@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the panels in every theme, as wide as the smallest window they are made for.
+#include <QApplication>
+#include <QDir>
+#include <QHeaderView>
+#include <QImage>
+#include <QStyleFactory>
+#include <QTableView>
+#include <cstdio>
+
+#include "panel/decode_panel.h"
+#include "panel/trace_view.h"
+#include "panel/transport_bar.h"
+#include "widgets/panel/panel_samples.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kWidth = 1366;
+
+struct Gallery {
+  QDir folder;
+  Theme theme = Theme::Light;
+  bool isSaved = true;
+
+  QString prefix() const {
+    switch (theme) {
+      case Theme::Light: return QStringLiteral("light_");
+      case Theme::Dark: return QStringLiteral("dark_");
+      case Theme::Sunlight: return QStringLiteral("sunlight_");
+    }
+    return {};
+  }
+  void save(QWidget& widget, QSize size, const char* name) {
+    widget.resize(size);
+    widget.show();
+    QApplication::processEvents();
+    const QPixmap picture = widget.grab();
+    isSaved = picture.save(folder.filePath(prefix() + QString::fromLatin1(name) + QStringLiteral(".png"))) &&
+              isSaved;
+  }
+
+  void trace(const char* name, const std::shared_ptr<LogDocument>& log, std::optional<std::uint64_t> cursor,
+             std::optional<std::uint64_t> current = {}) {
+    TraceModel model;
+    TraceView view;
+    view.setColours(coloursOf(theme));
+    view.setModel(&model);
+    view.resize(kWidth, 480);
+    view.show();
+    model.setView(test::viewOf(log, cursor));
+    view.setCurrentFrame(current);
+    view.setFocus();
+    save(view, {kWidth, 480}, name);
+  }
+
+  void decode(const char* name, const std::shared_ptr<LogDocument>& log, std::uint64_t frame, QSize size,
+              const char* field) {
+    DecodeModel model;
+    DecodePanel panel;
+    panel.setColours(coloursOf(theme));
+    panel.setModel(&model);
+    model.setView(test::viewOf(log));
+    model.setFrame(frame);
+    for (int row = 0; row < model.rowCount(); ++row) {
+      if (model.index(row, 0).data().toString() == QString::fromLatin1(field))
+        panel.list()->setCurrentIndex(model.index(row, 0));
+    }
+    save(panel, size, name);
+  }
+
+  void transport(const char* name, const LogView& view, const Playback& playback) {
+    TransportBar bar;
+    bar.setColours(coloursOf(theme));
+    bar.resize(kWidth, bar.sizeHint().height());
+    bar.setView(view, playback);
+    save(bar, {kWidth, bar.sizeHint().height()}, name);
+  }
+
+  void all() {
+    QApplication::setPalette(qtPalette(coloursOf(theme)));
+    const auto busy = test::logOfText(test::busyText(400));
+    busy->notes.append({.frame = 300, .time = busy->frames.timeAt(300), .text = "water on"});
+    busy->notes.append(
+        {.frame = 900, .time = busy->frames.timeAt(900), .kind = NoteKind::Dropped, .number = 12});
+    busy->notes.append({.frame = 2000, .time = busy->frames.timeAt(2000), .kind = NoteKind::LinkDown});
+    const auto foreign = test::logOfText(test::foreignText(300));
+    const std::uint64_t count = busy->frames.count();
+    trace("trace_busy", busy, {});
+    trace("trace_selected", busy, count / 2 + 2, count / 2 - 3);
+    trace("trace_start", busy, 12, 3);
+    trace("trace_empty", nullptr, {});
+    trace("trace_foreign", foreign, 500);
+    decode("decode_position", busy, 3, {520, 760}, "Rotation");
+    decode("decode_wide", busy, 3, {kWidth, 300}, "Rotation");
+    decode("decode_joystick", busy, 6, {420, 600}, "Stick X");
+    decode("decode_none", busy, count, {420, 420}, "");
+    std::uint64_t malformed = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      if (busy->frames[i].length == 3 && busy->frames[i].data[0] == 1) malformed = i;
+    }
+    decode("decode_malformed", busy, malformed, {520, 420}, "Byte 2");
+    transport("transport_empty", test::viewOf(nullptr), {});
+    transport("transport_file", test::viewOf(busy, count / 3), {});
+    transport("transport_playing", test::viewOf(busy, count / 2), {.isPlaying = true, .speed = 4});
+    transport("transport_live", test::viewOf(busy), {.isPlaying = true, .speed = 1});
+  }
+};
+
+}  // namespace
+}  // namespace deckpipe
+
+int main(int argc, char** argv) {
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QApplication application(argc, argv);
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: panel_gallery FOLDER\n");
+    return 2;
+  }
+  deckpipe::Gallery gallery;
+  gallery.folder = QDir(QString::fromLocal8Bit(argv[1]));
+  if (!gallery.folder.mkpath(QStringLiteral("."))) {
+    std::fprintf(stderr, "cannot make the folder\n");
+    return 1;
+  }
+  for (const deckpipe::Theme theme : deckpipe::kThemes) {
+    gallery.theme = theme;
+    gallery.all();
+  }
+  return gallery.isSaved ? 0 : 1;
+}

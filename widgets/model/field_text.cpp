@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/field_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "protocol/device_types.h"
+#include "protocol/j1939.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr QChar kMinus(0x2212);
+
+struct FieldText {
+  Q_DECLARE_TR_FUNCTIONS(FieldText)
+};
+
+struct Words {
+  std::string_view key;
+  const char* text;
+};
+constexpr Words kWords[] = {
+    {"off", QT_TRANSLATE_NOOP("Words", "off")},
+    {"on", QT_TRANSLATE_NOOP("Words", "on")},
+    {"error", QT_TRANSLATE_NOOP("Words", "error")},
+    {"na", QT_TRANSLATE_NOOP("Words", "not available")},
+    {"ok", QT_TRANSLATE_NOOP("Words", "ok")},
+    {"sensor_error", QT_TRANSLATE_NOOP("Words", "sensor error")},
+    {"not_fitted", QT_TRANSLATE_NOOP("Words", "not fitted")},
+    {"invalid", QT_TRANSLATE_NOOP("Words", "invalid")},
+    {"boot", QT_TRANSLATE_NOOP("Words", "boot-up")},
+    {"stopped", QT_TRANSLATE_NOOP("Words", "stopped")},
+    {"operational", QT_TRANSLATE_NOOP("Words", "operational")},
+    {"pre_operational", QT_TRANSLATE_NOOP("Words", "pre-operational")},
+    {"unknown", QT_TRANSLATE_NOOP("Words", "unknown")},
+    {"ram", QT_TRANSLATE_NOOP("Words", "RAM")},
+    {"flash", QT_TRANSLATE_NOOP("Words", "flash")},
+    {"abort", QT_TRANSLATE_NOOP("Words", "abort")},
+    {"start", QT_TRANSLATE_NOOP("Words", "start or update the move")},
+    {"home", QT_TRANSLATE_NOOP("Words", "home")},
+    {"internal_eeprom", QT_TRANSLATE_NOOP("Words", "internal EEPROM")},
+    {"motor_axis_1", QT_TRANSLATE_NOOP("Words", "motor of axis 1")},
+    {"motor_axis_2", QT_TRANSLATE_NOOP("Words", "motor of axis 2")},
+    {"motor_axis_3", QT_TRANSLATE_NOOP("Words", "motor of axis 3")},
+    {"motor_axis_4", QT_TRANSLATE_NOOP("Words", "motor of axis 4")},
+    {"motor_axis_5", QT_TRANSLATE_NOOP("Words", "motor of axis 5")},
+    {"digital_output_1", QT_TRANSLATE_NOOP("Words", "digital output 1")},
+    {"digital_output_2", QT_TRANSLATE_NOOP("Words", "digital output 2")},
+    {"digital_output_3", QT_TRANSLATE_NOOP("Words", "digital output 3")},
+    {"sci_input_overrun", QT_TRANSLATE_NOOP("Words", "SCI input overrun")},
+    {"can_input_overrun", QT_TRANSLATE_NOOP("Words", "CAN input overrun")},
+    {"xgate_processor", QT_TRANSLATE_NOOP("Words", "XGATE processor")},
+    {"pcode_syntax", QT_TRANSLATE_NOOP("Words", "pCode syntax")},
+    {"internal_fuse", QT_TRANSLATE_NOOP("Words", "internal fuse")},
+    {"external_eeprom", QT_TRANSLATE_NOOP("Words", "external EEPROM")},
+    {"sci_output_overrun", QT_TRANSLATE_NOOP("Words", "SCI output overrun")},
+    {"can_output_overrun", QT_TRANSLATE_NOOP("Words", "CAN output overrun")},
+    {"s12_processor", QT_TRANSLATE_NOOP("Words", "S12 processor")},
+};
+
+// Numbers that a manual gives a name to.
+struct NumberWords {
+  Family family;
+  std::string_view key;
+  std::int64_t number;
+  const char* text;
+};
+constexpr NumberWords kNumbers[] = {
+    {Family::J1939, "manufacturer_code", j1939::kAkronManufacturer, "Akron Brass"},
+    {Family::Akron, "pcode_error", 11, QT_TRANSLATE_NOOP("Numbers", "rotation sensor error")},
+    {Family::Canopen, "error_code", 11, QT_TRANSLATE_NOOP("Numbers", "rotation sensor error")},
+    {Family::Akron, "style", 3356, "Trident"},
+    {Family::Akron, "subtype", 14, QT_TRANSLATE_NOOP("Numbers", "analog sensors")},
+    {Family::Akron, "config_type", 60320014, QT_TRANSLATE_NOOP("Numbers", "Trident, Novotechnik sensors")},
+    {Family::Akron, "config_type", 60320022,
+     QT_TRANSLATE_NOOP("Numbers", "style 3463 Firefox, Novotechnik sensors")},
+    {Family::Canopen, "command", 0x01, QT_TRANSLATE_NOOP("Numbers", "start")},
+    {Family::Canopen, "command", 0x02, QT_TRANSLATE_NOOP("Numbers", "stop")},
+    {Family::Canopen, "command", 0x80, QT_TRANSLATE_NOOP("Numbers", "enter pre-operational")},
+    {Family::Canopen, "command", 0x81, QT_TRANSLATE_NOOP("Numbers", "reset node")},
+    {Family::Canopen, "command", 0x82, QT_TRANSLATE_NOOP("Numbers", "reset communication")},
+    {Family::Canopen, "node", 0, QT_TRANSLATE_NOOP("Numbers", "all nodes")},
+    {Family::Copley, "error_code", 0, QT_TRANSLATE_NOOP("Numbers", "success")},
+    {Family::Copley, "error_code", 1, QT_TRANSLATE_NOOP("Numbers", "too much data")},
+    {Family::Copley, "error_code", 3, QT_TRANSLATE_NOOP("Numbers", "unknown command")},
+    {Family::Copley, "error_code", 4, QT_TRANSLATE_NOOP("Numbers", "not enough data")},
+    {Family::Copley, "error_code", 5, QT_TRANSLATE_NOOP("Numbers", "too much data")},
+    {Family::Copley, "error_code", 9, QT_TRANSLATE_NOOP("Numbers", "unknown parameter")},
+    {Family::Copley, "error_code", 10, QT_TRANSLATE_NOOP("Numbers", "out of range")},
+    {Family::Copley, "error_code", 11, QT_TRANSLATE_NOOP("Numbers", "read only")},
+    {Family::Copley, "error_code", 14, QT_TRANSLATE_NOOP("Numbers", "unknown axis state")},
+    {Family::Copley, "error_code", 15, QT_TRANSLATE_NOOP("Numbers", "not on that page")},
+    {Family::Copley, "error_code", 18, QT_TRANSLATE_NOOP("Numbers", "already moving")},
+    {Family::Copley, "error_code", 19, QT_TRANSLATE_NOOP("Numbers", "velocity limit")},
+    {Family::Copley, "error_code", 20, QT_TRANSLATE_NOOP("Numbers", "acceleration limit")},
+    {Family::Copley, "error_code", 21, QT_TRANSLATE_NOOP("Numbers", "deceleration limit")},
+    {Family::Copley, "error_code", 22, QT_TRANSLATE_NOOP("Numbers", "jerk limit")},
+    {Family::Copley, "error_code", 25, QT_TRANSLATE_NOOP("Numbers", "trajectory mode")},
+    {Family::Copley, "error_code", 27, QT_TRANSLATE_NOOP("Numbers", "CVM program running")},
+    {Family::Copley, "error_code", 32, QT_TRANSLATE_NOOP("Numbers", "CAN failure")},
+    {Family::Copley, "error_code", 36, QT_TRANSLATE_NOOP("Numbers", "bad axis")},
+    {Family::Copley, "error_code", 46, QT_TRANSLATE_NOOP("Numbers", "encoder")},
+    {Family::Copley, "parameter", 0x02, QT_TRANSLATE_NOOP("Numbers", "programmed current")},
+    {Family::Copley, "parameter", 0x24, QT_TRANSLATE_NOOP("Numbers", "desired state")},
+    {Family::Copley, "parameter", 0x2F, QT_TRANSLATE_NOOP("Numbers", "programmed velocity")},
+    {Family::Copley, "parameter", 0xA0, QT_TRANSLATE_NOOP("Numbers", "event status")},
+    {Family::Copley, "parameter", 0xC1, QT_TRANSLATE_NOOP("Numbers", "network id and bit rate")},
+    {Family::Copley, "parameter", 0xC8, QT_TRANSLATE_NOOP("Numbers", "trajectory configuration")},
+    {Family::Copley, "parameter", 0xCA, QT_TRANSLATE_NOOP("Numbers", "position")},
+    {Family::Copley, "parameter", 0xCB, QT_TRANSLATE_NOOP("Numbers", "velocity")},
+    {Family::Copley, "parameter", 0xCC, QT_TRANSLATE_NOOP("Numbers", "acceleration")},
+    {Family::Copley, "parameter", 0xCD, QT_TRANSLATE_NOOP("Numbers", "deceleration")},
+    {Family::Copley, "parameter", 0xCE, QT_TRANSLATE_NOOP("Numbers", "jerk")},
+    {Family::Copley, "parameter", 0x10C, QT_TRANSLATE_NOOP("Numbers", "heartbeat time")},
+    {Family::Copley, "parameter", 0x121, QT_TRANSLATE_NOOP("Numbers", "network options")},
+    {Family::Copley, "parameter", 0x159, QT_TRANSLATE_NOOP("Numbers", "watchdog action")},
+};
+
+struct ObjectWords {
+  std::uint32_t object;
+  const char* text;
+};
+constexpr ObjectWords kObjects[] = {
+    {0x100000, QT_TRANSLATE_NOOP("Objects", "device type")},
+    {0x500001, QT_TRANSLATE_NOOP("Objects", "Akron device type")},
+    {0x500101, QT_TRANSLATE_NOOP("Objects", "fault status")},
+    {0x500102, QT_TRANSLATE_NOOP("Objects", "operational error code")},
+    {0x500201, QT_TRANSLATE_NOOP("Objects", "zero axes")},
+    {0x500202, QT_TRANSLATE_NOOP("Objects", "reset")},
+    {0x500203, QT_TRANSLATE_NOOP("Objects", "setup mode")},
+};
+
+// Identifiers of things are written as their manuals write them: in hex, with so many digits, and said to be
+// where one could take them for decimal.
+struct HexKey {
+  std::string_view key;
+  int digits;
+  bool said;
+};
+constexpr HexKey kHexKeys[] = {{"index", 4, false},    {"subindex", 2, false},  {"abort_code", 8, false},
+                               {"specifier", 2, true}, {"parameter", 1, true},  {"command", 2, false},
+                               {"node", 2, true},      {"record_type", 2, true}};
+
+const Words* wordsOf(std::string_view key) {
+  const auto* found = std::find_if(std::begin(kWords), std::end(kWords),
+                                   [key](const Words& words) { return words.key == key; });
+  return found == std::end(kWords) ? nullptr : found;
+}
+
+QString translated(const char* context, std::string_view source) {
+  return QCoreApplication::translate(context, std::string(source).c_str());
+}
+
+QString hex(std::uint64_t number, int digits) {
+  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
+}
+
+QString unitText(Unit unit) {
+  switch (unit) {
+    case Unit::None:
+    case Unit::Count: return {};
+    case Unit::Degree: return QStringLiteral("°");
+    case Unit::Percent: return QStringLiteral(" %");
+    case Unit::Ampere: return QStringLiteral(" A");
+    case Unit::CountsPerSecond: return FieldText::tr(" counts/s");
+  }
+  return {};
+}
+
+// As many decimals as the resolution has, so that figures stand under figures.
+QString decimalText(std::int64_t number, unsigned decimals) {
+  std::uint64_t rest =
+      number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+  QString digits = QString::number(rest).rightJustified(static_cast<int>(decimals) + 1, QLatin1Char('0'));
+  if (decimals > 0) digits.insert(digits.size() - static_cast<int>(decimals), QLocale().decimalPoint());
+  return number < 0 ? kMinus + digits : digits;
+}
+
+QString numberText(const Message& message, const Field& field, std::int64_t number, unsigned decimals) {
+  QString text;
+  const auto* inHex = std::find_if(std::begin(kHexKeys), std::end(kHexKeys),
+                                   [&field](const HexKey& k) { return k.key == field.key; });
+  if (inHex != std::end(kHexKeys)) {
+    text = hex(static_cast<std::uint64_t>(number), inHex->digits);
+    if (inHex->said) text = FieldText::tr("%1 hex").arg(text);
+  } else if (field.key == "pgn") {
+    text = FieldText::tr("%1 hex").arg(hex(static_cast<std::uint64_t>(number), 4));
+  } else {
+    text = decimalText(number, decimals) + unitText(field.unit);
+  }
+  const QString name = numberName(message, field, number);
+  return name.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, name);
+}
+
+// Characters as they are, control characters as Unicode draws them, so that a line's end can be seen.
+QString charactersText(std::span<const std::uint8_t> bytes) {
+  QString text;
+  for (const int byte : bytes) {
+    if (byte < 0x20) {
+      text += QChar(0x2400 + byte);
+    } else {
+      text += byte < 0x7F ? QChar(byte) : QChar(0x00B7);
+    }
+  }
+  return QStringLiteral("“%1”").arg(text);
+}
+
+}  // namespace
+
+QString toQString(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString messageTitle(const Message& message) { return translated("Catalogue", message.name); }
+QString fieldName(const Field& field) { return translated("Catalogue", field.name); }
+
+bool hasWords(std::string_view key) { return wordsOf(key) != nullptr; }
+
+QString wordText(std::string_view key) {
+  if (const Words* words = wordsOf(key)) return QCoreApplication::translate("Words", words->text);
+  QString text = translated("Words", key);
+  return text.replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+QString numberName(const Message& message, const Field& field, std::int64_t number) {
+  if (field.key == "device_type") return toQString(deviceTypeName(static_cast<unsigned>(number)));
+  if (field.key == "pgn" && number == pgn::kAddressClaimed) return FieldText::tr("NAME");
+  const auto* found = std::find_if(std::begin(kNumbers), std::end(kNumbers), [&](const NumberWords& words) {
+    return words.family == message.family && words.key == field.key && words.number == number;
+  });
+  return found == std::end(kNumbers) ? QString() : QCoreApplication::translate("Numbers", found->text);
+}
+
+QString objectText(unsigned index, unsigned subindex) {
+  return QStringLiteral("%1.%2").arg(hex(index, 4), hex(subindex, 2));
+}
+
+QString objectName(unsigned index, unsigned subindex) {
+  const auto* found = std::find_if(std::begin(kObjects), std::end(kObjects), [&](const ObjectWords& words) {
+    return words.object == (index << 8 | subindex);
+  });
+  return found == std::end(kObjects) ? QString() : QCoreApplication::translate("Objects", found->text);
+}
+
+QString valueText(const Message& message, const Field& field, const Value& value) {
+  switch (value.type()) {
+    case Value::Type::Null: return FieldText::tr("no value");
+    case Value::Type::Integer:
+    case Value::Type::Decimal: return numberText(message, field, value.number(), value.decimals());
+    case Value::Type::Real: {
+      QString text = QLocale().toString(value.real(), 'g', 7);
+      return text.replace(QLatin1Char('-'), kMinus) + unitText(field.unit);
+    }
+    case Value::Type::Flag: return wordText(value.flag() ? "on" : "off");
+    case Value::Type::Word: return wordText(value.text());
+    case Value::Type::Text: return toQString(value.text());
+    case Value::Type::Bytes:
+      return field.key == "text" ? charactersText(value.bytes()) : toQString(toText(value));
+    case Value::Type::Names: {
+      QStringList names;
+      for (const ValueName& name : value.words()) {
+        if ((value.mask() >> name.value & 1u) != 0) names += wordText(name.word);
+      }
+      return names.isEmpty() ? FieldText::tr("none") : names.join(QStringLiteral(", "));
+    }
+    case Value::Type::Numbers: return value.mask() == 0 ? FieldText::tr("none") : toQString(toText(value));
+  }
+  return {};
+}
+
+}  // namespace deckpipe

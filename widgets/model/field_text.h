@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fields of the catalogue and their values in the words of people: names, units, numbers that the manuals
+// name, keys as words. For the trace's Decoded column, the decode detail and their tooltips. Core says keys;
+// everything that a person reads of them is made here.
+#pragma once
+
+#include <QString>
+#include <string_view>
+
+#include "protocol/message.h"
+#include "protocol/value.h"
+
+namespace deckpipe {
+
+QString toQString(std::string_view text);
+
+QString messageTitle(const Message& message);
+QString fieldName(const Field& field);
+
+// A key that stands for a value: "not_fitted" → "not fitted". A key without words of its own is written with
+// spaces; CiA 301's texts are translated as they are.
+QString wordText(std::string_view key);
+// Whether a key has words of its own; a test asks for every key of the catalogue.
+bool hasWords(std::string_view key);
+
+// "47.3°", "−40.0 %", "on", "11 (rotation sensor error)", "“A?␍␊”"; "no value" for null.
+QString valueText(const Message& message, const Field& field, const Value& value);
+
+// What a manual calls this value of this field, empty where none does.
+QString numberName(const Message& message, const Field& field, std::int64_t number);
+// "5001.02", and what the gateway's manual calls it (empty for others).
+QString objectText(unsigned index, unsigned subindex);
+QString objectName(unsigned index, unsigned subindex);
+
+}  // namespace deckpipe

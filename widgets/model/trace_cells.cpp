@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/trace_cells.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <string>
+
+#include "bus/canopen.h"
+#include "bus/j1939.h"
+#include "model/field_text.h"
+#include "model/message_text.h"
+#include "protocol/decode.h"
+#include "report/json.h"
+#include "report/trace_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct TraceCells {
+  Q_DECLARE_TR_FUNCTIONS(TraceCells)
+};
+
+constexpr QChar kDash(0x2013);
+constexpr QChar kArrow(0x2192);
+
+QString hex(unsigned number, int digits) {
+  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
+}
+
+QString secondsText(std::int64_t ns) {
+  std::string text;
+  appendJsonSeconds(text, ns);
+  return toQString(text);
+}
+
+}  // namespace
+
+QString stampText(const Frame& frame) { return frame.hasStamp() ? secondsText(frame.stamp) : QString(kDash); }
+
+QString deltaText(std::optional<Duration> delta) { return delta ? secondsText(delta->count()) : QString(); }
+
+QString identifierText(const Frame& frame) {
+  std::string text;
+  appendIdentifier(text, frame);
+  return toQString(text);
+}
+
+QString pgnText(const Frame& frame) {
+  if (!frame.isExtended() || frame.isError()) return {};
+  return hex(J1939Id::of(frame.identifier()).pgn, 4);
+}
+
+QString endsText(const Frame& frame) {
+  if (frame.isError()) return {};
+  if (frame.isExtended()) {
+    const J1939Id id = J1939Id::of(frame.identifier());
+    const QString source = hex(id.source.value, 2);
+    return id.hasDestination() ? source + kArrow + hex(id.destination.value, 2) : source;
+  }
+  const CobId cob = CobId::of(frame.identifier());
+  return cob.hasNode() ? TraceCells::tr("node %1").arg(hex(cob.node.value, 2)) : QString();
+}
+
+QString bytesText(const Frame& frame) {
+  if (frame.isRemote()) return TraceCells::tr("remote, length %1").arg(frame.length);
+  QString text;
+  for (const std::uint8_t byte : frame.bytes()) {
+    if (!text.isEmpty()) text += QLatin1Char(' ');
+    text += hex(byte, 2);
+  }
+  return text;
+}
+
+QString directionText(const Frame& frame) {
+  return (frame.flags & Frame::kSent) != 0 ? TraceCells::tr("Tx") : TraceCells::tr("Rx");
+}
+
+QString detailText(const TraceRow& row) {
+  QStringList lines;
+  if (!row.title.isEmpty()) lines += row.title;
+  if (const QString certainty = certaintyText(row.frame, row.what); !certainty.isEmpty()) lines += certainty;
+  if (row.frame.isError() && !row.summary.isEmpty()) lines += row.summary;
+  if (row.what.isDecoded()) {
+    const Message& message = messageOf(row.what.message);
+    for (const Field& field : message.fields) {
+      if (!isPresent(field, row.frame)) continue;
+      lines += TraceCells::tr("%1: %2").arg(fieldName(field),
+                                            valueText(message, field, valueOf(field, row.frame)));
+    }
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/trace_model.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "bus/j1939.h"
+#include "model/field_text.h"
+#include "model/trace_cells.h"
+
+namespace deckpipe {
+
+TraceModel::TraceModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+void TraceModel::setView(const LogView& view) {
+  const bool isSame = view.document == m_view.document;
+  const Cursor before = m_view.cursor;
+  const std::uint64_t rows =
+      view.document ? std::min(view.frameCount, view.document->frames.count()) : std::uint64_t{0};
+  if (!isSame || rows < m_logRows) {
+    beginResetModel();
+    m_view = view;
+    m_logRows = rows;
+    m_first = std::min(m_first, rows);
+    m_rows = read(m_first, std::min(rows, m_first + static_cast<std::uint64_t>(m_wanted)));
+    endResetModel();
+  } else {
+    m_view = view;
+    m_logRows = rows;
+    take(m_first, read(m_first, std::min(rows, m_first + static_cast<std::uint64_t>(m_wanted))));
+    if (before.frames != view.cursor.frames) sayMarksChanged(before);
+  }
+  Q_EMIT viewChanged();
+}
+
+void TraceModel::setWindow(std::uint64_t first, int rows) {
+  m_wanted = std::max(rows, 0);
+  first = std::min(first, m_logRows);
+  const std::uint64_t end = std::min(m_logRows, first + static_cast<std::uint64_t>(m_wanted));
+  if (first == m_first && end - first == m_rows.size()) return;
+  const bool overlaps = first < m_first + m_rows.size() && m_first < end;
+  if (overlaps) {
+    take(first, read(first, end));
+  } else {
+    beginResetModel();
+    m_first = first;
+    m_rows = read(first, end);
+    endResetModel();
+  }
+}
+
+std::vector<TraceRow> TraceModel::read(std::uint64_t first, std::uint64_t end) const {
+  if (!m_view.document) return {};
+  return readTraceRows(*m_view.document, first, static_cast<std::size_t>(end - first), m_rows);
+}
+
+// Makes `rows`, which begin at `first` and share some with what is there, the rows of the model: what is no
+// more in the window goes, what is new comes, and of the others those that differ are said to have changed.
+void TraceModel::take(std::uint64_t first, std::vector<TraceRow> rows) {
+  const std::uint64_t end = first + rows.size();
+  const auto size = [this] { return static_cast<int>(m_rows.size()); };
+  if (first > m_first) {
+    const auto gone = static_cast<int>(std::min<std::uint64_t>(first - m_first, m_rows.size()));
+    if (gone > 0) {
+      beginRemoveRows({}, 0, gone - 1);
+      m_rows.erase(m_rows.begin(), m_rows.begin() + gone);
+      m_first = first;
+      endRemoveRows();
+    }
+  }
+  if (end < m_first + m_rows.size()) {
+    const auto kept = static_cast<int>(end - m_first);
+    beginRemoveRows({}, kept, size() - 1);
+    m_rows.erase(m_rows.begin() + kept, m_rows.end());
+    endRemoveRows();
+  }
+  if (first < m_first) {
+    const auto come = static_cast<int>(m_first - first);
+    beginInsertRows({}, 0, come - 1);
+    m_rows.insert(m_rows.begin(), rows.begin(), rows.begin() + come);
+    m_first = first;
+    endInsertRows();
+  }
+  int firstChanged = size(), lastChanged = -1;
+  for (int i = 0; i < size(); ++i) {
+    TraceRow& old = m_rows[static_cast<std::size_t>(i)];
+    const TraceRow& now = rows[static_cast<std::size_t>(i)];
+    if (old.what == now.what) continue;
+    firstChanged = std::min(firstChanged, i);
+    lastChanged = i;
+    old = now;
+  }
+  if (lastChanged >= 0) Q_EMIT dataChanged(index(firstChanged, 0), index(lastChanged, ColumnCount - 1));
+  if (m_rows.size() < rows.size()) {
+    beginInsertRows({}, size(), static_cast<int>(rows.size()) - 1);
+    m_rows.insert(m_rows.end(), rows.begin() + size(), rows.end());
+    endInsertRows();
+  }
+}
+
+void TraceModel::sayMarksChanged(const Cursor& before) {
+  // The rows passed, and at their upper end the one that was, or now is, the last that has happened.
+  const std::uint64_t now = m_view.cursor.frames;
+  const std::uint64_t low = std::min(before.frames, now), high = std::max(before.frames, now);
+  const std::uint64_t first = std::max(m_first, low == 0 ? 0 : low - 1);
+  const std::uint64_t end = std::min(m_first + m_rows.size(), high);
+  if (first >= end) return;
+  Q_EMIT dataChanged(index(static_cast<int>(first - m_first), 0),
+                     index(static_cast<int>(end - m_first) - 1, ColumnCount - 1));
+}
+
+TraceModel::Marks TraceModel::marks(const TraceRow& row) const {
+  Marks marks;
+  marks.setFlag(AtCursor, row.index + 1 == m_view.cursor.frames);
+  marks.setFlag(AfterCursor, row.index >= m_view.cursor.frames);
+  marks.setFlag(TimeJump, (row.frame.flags & Frame::kTimeJump) != 0);
+  marks.setFlag(Own, (row.frame.flags & Frame::kSent) != 0);
+  marks.setFlag(Error, row.frame.isError());
+  marks.setFlag(Remote, row.frame.isRemote());
+  marks.setFlag(Malformed, row.what.malformed);
+  marks.setFlag(Presumed, row.what.family == Family::Presumed);
+  marks.setFlag(Ambiguous, row.what.family == Family::Ambiguous);
+  return marks;
+}
+
+QString TraceModel::marksText(Marks marks) {
+  QStringList words;
+  const auto say = [&](Mark mark, const QString& word) {
+    if (marks.testFlag(mark)) words += word;
+  };
+  say(AtCursor, tr("at the cursor"));
+  say(AfterCursor, tr("after the cursor"));
+  say(TimeJump, tr("the clock jumps here"));
+  say(Own, tr("sent"));
+  say(Error, tr("error frame"));
+  say(Remote, tr("remote frame"));
+  say(Malformed, tr("malformed"));
+  say(Presumed, tr("presumed"));
+  say(Ambiguous, tr("ambiguous"));
+  return words.join(QStringLiteral(", "));
+}
+
+int TraceModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int TraceModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+QString TraceModel::text(const TraceRow& row, int column) const {
+  switch (column) {
+    case Time: return stampText(row.frame);
+    case Delta: return deltaText(row.delta);
+    case ChannelName: return toQString(m_view.document->frames.channelName(row.frame.channel));
+    case Direction: return directionText(row.frame);
+    case Identifier: return identifierText(row.frame);
+    case Pgn: return pgnText(row.frame);
+    case Ends: return endsText(row.frame);
+    case Length: return QString::number(row.frame.length);
+    case Data: return bytesText(row.frame);
+    case Name: return row.title;
+    case Decoded: return row.summary;
+    default: return {};
+  }
+}
+
+QString TraceModel::toolTip(const TraceRow& row, int column) const {
+  switch (column) {
+    case Delta: return (row.frame.flags & Frame::kTimeJump) != 0 ? tr("The clock jumps here.") : QString();
+    case Pgn: {
+      if (pgnText(row.frame).isEmpty()) return {};
+      return tr("PGN %1").arg(J1939Id::of(row.frame.identifier()).pgn);
+    }
+    case Name:
+    case Decoded: return detailText(row);
+    default: return {};
+  }
+}
+
+QString TraceModel::sentence(const TraceRow& row) const {
+  QStringList parts{tr("frame %1").arg(row.index + 1)};
+  if (const QString marked = marksText(marks(row)); !marked.isEmpty()) parts += marked;
+  parts += tr("time %1").arg(stampText(row.frame));
+  parts += text(row, ChannelName);
+  parts += tr("identifier %1").arg(identifierText(row.frame));
+  if (!row.title.isEmpty()) parts += row.title;
+  if (!row.summary.isEmpty()) {
+    parts += row.summary;
+  } else if (!row.what.isDecoded() && row.frame.length > 0) {
+    parts += tr("data %1").arg(bytesText(row.frame));
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+QVariant TraceModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+  const TraceRow& row = m_rows[static_cast<std::size_t>(index.row())];
+  switch (role) {
+    case Qt::DisplayRole: return text(row, index.column());
+    case Qt::ToolTipRole: {
+      const QString tip = toolTip(row, index.column());
+      return tip.isEmpty() ? QVariant() : tip;
+    }
+    case Qt::AccessibleTextRole: return index.column() == 0 ? sentence(row) : text(row, index.column());
+    case Qt::TextAlignmentRole: {
+      const bool toRight = index.column() == Time || index.column() == Delta || index.column() == Length;
+      return QVariant::fromValue(
+          Qt::Alignment((toRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    }
+    case FrameRole: return QVariant::fromValue<quint64>(row.index);
+    case MarksRole: return static_cast<unsigned>(marks(row).toInt());
+    default: return {};
+  }
+}
+
+QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return QAbstractTableModel::headerData(section, orientation, role);
+  if (role == Qt::TextAlignmentRole) {
+    const bool toRight = section == Time || section == Delta || section == Length;
+    return QVariant::fromValue(Qt::Alignment((toRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+  }
+  if (role == Qt::ToolTipRole) {
+    switch (section) {
+      case Time: return tr("What the adapter or the log says, in seconds");
+      case Delta: return tr("Log time since the row before, in seconds");
+      case Direction: return tr("Rx received, Tx sent");
+      case Pgn: return tr("Parameter group of a 29-bit identifier, in hex");
+      case Ends: return tr("Source and destination address, or CANopen node, in hex");
+      case Length: return tr("Data bytes");
+      default: return {};
+    }
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case Time: return tr("Time");
+    case Delta: return tr("Δ");
+    case ChannelName: return tr("Channel");
+    case Direction: return tr("Dir");
+    case Identifier: return tr("ID");
+    case Pgn: return tr("PGN");
+    case Ends: return tr("From→To");
+    case Length: return tr("Len");
+    case Data: return tr("Data");
+    case Name: return tr("Name");
+    case Decoded: return tr("Decoded");
+    default: return {};
+  }
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/payload_bits.h"
+
+#include <QFontDatabase>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStringList>
+#include <bit>
+#include <cmath>
+
+namespace deckpipe {
+namespace {
+
+QString hexText(std::uint8_t byte) {
+  return QString::number(byte, 16).toUpper().rightJustified(2, QLatin1Char('0'));
+}
+
+// The highest bit of the first byte that has any.
+int firstAsRead(std::uint64_t bits) {
+  const int byte = std::countr_zero(bits) / 8;
+  const auto within = static_cast<std::uint8_t>(bits >> 8 * byte);
+  return 8 * byte + 7 - std::countl_zero(within);
+}
+
+}  // namespace
+
+PayloadBits::PayloadBits(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+  setObjectName(QStringLiteral("payloadBits"));
+  setAccessibleName(tr("Data bytes"));
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  describe();
+}
+
+void PayloadBits::setValues(const PayloadValues& values) {
+  if (values == m_values) return;
+  m_values = values;
+  // The arrow keys go on from the field that was selected elsewhere.
+  if (m_values.selected != 0 && (m_values.selected >> m_at & 1) == 0) m_at = firstAsRead(m_values.selected);
+  describe();
+  update();
+}
+
+void PayloadBits::setColours(const Colours& colours) {
+  m_colours = colours;
+  update();
+}
+
+void PayloadBits::describe() {
+  QStringList bytes;
+  for (int byte = 0; byte < m_values.length; ++byte)
+    bytes += hexText(m_values.bytes[static_cast<std::size_t>(byte)]);
+  setAccessibleDescription(bytes.isEmpty() ? tr("no data") : tr("hex %1").arg(bytes.join(QLatin1Char(' '))));
+}
+
+QSize PayloadBits::sizeHint() const { return PayloadGeometry{}.size().toSize(); }
+
+QSize PayloadBits::minimumSizeHint() const { return PayloadGeometry::fitting({0, 0}).size().toSize(); }
+
+void PayloadBits::pick(int bit) {
+  if (!isThere(bit)) return;
+  m_at = bit;
+  update();
+  Q_EMIT bitPicked(std::uint64_t{1} << bit);
+}
+
+void PayloadBits::mousePressEvent(QMouseEvent* event) {
+  pick(PayloadGeometry::fitting(size()).bitAt(event->position()));
+}
+
+void PayloadBits::keyPressEvent(QKeyEvent* event) {
+  // Reading order: bit 8 of byte 1 first, bit 1 of byte 8 last.
+  const int place = m_at / 8 * 8 + 7 - m_at % 8;
+  int next = place;
+  switch (event->key()) {
+    case Qt::Key_Left: next = place - 1; break;
+    case Qt::Key_Right: next = place + 1; break;
+    case Qt::Key_Up: next = place - 8; break;
+    case Qt::Key_Down: next = place + 8; break;
+    case Qt::Key_Home: next = 0; break;
+    case Qt::Key_End: next = 8 * m_values.length - 1; break;
+    default: QWidget::keyPressEvent(event); return;
+  }
+  if (next >= 0) pick(next / 8 * 8 + 7 - next % 8);
+}
+
+void PayloadBits::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const Colours& c = m_colours;
+  const PayloadGeometry g = PayloadGeometry::fitting(size());
+  QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  digits.setPixelSize(static_cast<int>(std::lround(std::min(g.cellHeight * 0.55, 15.0))));
+  QFont labels = font();
+  labels.setPixelSize(11);
+
+  p.setFont(labels);
+  p.setPen(c.textSecondary);
+  for (int column = 0; column < 8; ++column)
+    p.drawText(g.bitLabel(column), Qt::AlignCenter, QString::number(8 - column));
+  for (int byte = 0; byte < PayloadGeometry::kBytes; ++byte) {
+    p.setPen(byte < m_values.length ? c.textSecondary : c.stale.ink);
+    p.drawText(g.byteLabel(byte), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("B%1").arg(byte + 1));
+  }
+
+  const QRectF there(PayloadGeometry::kLeft, PayloadGeometry::kTop, 8 * g.cellWidth,
+                     m_values.length * g.cellHeight);
+  p.fillRect(there, c.surface);
+  p.setFont(digits);
+  for (int bit = 0; bit < 8 * m_values.length; ++bit) {
+    const auto byte = static_cast<std::size_t>(bit / 8);
+    const bool isOne = (m_values.bytes[byte] >> bit % 8 & 1) != 0;
+    const bool isSelected = (m_values.selected >> bit & 1) != 0;
+    const QRectF cell = g.cell(bit);
+    if (isSelected) p.fillRect(cell, c.accent.fill);
+    p.setPen(isSelected ? c.accent.onFill : isOne ? c.text : c.textSecondary);
+    p.drawText(cell, Qt::AlignCenter, isOne ? QStringLiteral("1") : QStringLiteral("0"));
+  }
+  for (int byte = 0; byte < m_values.length; ++byte) {
+    p.setPen(c.text);
+    p.drawText(g.hexLabel(byte), Qt::AlignLeft | Qt::AlignVCenter,
+               hexText(m_values.bytes[static_cast<std::size_t>(byte)]));
+  }
+
+  const auto drawOutline = [&](std::uint64_t bits, const QPen& pen) {
+    p.setPen(pen);
+    for (const QLineF& line : g.outline(bits)) p.drawLine(line);
+  };
+  const QPen thin(c.outline, c.stroke, Qt::SolidLine, Qt::SquareCap);
+  p.setRenderHint(QPainter::Antialiasing, false);
+  for (const std::uint64_t field : m_values.fields) drawOutline(field, thin);
+  if (m_values.length > 0) {
+    p.setPen(thin);
+    p.setBrush(Qt::NoBrush);
+    p.drawRect(there);
+  }
+  if (m_values.length < PayloadGeometry::kBytes) {
+    QPen absent(c.stale.ink, c.stroke);
+    absent.setDashPattern({2, 3});
+    p.setPen(absent);
+    p.drawRect(QRectF(there.left(), there.bottom(), there.width(),
+                      (PayloadGeometry::kBytes - m_values.length) * g.cellHeight));
+  }
+  p.setRenderHint(QPainter::Antialiasing);
+  QPen related(c.accent.ink, 2 * c.stroke, Qt::SolidLine, Qt::FlatCap);
+  related.setDashPattern({2, 1.5});
+  drawOutline(m_values.related, related);
+  drawOutline(m_values.selected, QPen(c.text, 2 * c.stroke, Qt::SolidLine, Qt::SquareCap));
+  if (hasFocus() && isThere(m_at)) {
+    p.setPen(QPen((m_values.selected >> m_at & 1) != 0 ? c.accent.onFill : c.accent.ink, 1.5 * c.stroke));
+    p.setBrush(Qt::NoBrush);
+    p.drawRect(g.cell(m_at).adjusted(3.5, 3.5, -3.5, -3.5));
+  }
+}
+
+}  // namespace deckpipe

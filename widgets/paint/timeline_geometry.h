@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The timeline's numbers: which instant is at which pixel. Pure, tested without a window. Spans of years and
+// of microseconds, of one instant and hostile ones all have an answer.
+#pragma once
+
+#include <QRectF>
+#include <algorithm>
+#include <cmath>
+
+#include "base/time.h"
+
+namespace deckpipe {
+
+struct TimelineGeometry {
+  static constexpr double kInset = 10;  // so that the cursor's handle is whole at either end
+
+  double width = 0;
+  Instant begin, end;
+
+  double left() const { return kInset; }
+  double right() const { return std::max(kInset + 1, width - kInset); }
+
+  double xOf(Instant t) const {
+    const double span = spanNs();
+    if (span <= 0) return right();  // one instant: the log's end is what there is
+    const double share = (static_cast<double>(t.ns) - static_cast<double>(begin.ns)) / span;
+    return left() + std::clamp(share, 0.0, 1.0) * (right() - left());
+  }
+  // The ends exactly; between them to the pixel.
+  Instant timeAt(double x) const {
+    if (x <= left()) return begin;
+    if (x >= right() || spanNs() <= 0) return end;
+    const double share = (x - left()) / (right() - left());
+    return std::clamp(Instant{begin.ns + std::llround(share * spanNs())}, begin, end);
+  }
+  Instant clamped(Instant t) const { return end < begin ? begin : std::clamp(t, begin, end); }
+
+ private:
+  double spanNs() const { return static_cast<double>(end.ns) - static_cast<double>(begin.ns); }
+};
+
+}  // namespace deckpipe

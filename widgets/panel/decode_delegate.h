@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How rows of the decode detail are drawn: what is off or has no value lighter, the message's name bold, bits
+// in figures that stand under one another, a doubt with its sign.
+#pragma once
+
+#include <QStyledItemDelegate>
+
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class DecodeDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  explicit DecodeDelegate(QObject* parent = nullptr);
+  void setColours(const Colours& colours) { m_colours = colours; }
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+
+ private:
+  Colours m_colours;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/decode_panel.h"
+
+#include <QBoxLayout>
+#include <QHeaderView>
+#include <QPainter>
+#include <QTableView>
+
+#include "paint/payload_bits.h"
+#include "panel/decode_delegate.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kWide = 820;  // from here on bits and fields stand side by side
+constexpr int kRow = 24;
+constexpr int kHeader = 32;
+
+}  // namespace
+
+DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+  setObjectName(QStringLiteral("decodePanel"));
+  setAccessibleName(tr("Frame in detail"));
+  m_payload = new PayloadBits(this);
+  m_delegate = new DecodeDelegate(this);
+  m_list = new QTableView(this);
+  m_list->setObjectName(QStringLiteral("decodeFields"));
+  m_list->setAccessibleName(tr("Fields of the frame"));
+  m_list->setItemDelegate(m_delegate);
+  m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_list->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  m_list->setTabKeyNavigation(false);
+  m_list->setShowGrid(false);
+  m_list->setAlternatingRowColors(true);
+  m_list->setFrameShape(QFrame::NoFrame);
+  m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  m_list->verticalHeader()->hide();
+  m_list->verticalHeader()->setDefaultSectionSize(kRow);
+  m_list->verticalHeader()->setMinimumSectionSize(kRow);
+  m_list->horizontalHeader()->setObjectName(QStringLiteral("decodeHeader"));
+  m_list->horizontalHeader()->setHighlightSections(false);
+  m_list->horizontalHeader()->setFixedHeight(kHeader);
+  m_list->horizontalHeader()->setMinimumSectionSize(48);
+  m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
+  m_layout->setContentsMargins(0, 0, 0, 0);
+  m_layout->setSpacing(0);
+  auto* around = new QVBoxLayout;
+  around->setContentsMargins(8, 8, 8, 8);
+  around->addWidget(m_payload);
+  around->addStretch();
+  m_layout->addLayout(around);
+  m_layout->addWidget(m_list, 1);
+  connect(m_payload, &PayloadBits::bitPicked, this, &DecodePanel::pick);
+}
+
+void DecodePanel::setModel(DecodeModel* model) {
+  if (m_model != nullptr) m_model->disconnect(this);
+  m_model = model;
+  m_list->setModel(model);
+  if (m_model == nullptr) return;
+  QHeaderView* header = m_list->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::Interactive);
+  header->setSectionResizeMode(DecodeModel::Value, QHeaderView::Stretch);
+  const QFontMetrics metrics(font());
+  header->resizeSection(DecodeModel::Name,
+                        metrics.horizontalAdvance(QStringLiteral("Rotation right (+), more")));
+  header->resizeSection(DecodeModel::Raw,
+                        metrics.horizontalAdvance(QStringLiteral("0000 0000 0000 0000 00")));
+  header->resizeSection(DecodeModel::Place, metrics.horizontalAdvance(QStringLiteral("B2.8–B3.5 000")));
+  connect(m_model, &DecodeModel::frameChanged, this, &DecodePanel::showFrame);
+  connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::showBits);
+  showFrame();
+}
+
+void DecodePanel::setColours(const Colours& colours) {
+  m_colours = colours;
+  m_payload->setColours(colours);
+  m_delegate->setColours(colours);
+  m_list->viewport()->update();
+  update();
+}
+
+void DecodePanel::showFrame() {
+  m_list->clearSpans();
+  for (int row = 0; row < m_model->rowCount(); ++row) {
+    const auto line =
+        static_cast<DecodeRow::Line>(m_model->index(row, 0).data(DecodeModel::KindRole).toInt());
+    const bool isSentence = line == DecodeRow::Line::Title || line == DecodeRow::Line::Certainty;
+    if (isSentence)
+      m_list->setSpan(row, DecodeModel::Value, 1, DecodeModel::ColumnCount - DecodeModel::Value);
+    if (line == DecodeRow::Line::Certainty) m_list->setRowHeight(row, 2 * kRow);
+  }
+  showBits();
+}
+
+void DecodePanel::showBits() {
+  PayloadValues values;
+  if (const Frame* frame = m_model->content()) {
+    values.bytes = frame->data;
+    values.length = static_cast<int>(frame->bytes().size());
+  }
+  for (int row = 0; row < m_model->rowCount(); ++row) {
+    if (const auto bits = m_model->index(row, 0).data(DecodeModel::BitsRole).toULongLong(); bits != 0)
+      values.fields.push_back(bits);
+  }
+  if (const QModelIndex current = m_list->currentIndex(); current.isValid()) {
+    values.selected = current.data(DecodeModel::BitsRole).toULongLong();
+    values.related = current.data(DecodeModel::SignBitsRole).toULongLong();
+  }
+  m_payload->setValues(values);
+}
+
+void DecodePanel::pick(std::uint64_t bit) {
+  const int row = m_model == nullptr ? -1 : m_model->rowOfBit(bit);
+  if (row >= 0) m_list->setCurrentIndex(m_model->index(row, 0));
+}
+
+void DecodePanel::resizeEvent(QResizeEvent* event) {
+  m_layout->setDirection(width() >= kWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  QWidget::resizeEvent(event);
+}
+
+void DecodePanel::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.fillRect(rect(), m_colours.window);
+}
+
+}  // namespace deckpipe

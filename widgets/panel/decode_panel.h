@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One frame in full: its bytes bit by bit, and what they say field by field. The field that is selected in
+// the list has its bits brought out; a bit that is picked selects its field. The console gives it the model,
+// and the model the frame that is selected in the trace.
+#pragma once
+
+#include <QWidget>
+
+#include "model/decode_model.h"
+#include "paint/palette.h"
+
+class QBoxLayout;
+class QTableView;
+
+namespace deckpipe {
+
+class DecodeDelegate;
+class PayloadBits;
+
+class DecodePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DecodePanel(QWidget* parent = nullptr);
+
+  // Not owned; it lives longer than the panel.
+  void setModel(DecodeModel* model);
+  void setColours(const Colours& colours);
+  QTableView* list() const { return m_list; }
+  PayloadBits* payload() const { return m_payload; }
+
+  QSize sizeHint() const override { return {520, 480}; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void showFrame();
+  void showBits();
+  void pick(std::uint64_t bit);
+
+  Colours m_colours;
+  DecodeModel* m_model = nullptr;
+  QBoxLayout* m_layout;
+  PayloadBits* m_payload;
+  QTableView* m_list;
+  DecodeDelegate* m_delegate;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/time_readout.h"
+
+#include <QDateTime>
+#include <QFontInfo>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "paint/figures.h"
+
+namespace deckpipe {
+namespace {
+
+// Stamps below are no dates: adapters that count from their own start, trimmed logs.
+constexpr std::int64_t kYear2000 = 946'684'800'000'000'000;
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+QString twoDigits(std::int64_t number) { return QString::number(number).rightJustified(2, QLatin1Char('0')); }
+
+QString milliseconds(std::int64_t ns) {
+  return QLocale().decimalPoint() +
+         QString::number(ns % kSecond / 1'000'000).rightJustified(3, QLatin1Char('0'));
+}
+
+}  // namespace
+
+QString elapsedText(Duration elapsed) {
+  const std::int64_t ns = std::max<std::int64_t>(0, elapsed.count());
+  const std::int64_t seconds = ns / kSecond;
+  return QStringLiteral("%1:%2:%3%4")
+      .arg(seconds / 3600)
+      .arg(twoDigits(seconds / 60 % 60), twoDigits(seconds % 60), milliseconds(ns));
+}
+
+QString stampTimeText(std::int64_t stampNs) {
+  if (stampNs < kYear2000) return QObject::tr("%1 s").arg(static_cast<double>(stampNs) / 1e9, 0, 'f', 3);
+  return QDateTime::fromMSecsSinceEpoch(stampNs / 1'000'000).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
+         milliseconds(stampNs);
+}
+
+std::optional<std::int64_t> stampAt(const LogView& view) {
+  if (!view.document || view.cursor.frames == 0 || view.cursor.frames > view.document->frames.count())
+    return {};
+  const std::uint64_t last = view.cursor.frames - 1;
+  const Frame& frame = view.document->frames[last];
+  if (!frame.hasStamp()) return {};
+  std::int64_t stamp = 0;
+  const Duration since = std::max(view.cursor.time - view.document->frames.timeAt(last), Duration(0));
+  return __builtin_add_overflow(frame.stamp, since.count(), &stamp) ? frame.stamp : stamp;
+}
+
+TimeReadout::TimeReadout(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+  setObjectName(QStringLiteral("timeReadout"));
+  setAccessibleName(tr("Time of the cursor"));
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setView({});
+}
+
+void TimeReadout::setView(const LogView& view) {
+  const QString dash(QChar(0x2013));
+  const bool isEmpty = !view.document || view.frameCount == 0;
+  const Instant now = std::max(view.cursor.time, view.begin);
+  const QString elapsed = isEmpty ? dash : elapsedText(now - view.begin);
+  const auto stamp = stampAt(view);
+  const QString absolute = stamp ? stampTimeText(*stamp) : dash;
+  if (elapsed == m_elapsed && absolute == m_absolute) return;
+  m_elapsed = elapsed;
+  m_absolute = absolute;
+  setToolTip(stamp ? tr("Since the log's begin; below, the log's own clock: %1 s")
+                         .arg(static_cast<double>(*stamp) / 1e9, 0, 'f', 6)
+                   : tr("Since the log's begin"));
+  update();
+}
+
+void TimeReadout::setColours(const Colours& colours) {
+  m_colours = colours;
+  update();
+}
+
+QFont TimeReadout::elapsedFont() const {
+  QFont large = font();
+  large.setPixelSize(QFontInfo(font()).pixelSize() * 3 / 2);
+  large.setWeight(QFont::DemiBold);
+  return large;
+}
+
+QSize TimeReadout::sizeHint() const {
+  const double width = std::max(figuresWidth(elapsedFont(), QStringLiteral("000:00:00.000")),
+                                figuresWidth(font(), QStringLiteral("0000-00-00 00:00:00.000")));
+  const int height = QFontMetrics(elapsedFont()).height() + QFontMetrics(font()).height();
+  return {static_cast<int>(std::ceil(width)) + 4, std::max(40, height + 2)};
+}
+
+void TimeReadout::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  const double upper = height() * 0.56;
+  Figures figures;
+  figures.number = m_elapsed;
+  figures.numberFont = elapsedFont();
+  figures.numberColour = m_colours.text;
+  drawFigures(p, QRectF(0, 0, width() - 2, upper), figures);
+  figures.number = m_absolute;
+  figures.numberFont = font();
+  figures.numberColour = m_colours.textSecondary;
+  drawFigures(p, QRectF(0, upper, width() - 2, height() - upper), figures);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the cursor is, in figures that do not move: the time since the log's begin, under it the time of day
+// that the log gives.
+#pragma once
+
+#include <QWidget>
+#include <cstdint>
+#include <optional>
+
+#include "base/time.h"
+#include "paint/palette.h"
+#include "state/log_view.h"
+
+namespace deckpipe {
+
+// "0:01:23.456", hours without limit.
+QString elapsedText(Duration elapsed);
+// The time of day here, "2023-11-14 22:13:20.000"; seconds where the log counts from something else than
+// 1970.
+QString stampTimeText(std::int64_t stampNs);
+// What the log's own clock says at the cursor; nothing before the first frame and in logs without times.
+std::optional<std::int64_t> stampAt(const LogView& view);
+
+class TimeReadout : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TimeReadout(QWidget* parent = nullptr);
+
+  void setView(const LogView& view);
+  void setColours(const Colours& colours);
+  QString elapsed() const { return m_elapsed; }
+  QString absolute() const { return m_absolute; }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QFont elapsedFont() const;
+
+  Colours m_colours;
+  QString m_elapsed;
+  QString m_absolute;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/trace_view.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QPainter>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <string>
+
+#include "log/candump.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kHeaderHeight = 32;
+constexpr int kLeastRow = 22;
+constexpr int kLeastDecoded = 240;
+
+// What a column must hold without being cut; Name and Decoded hold what they can.
+QString widestText(int column) {
+  switch (column) {
+    case TraceModel::Time: return QStringLiteral("1700000000.000000");
+    case TraceModel::Delta: return QStringLiteral("000.000000");
+    case TraceModel::ChannelName: return QStringLiteral("vcan00");
+    case TraceModel::Direction: return QStringLiteral("Rx");
+    case TraceModel::Identifier: return QStringLiteral("18EFFF80");
+    case TraceModel::Pgn: return QStringLiteral("1FFFF");
+    case TraceModel::Ends: return QStringLiteral("node 24");
+    case TraceModel::Length: return QStringLiteral("8");
+    case TraceModel::Data: return QStringLiteral("00 00 00 00 00 00 00 00");
+    default: return QStringLiteral("Position / limit status (pres");
+  }
+}
+
+}  // namespace
+
+TraceView::TraceView(QWidget* parent)
+    : QAbstractScrollArea(parent), m_colours(coloursOf(Theme::Light)), m_fonts(font()) {
+  setObjectName(QStringLiteral("traceView"));
+  setAccessibleName(tr("Trace"));
+  setFocusPolicy(Qt::StrongFocus);
+  // Always there: a bar that comes and goes moves everything.
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  viewport()->setObjectName(QStringLiteral("traceRows"));
+  viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
+  m_header = new QHeaderView(Qt::Horizontal, this);
+  m_header->setObjectName(QStringLiteral("traceHeader"));
+  m_header->setAccessibleName(tr("Columns of the trace"));
+  m_header->setMinimumSectionSize(24);
+  m_header->setFocusPolicy(Qt::NoFocus);
+  connect(m_header, &QHeaderView::sectionResized, this, [this](int column) {
+    if (column != TraceModel::Decoded) stretchDecoded();
+    layOut();
+    viewport()->update();
+  });
+  connect(verticalScrollBar(), &QScrollBar::actionTriggered, this, &TraceView::barActed);
+  updateFonts();
+}
+
+void TraceView::setModel(TraceModel* model) {
+  if (m_model != nullptr) m_model->disconnect(this);
+  m_model = model;
+  m_header->setModel(model);
+  if (m_model != nullptr) {
+    connect(m_model, &TraceModel::viewChanged, this, &TraceView::takeView);
+    connect(m_model, &QAbstractItemModel::dataChanged, viewport(), qOverload<>(&QWidget::update));
+  }
+  setDefaultWidths();
+  takeView();
+}
+
+void TraceView::setColours(const Colours& colours) {
+  m_colours = colours;
+  viewport()->update();
+}
+
+// The log, its length or its cursor may be another.
+void TraceView::takeView() {
+  const LogView view = m_model != nullptr ? m_model->view() : LogView();
+  const bool isAnother = view.document != m_log;
+  const bool sawCursor = !isAnother && m_scroll.shows(m_cursorRow);
+  const std::uint64_t cursorRow = view.cursor.frames == 0 ? 0 : view.cursor.frames - 1;
+  const bool cursorMoved = cursorRow != m_cursorRow;
+  m_scroll.rows = m_model != nullptr ? m_model->logRows() : 0;
+  m_cursorRow = cursorRow;
+  if (isAnother) {
+    m_log = view.document;
+    m_scroll.top = 0;
+    setCurrentFrame({});
+  }
+  if (isAnother || view.atEnd != m_wasAtEnd) setFollowing(view.atEnd);
+  m_wasAtEnd = view.atEnd;
+  if (m_isFollowing) {
+    m_scroll.moveTo(m_scroll.lastTop());
+  } else if (cursorMoved && (sawCursor || isAnother)) {
+    m_scroll.show(cursorRow);
+  }
+  showScroll();
+}
+
+void TraceView::showScroll() {
+  m_scroll.moveTo(m_scroll.top);
+  if (m_model != nullptr) {
+    // A page more at either side, so that small moves find their rows.
+    const std::uint64_t margin = m_scroll.pageRows;
+    const std::uint64_t first = m_scroll.top - std::min(m_scroll.top, margin);
+    m_model->setWindow(first, static_cast<int>(std::min<std::uint64_t>(3 * margin + 1, 10'000)));
+  }
+  QScrollBar* bar = verticalScrollBar();
+  {
+    const QSignalBlocker blocker(bar);
+    bar->setRange(0, m_scroll.barMaximum());
+    bar->setPageStep(m_scroll.barPage());
+    bar->setSingleStep(1);
+    bar->setValue(m_scroll.barValue());
+  }
+  viewport()->update();
+}
+
+void TraceView::setFollowing(bool isFollowing) {
+  const bool isNew = isFollowing != m_isFollowing;
+  m_isFollowing = isFollowing;
+  if (isFollowing && !m_scroll.isAtEnd()) {
+    m_scroll.moveTo(m_scroll.lastTop());
+    showScroll();
+  }
+  if (isNew) Q_EMIT followingChanged(isFollowing);
+}
+
+void TraceView::updateFonts() {
+  m_fonts = TraceFonts(font());
+  const int text = std::max(QFontMetrics(m_fonts.text).height(), QFontMetrics(m_fonts.figures).height());
+  m_rowHeight = std::max(kLeastRow, text + 6);
+  m_header->setFixedHeight(std::max(kHeaderHeight, text + 12));
+  layOut();
+}
+
+void TraceView::changeEvent(QEvent* event) {
+  QAbstractScrollArea::changeEvent(event);
+  if (event->type() == QEvent::FontChange) updateFonts();
+}
+
+void TraceView::resizeEvent(QResizeEvent* event) {
+  QAbstractScrollArea::resizeEvent(event);
+  stretchDecoded();
+  layOut();
+}
+
+void TraceView::layOut() {
+  setViewportMargins(0, m_header->height(), 0, 0);
+  const QRect area = viewport()->geometry();
+  m_header->setGeometry(area.left() + TracePainter::kGutter, area.top() - m_header->height(),
+                        std::max(0, area.width() - TracePainter::kGutter), m_header->height());
+  QScrollBar* bar = horizontalScrollBar();
+  bar->setRange(0, std::max(0, m_header->length() + TracePainter::kGutter - area.width()));
+  bar->setPageStep(area.width());
+  bar->setSingleStep(32);
+  m_header->setOffset(bar->value());
+  m_scroll.pageRows = static_cast<std::uint64_t>(std::max(1, area.height() / m_rowHeight));
+  if (m_isFollowing) m_scroll.moveTo(m_scroll.lastTop());
+  showScroll();
+}
+
+void TraceView::setDefaultWidths() {
+  if (m_header->count() == 0) return;
+  const QSignalBlocker blocker(m_header);
+  for (int column = 0; column < TraceModel::Decoded; ++column) {
+    const QFontMetrics metrics(m_fonts.of(column));
+    const QString title = m_model->headerData(column, Qt::Horizontal).toString();
+    // The header has margins of its own.
+    const int titleWidth = QFontMetrics(m_header->font()).horizontalAdvance(title) + 10;
+    m_header->resizeSection(column, std::max(titleWidth, metrics.horizontalAdvance(widestText(column)) +
+                                                             2 * TracePainter::kPadding));
+  }
+  m_header->setSectionResizeMode(QHeaderView::Interactive);
+  stretchDecoded();
+}
+
+// The last column takes what is left, and never so little that nothing could be read.
+void TraceView::stretchDecoded() {
+  if (m_header->count() == 0) return;
+  const int others = m_header->length() - m_header->sectionSize(TraceModel::Decoded);
+  const int left = viewport()->width() - TracePainter::kGutter - others;
+  const QSignalBlocker blocker(m_header);
+  m_header->resizeSection(TraceModel::Decoded, std::max(kLeastDecoded, left));
+}
+
+QByteArray TraceView::saveState() const { return m_header->saveState(); }
+
+bool TraceView::restoreState(const QByteArray& state) {
+  const bool isTaken = m_header->restoreState(state);
+  stretchDecoded();
+  layOut();
+  return isTaken;
+}
+
+std::vector<TraceColumn> TraceView::columns() const {
+  std::vector<TraceColumn> columns;
+  for (int column = 0; column < m_header->count(); ++column) {
+    if (m_header->isSectionHidden(column)) continue;
+    columns.push_back({column, TracePainter::kGutter + m_header->sectionViewportPosition(column),
+                       m_header->sectionSize(column)});
+  }
+  return columns;
+}
+
+QModelIndex TraceView::indexOf(std::uint64_t row, int column) const {
+  if (m_model == nullptr || row < m_model->windowFirst()) return {};
+  const std::uint64_t inWindow = row - m_model->windowFirst();
+  if (inWindow >= static_cast<std::uint64_t>(m_model->rowCount())) return {};
+  return m_model->index(static_cast<int>(inWindow), column);
+}
+
+void TraceView::paintEvent(QPaintEvent*) {
+  QPainter p(viewport());
+  p.fillRect(viewport()->rect(), m_colours.surface);
+  if (m_scroll.rows == 0) {
+    p.setPen(m_colours.textSecondary);
+    p.drawText(viewport()->rect(), Qt::AlignCenter, tr("No frames"));
+    return;
+  }
+  TracePainter painter(p, m_colours, m_fonts, columns());
+  const int width = viewport()->width();
+  std::uint64_t row = m_scroll.top;
+  int y = 0;
+  for (; y < viewport()->height() && row < m_scroll.rows; y += m_rowHeight, ++row) {
+    const QModelIndex index = indexOf(row);
+    if (!index.isValid()) break;
+    painter.row(QRect(0, y, width, m_rowHeight), index,
+                {.isSelected = m_selection.has(row), .hasFocus = hasFocus() && m_current == row});
+  }
+  p.fillRect(QRect(0, y, TracePainter::kGutter, viewport()->height() - y), m_colours.surfaceAlternate);
+}
+
+QString TraceView::copyText() const {
+  if (!m_log) return {};
+  const std::uint64_t end = std::min(m_selection.end, m_selection.first + kMostCopied);
+  std::string text;
+  for (std::uint64_t row = m_selection.first; row < end; ++row) {
+    const Frame& frame = m_log->frames[row];
+    writeCandump(frame, m_log->frames.channelName(frame.channel), text);
+  }
+  return QString::fromStdString(text);
+}
+
+}  // namespace deckpipe

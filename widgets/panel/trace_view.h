@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The trace: rows of a log of any length, of which only those in sight are ever asked for. The console gives
+// it the model that it feeds on each tick, listens for the selected frame (the decode panel shows it) and for
+// the wish to put the cursor at a frame.
+//
+//   1. Positions are 64-bit rows of the log (trace_scroll.h); the scroll bar only mirrors them.
+//   2. While it follows, the view stands at the log's end and goes with it. Scrolling up ends that, reaching
+//      the end by wheel, key or bar resumes it, and so does the cursor when it comes to the live edge; the
+//      cursor leaving the live edge ends it, so that what a person stopped to look at stays.
+//   3. A cursor that was in sight is kept in sight while it moves.
+//   4. Colours and the application's palette come from the console; nothing here sends anything.
+#pragma once
+
+#include <QAbstractScrollArea>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "model/trace_model.h"
+#include "paint/palette.h"
+#include "panel/trace_painter.h"
+#include "panel/trace_scroll.h"
+
+class QHeaderView;
+
+namespace deckpipe {
+
+class TraceView : public QAbstractScrollArea {
+  Q_OBJECT
+
+ public:
+  // Of a longer selection only so many rows are copied.
+  static constexpr std::uint64_t kMostCopied = 100'000;
+
+  explicit TraceView(QWidget* parent = nullptr);
+
+  // Not owned; it lives longer than the view.
+  void setModel(TraceModel* model);
+  TraceModel* model() const { return m_model; }
+  void setColours(const Colours& colours);
+
+  std::optional<std::uint64_t> currentFrame() const { return m_current; }
+  void setCurrentFrame(std::optional<std::uint64_t> frame);
+  bool isFollowing() const { return m_isFollowing; }
+  void setFollowing(bool isFollowing);
+  std::uint64_t topRow() const { return m_scroll.top; }
+  const TraceScroll& scroll() const { return m_scroll; }
+  int rowHeight() const { return m_rowHeight; }
+  QHeaderView* header() const { return m_header; }
+
+  // The selected rows in candump's log form; what Ctrl+C puts on the clipboard.
+  QString copyText() const;
+
+  // Column widths, for the caller's settings.
+  QByteArray saveState() const;
+  bool restoreState(const QByteArray& state);
+
+  QSize sizeHint() const override { return {1100, 360}; }
+
+ Q_SIGNALS:
+  void currentFrameChanged(std::optional<std::uint64_t> frame);
+  void cursorRequested(std::uint64_t frame);
+  void followingChanged(bool isFollowing);
+  // `copied` is less than `selected` where the selection was longer than kMostCopied.
+  void copied(std::uint64_t copied, std::uint64_t selected);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void scrollContentsBy(int dx, int dy) override;
+  bool viewportEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void takeView();
+  void layOut();
+  void stretchDecoded();
+  void setDefaultWidths();
+  void updateFonts();
+  std::vector<TraceColumn> columns() const;
+
+  struct RowRange {
+    std::uint64_t first = 0, end = 0;
+    bool has(std::uint64_t row) const { return row >= first && row < end; }
+  };
+
+  // After m_scroll changed: window, bar, picture.
+  void showScroll();
+  void scrollByHand(std::int64_t rows);
+  void barActed(int action);
+  void select(std::uint64_t row, bool extend);
+  void moveCurrent(std::int64_t by, bool extend);
+  void selectAll();
+  std::optional<std::uint64_t> rowAt(QPointF point) const;
+  QModelIndex indexOf(std::uint64_t row, int column = 0) const;
+  void copy();
+  void describe();
+  void showToolTip(const QPoint& at, const QPoint& global);
+
+  TraceModel* m_model = nullptr;
+  QHeaderView* m_header = nullptr;
+  Colours m_colours;
+  TraceFonts m_fonts;
+  int m_rowHeight = 24;
+  TraceScroll m_scroll;
+  std::shared_ptr<const LogDocument> m_log;  // whose rows the numbers below are
+  std::optional<std::uint64_t> m_current;
+  std::uint64_t m_anchor = 0;  // where extending the selection began
+  RowRange m_selection;
+  std::uint64_t m_cursorRow = 0;
+  bool m_wasAtEnd = true;
+  bool m_isFollowing = true;
+  int m_wheelRest = 0;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person does to the trace: wheel, scroll bar, keys, mouse, tooltips, clipboard.
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QScrollBar>
+#include <QToolTip>
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "panel/trace_view.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kWheelNotch = 120;
+
+}  // namespace
+
+void TraceView::scrollByHand(std::int64_t rows) {
+  m_scroll.moveBy(rows);
+  showScroll();
+  setFollowing(m_scroll.isAtEnd());
+}
+
+// Steps are taken in rows, also where a step of the bar is many rows.
+void TraceView::barActed(int action) {
+  const auto page = static_cast<std::int64_t>(m_scroll.pageRows);
+  switch (action) {
+    case QAbstractSlider::SliderSingleStepAdd: scrollByHand(1); break;
+    case QAbstractSlider::SliderSingleStepSub: scrollByHand(-1); break;
+    case QAbstractSlider::SliderPageStepAdd: scrollByHand(page); break;
+    case QAbstractSlider::SliderPageStepSub: scrollByHand(-page); break;
+    default: return;
+  }
+  verticalScrollBar()->setSliderPosition(m_scroll.barValue());
+}
+
+void TraceView::scrollContentsBy(int dx, int) {
+  if (dx != 0) {
+    m_header->setOffset(horizontalScrollBar()->value());
+    viewport()->update();
+  }
+  const int value = verticalScrollBar()->value();
+  if (value == m_scroll.barValue()) return;
+  m_scroll.moveTo(m_scroll.topOf(value));
+  showScroll();
+  setFollowing(m_scroll.isAtEnd());
+}
+
+void TraceView::wheelEvent(QWheelEvent* event) {
+  if (event->modifiers() & Qt::ShiftModifier || event->angleDelta().y() == 0) {
+    QApplication::sendEvent(horizontalScrollBar(), event);
+    return;
+  }
+  // Touchpads send parts of a notch.
+  m_wheelRest += event->angleDelta().y() * QApplication::wheelScrollLines();
+  const int rows = m_wheelRest / kWheelNotch;
+  m_wheelRest -= rows * kWheelNotch;
+  if (rows != 0) scrollByHand(-rows);
+  event->accept();
+}
+
+void TraceView::setCurrentFrame(std::optional<std::uint64_t> frame) {
+  if (frame && *frame < m_scroll.rows) {
+    select(*frame, false);
+  } else if (m_current) {
+    m_current.reset();
+    m_selection = {};
+    describe();
+    viewport()->update();
+    Q_EMIT currentFrameChanged(m_current);
+  }
+}
+
+void TraceView::select(std::uint64_t row, bool extend) {
+  const bool isNew = m_current != row;
+  if (!extend || !m_current) m_anchor = row;
+  m_current = row;
+  m_selection = {std::min(m_anchor, row), std::max(m_anchor, row) + 1};
+  if (!m_scroll.shows(row)) {
+    m_scroll.show(row);
+    showScroll();
+    setFollowing(m_scroll.isAtEnd());
+  }
+  viewport()->update();
+  if (!isNew) return;
+  describe();
+  Q_EMIT currentFrameChanged(m_current);
+}
+
+// All rows there are now; what is in sight, and looked at, stays.
+void TraceView::selectAll() {
+  if (m_scroll.rows == 0) return;
+  if (!m_current) select(m_scroll.top, false);
+  m_selection = {0, m_scroll.rows};
+  viewport()->update();
+}
+
+void TraceView::moveCurrent(std::int64_t by, bool extend) {
+  if (m_scroll.rows == 0) return;
+  if (!m_current) {
+    // The first key picks what is in sight.
+    select(by < 0 ? std::min(m_scroll.top + m_scroll.pageRows, m_scroll.rows) - 1 : m_scroll.top, false);
+    return;
+  }
+  const std::uint64_t last = m_scroll.rows - 1;
+  const std::uint64_t far = by < 0 ? 0 - static_cast<std::uint64_t>(by) : static_cast<std::uint64_t>(by);
+  select(by < 0 ? *m_current - std::min(*m_current, far) : *m_current + std::min(last - *m_current, far),
+         extend);
+}
+
+void TraceView::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy)) {
+    copy();
+    return;
+  }
+  if (event->matches(QKeySequence::SelectAll)) {
+    selectAll();
+    return;
+  }
+  const bool extend = (event->modifiers() & Qt::ShiftModifier) != 0;
+  const auto page = static_cast<std::int64_t>(std::max<std::uint64_t>(m_scroll.pageRows, 2) - 1);
+  const std::uint64_t last = m_scroll.rows == 0 ? 0 : m_scroll.rows - 1;
+  switch (event->key()) {
+    case Qt::Key_Up: moveCurrent(-1, extend); break;
+    case Qt::Key_Down: moveCurrent(1, extend); break;
+    case Qt::Key_PageUp: moveCurrent(-page, extend); break;
+    case Qt::Key_PageDown: moveCurrent(page, extend); break;
+    case Qt::Key_Home:
+      if (m_scroll.rows > 0) select(0, extend);
+      break;
+    case Qt::Key_End:
+      if (m_scroll.rows > 0) select(last, extend);
+      setFollowing(true);
+      break;
+    case Qt::Key_Left: horizontalScrollBar()->triggerAction(QAbstractSlider::SliderSingleStepSub); break;
+    case Qt::Key_Right: horizontalScrollBar()->triggerAction(QAbstractSlider::SliderSingleStepAdd); break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (m_current) Q_EMIT cursorRequested(*m_current);
+      break;
+    default: QAbstractScrollArea::keyPressEvent(event);
+  }
+}
+
+std::optional<std::uint64_t> TraceView::rowAt(QPointF point) const {
+  if (point.y() < 0) return {};
+  const std::uint64_t row =
+      m_scroll.top + static_cast<std::uint64_t>(point.y()) / static_cast<unsigned>(m_rowHeight);
+  return row < m_scroll.rows ? std::optional(row) : std::nullopt;
+}
+
+void TraceView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  if (const auto row = rowAt(event->position())) select(*row, (event->modifiers() & Qt::ShiftModifier) != 0);
+}
+
+void TraceView::mouseMoveEvent(QMouseEvent* event) {
+  if (!(event->buttons() & Qt::LeftButton) || !m_current) return;
+  if (const auto row = rowAt(event->position())) select(*row, true);
+}
+
+void TraceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  if (const auto row = rowAt(event->position())) Q_EMIT cursorRequested(*row);
+}
+
+void TraceView::focusInEvent(QFocusEvent* event) {
+  QAbstractScrollArea::focusInEvent(event);
+  viewport()->update();
+}
+
+void TraceView::focusOutEvent(QFocusEvent* event) {
+  QAbstractScrollArea::focusOutEvent(event);
+  viewport()->update();
+}
+
+void TraceView::copy() {
+  if (!m_current) return;
+  QApplication::clipboard()->setText(copyText());
+  const std::uint64_t selected = m_selection.end - m_selection.first;
+  Q_EMIT copied(std::min(selected, kMostCopied), selected);
+}
+
+void TraceView::describe() {
+  setAccessibleDescription(m_current ? indexOf(*m_current).data(Qt::AccessibleTextRole).toString()
+                                     : QString());
+}
+
+bool TraceView::viewportEvent(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    showToolTip(help->pos(), help->globalPos());
+    return true;
+  }
+  return QAbstractScrollArea::viewportEvent(event);
+}
+
+// A cell's own tooltip, or the whole text of one that is cut off; in the gutter its signs in words.
+void TraceView::showToolTip(const QPoint& at, const QPoint& global) {
+  QString text;
+  if (const auto row = rowAt(at)) {
+    if (at.x() < TracePainter::kGutter) {
+      text = TraceModel::marksText(
+          TraceModel::Marks::fromInt(indexOf(*row).data(TraceModel::MarksRole).toUInt()));
+    } else if (const int column = m_header->logicalIndexAt(at.x() - TracePainter::kGutter); column >= 0) {
+      const QModelIndex index = indexOf(*row, column);
+      text = index.data(Qt::ToolTipRole).toString();
+      const QString shown = index.data().toString();
+      const int room = m_header->sectionSize(column) - 2 * TracePainter::kPadding;
+      if (text.isEmpty() && QFontMetrics(m_fonts.of(column)).horizontalAdvance(shown) > room) text = shown;
+    }
+  }
+  if (text.isEmpty()) {
+    QToolTip::hideText();
+  } else {
+    QToolTip::showText(global, text, viewport());
+  }
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bar at the foot of the window that moves the cursor through the log: play and pause, step by a frame,
+// the timeline, speed, and the way to the live edge. The console feeds it on each tick and acts on what it
+// asks for; it is the same for a bus and for a file. Space plays and pauses while the timeline has the focus.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "paint/palette.h"
+#include "panel/log_marks.h"
+#include "state/log_view.h"
+
+class QComboBox;
+
+namespace deckpipe {
+
+class TimeReadout;
+class Timeline;
+class TransportButton;
+
+// How the cursor moves by itself.
+struct Playback {
+  bool isPlaying = false;
+  double speed = 1;
+  friend bool operator==(const Playback&, const Playback&) = default;
+};
+
+class TransportBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TransportBar(QWidget* parent = nullptr);
+
+  void setView(const LogView& view, const Playback& playback);
+  void setColours(const Colours& colours);
+
+ Q_SIGNALS:
+  void playRequested();
+  void pauseRequested();
+  void seekRequested(deckpipe::Instant time);
+  void stepRequested(int frames);  // -1 or 1
+  void endRequested();
+  void speedRequested(double speed);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void playOrPause();
+  void showTimeline();
+  void showControls();
+
+  Colours m_colours;
+  LogView m_view;
+  Playback m_playback;
+  LogMarks m_marks;
+  QTimer m_more;  // while a long log is looked through for marks
+  TransportButton* m_back;
+  TransportButton* m_play;
+  TransportButton* m_forward;
+  TimeReadout* m_readout;
+  Timeline* m_timeline;
+  QComboBox* m_speed;
+  TransportButton* m_end;
+};
+
+}  // namespace deckpipe
