@@ -11,10 +11,10 @@ struct DeviceKey {
   enum class Kind : std::uint8_t { None, Pin, Address, Node };
 
   Kind kind = Kind::None;
-  Pin pin;          // Kind::Pin; the rest is then left alone, for a PIN is the same on every channel
-  Channel channel;  // Kind::Address, Kind::Node
-  Address address;  // Kind::Address
-  NodeId node;      // Kind::Node
+  Pin pin{};          // Kind::Pin; the rest is then left alone, for a PIN is the same on every channel
+  Channel channel{};  // Kind::Address, Kind::Node
+  Address address{};  // Kind::Address
+  NodeId node{};      // Kind::Node
 
   static constexpr DeviceKey of(const Pin& pin) { return {.kind = Kind::Pin, .pin = pin}; }
   static constexpr DeviceKey at(Channel channel, Address address) {
