@@ -57,6 +57,7 @@ QString contestText(const Node& node) {
 }
 
 QString detailsText(const LogView& view, const DeviceKey& key) {
+  if (view.state == nullptr) return {};
   const State& state = *view.state;
   const std::optional<DeviceRow> row = deviceRow(state, key);
   if (!row) return {};

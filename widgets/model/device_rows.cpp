@@ -2,6 +2,7 @@
 #include "model/device_rows.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "protocol/j1939.h"
 #include "text/device_text.h"
@@ -74,6 +75,19 @@ DeviceRow rowOf(const State& state, Channel channel, Address address) {
   return row;
 }
 
+// What is left of an address after the device that had it went on to another one, or lost it, and nobody else
+// was heard there: the device has its own row.
+bool wasLeft(const State& state, Channel channel, Address address) {
+  constexpr std::uint32_t kIdentityMask = 0x1F'FFFF;  // a NAME has the low 21 bits of the PIN's digits 7-15
+  const Node& node = state.channel(channel).claims[address];
+  const bool isAkron = node.name.manufacturerCode() == j1939::kAkronManufacturer;
+  return std::ranges::any_of(state.devices().all(), [&](const Device& d) {
+    if (d.kind != Device::Kind::Pin || d.channel != channel) return false;
+    const bool hasItsName = isAkron && node.name.identityNumber() == (d.pin.serial() & kIdentityMask);
+    return hasItsName || (d.previousAddress == address && node.lastHeard < d.addressSince);
+  });
+}
+
 bool isKnown(const Node& node) { return node.isHeard() || node.claim != ClaimState::NoClaim; }
 
 }  // namespace
@@ -141,9 +155,8 @@ std::vector<DeviceRow> deviceRows(const State& state) {
     for (unsigned a = 0; a < kNullAddress.value; ++a) {
       const Address address{static_cast<std::uint8_t>(a)};
       if (!isKnown(state.channel(channel).claims[address])) continue;
-      if (state.devices().byAddress(channel, address) == nullptr) {
-        rows.push_back(rowOf(state, channel, address));
-      }
+      if (state.devices().byAddress(channel, address) != nullptr) continue;
+      if (!wasLeft(state, channel, address)) rows.push_back(rowOf(state, channel, address));
     }
   }
   return rows;
