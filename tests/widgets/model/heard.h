@@ -39,6 +39,10 @@ class Heard {
     m_state.apply(frame(id, data, channel), m_now);
     return *this;
   }
+  Heard& hear(const Frame& f) {
+    m_state.apply(f, m_now);
+    return *this;
+  }
   Heard& pass(Duration d) {
     m_now = m_now + d;
     m_state.timeCame(m_now);
