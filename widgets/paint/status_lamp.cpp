@@ -21,8 +21,10 @@ StatusLamp::StatusLamp(QWidget* parent) : QWidget(parent), m_colours(coloursOf(T
   describe();
 }
 
-void StatusLamp::setLabel(const QString& label) {
+void StatusLamp::setLabel(const QString& label, const QString& spoken) {
+  if (label == m_label && spoken == m_spoken) return;
   m_label = label;
+  m_spoken = spoken;
   describe();
   updateGeometry();
   update();
@@ -58,7 +60,7 @@ QString StatusLamp::word() const {
 }
 
 void StatusLamp::describe() {
-  setAccessibleName(m_label);
+  setAccessibleName(m_spoken.isEmpty() ? m_label : m_spoken);
   setAccessibleDescription(m_stale ? tr("%1, stale").arg(word()) : word());
 }
 

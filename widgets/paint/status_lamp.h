@@ -22,7 +22,9 @@ class StatusLamp : public QWidget {
 
   explicit StatusLamp(QWidget* parent = nullptr);
 
-  void setLabel(const QString& label);
+  // `spoken` is for who does not see where the lamp stands: "Rotation, right stop" for a lamp labelled
+  // "Right".
+  void setLabel(const QString& label, const QString& spoken = {});
   void setWhenOn(WhenOn whenOn);
   // Stale: the last state heard, drawn as old; never as a steady one.
   void setState(State state, bool stale = false);
@@ -51,6 +53,7 @@ class StatusLamp : public QWidget {
 
   Colours m_colours;
   QString m_label;
+  QString m_spoken;  // empty: the label
   State m_state = State::Unknown;
   WhenOn m_whenOn = WhenOn::Plain;
   bool m_stale = false;

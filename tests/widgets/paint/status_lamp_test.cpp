@@ -59,6 +59,8 @@ TEST(StatusLamp, SpeaksLabelAndState) {
   EXPECT_EQ(lamp.accessibleDescription(), QStringLiteral("on"));
   lamp.setState(State::On, true);
   EXPECT_EQ(lamp.accessibleDescription(), QStringLiteral("on, stale"));
+  lamp.setLabel(QStringLiteral("Right"), QStringLiteral("Rotation, right stop"));
+  EXPECT_EQ(lamp.accessibleName(), QStringLiteral("Rotation, right stop"));
   EXPECT_FALSE(lamp.objectName().isEmpty());
 }
 

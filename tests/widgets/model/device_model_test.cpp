@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/device_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+
+#include "model/device_order.h"
+#include "widgets/model/heard.h"
+
+namespace deckpipe {
+namespace {
+
+using namespace test;
+using Model = DeviceModel;
+
+class DeviceTable : public testing::Test {
+ protected:
+  void show() { m_model.setView(m_bus.view()); }
+  QString text(int row, int column) const {
+    return m_model.index(row, column).data(Qt::DisplayRole).toString();
+  }
+  std::string all(int row) const {
+    std::string line;
+    for (int column = 0; column < Model::ColumnCount; ++column) {
+      if (column != 0) line += " | ";
+      line += text(row, column).toStdString();
+    }
+    return line;
+  }
+  QString tooltip(int row) const { return m_model.index(row, 0).data(Qt::ToolTipRole).toString(); }
+
+  Heard m_bus;
+  Model m_model;
+  QAbstractItemModelTester m_tester{&m_model, QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
+TEST_F(DeviceTable, ShowsAMonitorWithEverything) {
+  m_bus.monitor();
+  show();
+  ASSERT_EQ(m_model.rowCount(), 1);
+  EXPECT_EQ(all(0), "1032AE100801035 | 6032 Universal II | 80 | < 1 s | fine | 5");
+  EXPECT_EQ(m_model.index(0, 0).data(Model::GroupTextRole).toString(), QStringLiteral("Monitors"));
+}
+
+TEST_F(DeviceTable, ShowsEveryKindOfDeviceInItsGroup) {
+  struct Row {
+    const char* what;
+    const char* id;
+    std::string data;
+    const char* device;
+    const char* type;
+    const char* group;
+  };
+  const Row rows[] = {
+      {"monitor without PIN", "18EFFF90", kPosition, "No PIN, address 90", "Monitor, type not known",
+       "Monitors"},
+      {"riser", "18EFFF91", announcementOf("1033AB000000001"), "1033AB000000001", "6033 Mini Universal",
+       "Other Akron devices"},
+      {"joystick", "18EFFF92", announcementOf("1035AB000000002"), "1035AB000000002", "6035 Joystick",
+       "Controls"},
+      {"unknown type", "18EFFF93", announcementOf("1099AB000000003"), "1099AB000000003", "type 1099",
+       "Other Akron devices"},
+      {"I/O module", "18EFFFF0", "8501", "No PIN, address F0", "6039 CAN I/O module", "Other Akron devices"},
+      {"node", "724", "05", "Node 24", "Type not known", "CANopen nodes"},
+      {"gateway", "770", "05", "Node 70", "6051 CAN Gateway, by its default node", "CANopen nodes"},
+      {"joystick source", "0CFDD633", kRestingStick, "No PIN, address 33", "Joystick source", "Controls"},
+      {"foreign", "18EEFF21", "01002001000000FF", "No PIN, address 21", "Other maker, code 9", "Other nodes"},
+      {"Akron by NAME", "18EEFF94", kNameOfA, "No PIN, address 94", "Akron device, not announced",
+       "Other Akron devices"},
+      {"without NAME", "18FF0005", "00", "No PIN, address 05", "No NAME heard", "Other nodes"},
+  };
+  for (const Row& row : rows) m_bus.hear(row.id, row.data);
+  show();
+  ASSERT_EQ(m_model.rowCount(), static_cast<int>(std::size(rows)));
+  for (const Row& row : rows) {
+    int at = -1;
+    for (int i = 0; i < m_model.rowCount(); ++i) {
+      if (text(i, Model::DeviceColumn).toStdString() == row.device) at = i;
+    }
+    ASSERT_GE(at, 0) << row.what;
+    EXPECT_EQ(text(at, Model::TypeColumn).toStdString(), row.type) << row.what;
+    EXPECT_EQ(m_model.index(at, 0).data(Model::GroupTextRole).toString().toStdString(), row.group)
+        << row.what;
+  }
+}
+
+struct HealthCase {
+  const char* name;
+  std::function<void(Heard&)> story;
+  const char* word;
+  const char* reason;  // part of one sentence
+};
+class Health : public testing::TestWithParam<HealthCase> {};
+
+TEST_P(Health, IsOneWordAndItsReasons) {
+  Heard bus;
+  GetParam().story(bus);
+  const State& state = bus.state();
+  const std::vector<DeviceRow> rows = deviceRows(state);
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(healthWord(rows.front().health.level).toStdString(), GetParam().word);
+  const std::string reasons = healthReasons(rows.front().health).join(QLatin1Char(' ')).toStdString();
+  EXPECT_NE(reasons.find(GetParam().reason), std::string::npos) << reasons;
+  if (std::string_view(GetParam().word) == "fine") {
+    EXPECT_EQ(reasons, "");
+  }
+}
+INSTANTIATE_TEST_SUITE_P(
+    OfDevices, Health,
+    testing::Values(
+        HealthCase{"Fresh", [](Heard& b) { b.monitor(); }, "fine", ""},
+        HealthCase{"NotFittedIsNoFault", [](Heard& b) { b.monitor(kNotFitted); }, "fine", ""},
+        HealthCase{"FaultBits", [](Heard& b) { b.monitor().hear("18EF0580", "02002000000000"); }, "fault",
+                   "fault bits"},
+        HealthCase{"PcodeErrorAlone", [](Heard& b) { b.monitor().hear("18EF0580", "0200000000000B"); },
+                   "fault", "error code"},
+        HealthCase{"NoFaultAnswered", [](Heard& b) { b.monitor().hear("18EF0580", "02000000000000"); },
+                   "fine", ""},
+        HealthCase{"SensorError", [](Heard& b) { b.monitor(kSensorError); }, "fault", "Rotation sensor"},
+        HealthCase{"OperationalError", [](Heard& b) { b.monitor("011D940371000045"); }, "attend",
+                   "operational error"},
+        HealthCase{"Stale", [](Heard& b) { b.monitor().pass(1s).hear("18EFFF80", kOutputs); }, "attend",
+                   "position status is overdue"},
+        HealthCase{"Silent", [](Heard& b) { b.monitor().pass(3s); }, "silent", "Nothing heard"},
+        HealthCase{"SilentSaysItsFaultsToo",
+                   [](Heard& b) { b.monitor().hear("18EF0580", "02002000000000").pass(1h); }, "silent",
+                   "fault bits"},
+        HealthCase{"Malformed", [](Heard& b) { b.monitor().hear("18EFFF80", "0100"); }, "attend",
+                   "wrong length"},
+        HealthCase{"Contested",
+                   [](Heard& b) { b.monitor().pass(300ms).monitor().hear("18EEFF80", kHigherForeignName); },
+                   "attend", "Another NAME"},
+        HealthCase{"AddressLost", [](Heard& b) { b.monitor().hear("18EEFF80", kLowerForeignName); }, "attend",
+                   "lost its address"},
+        HealthCase{"RiserFaulted", [](Heard& b) { b.hear("18EFFF91", "84C000"); }, "fault", "faulted"},
+        HealthCase{"NodeNotOperational", [](Heard& b) { b.hear("724", "7F"); }, "attend", "not operational"},
+        HealthCase{"NodeErrorCode", [](Heard& b) { b.hear("724", "05").hear("5A4", "4B0150020B00"); },
+                   "fault", "error code"},
+        HealthCase{"JoystickStopped", [](Heard& b) { b.hear("0CFDD633", kRestingStick).pass(200ms); },
+                   "attend", "joystick"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST_F(DeviceTable, KeepsTheRowWhenTheAddressChanges) {
+  m_bus.monitor().hear("18EFFF90", kPosition);
+  show();
+  const QPersistentModelIndex row = m_model.index(0, 0);
+  QSignalSpy inserted(&m_model, &Model::rowsInserted), removed(&m_model, &Model::rowsRemoved);
+  m_bus.pass(2s).hear("18EFFF81", kAnnouncesA);
+  show();
+  EXPECT_TRUE(inserted.isEmpty());
+  EXPECT_TRUE(removed.isEmpty());
+  EXPECT_EQ(row.row(), 0);
+  EXPECT_EQ(text(0, Model::AddressColumn), QStringLiteral("81"));
+  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("81 hex for 0.0 s, before that 80 hex")))
+      << tooltip(0).toStdString();
+}
+
+TEST_F(DeviceTable, SaysThatAnAddressWasLost) {
+  m_bus.monitor().hear("18EEFF80", kLowerForeignName).pass(5s);
+  show();
+  ASSERT_EQ(m_model.rowCount(), 2);
+  EXPECT_EQ(text(0, Model::AddressColumn), QStringLiteral("lost"));
+  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("lost 5.0 s ago, it was 80 hex")))
+      << tooltip(0).toStdString();
+  EXPECT_EQ(m_model.index(0, Model::AddressColumn).data(Qt::AccessibleTextRole).toString(),
+            QStringLiteral("address lost"));
+  EXPECT_EQ(text(1, Model::DeviceColumn), QStringLiteral("No PIN, address 80"));
+  EXPECT_TRUE(tooltip(1).contains(QStringLiteral("0 won, 1 lost"))) << tooltip(1).toStdString();
+}
+
+TEST_F(DeviceTable, GivesAnAddressItsPinInPlace) {
+  m_bus.hear("18EFFF80", kPosition).hear("18EFFF90", kPosition);
+  show();
+  QSignalSpy changed(&m_model, &Model::keyChanged), removed(&m_model, &Model::rowsRemoved);
+  m_bus.hear("18EFFF80", kAnnouncesA);
+  show();
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(changed[0][0].value<DeviceKey>(), DeviceKey::at(Channel{0}, Address{0x80}));
+  EXPECT_EQ(changed[0][1].value<DeviceKey>(), keyOfA());
+  EXPECT_TRUE(removed.isEmpty());
+  EXPECT_EQ(m_model.rowOf(keyOfA()), 0);
+}
+
+TEST_F(DeviceTable, GivesANodeThatHadOnlyANameItsPinInPlace) {
+  m_bus.hear("18EFFF90", kPosition).hear("18EEFF80", kNameOfA);
+  show();
+  QSignalSpy changed(&m_model, &Model::keyChanged), removed(&m_model, &Model::rowsRemoved);
+  m_bus.hear("18EFFF80", kAnnouncesA);
+  show();
+  EXPECT_EQ(changed.size(), 1);
+  EXPECT_TRUE(removed.isEmpty());
+  EXPECT_EQ(m_model.rowCount(), 2);
+}
+
+TEST_F(DeviceTable, TellsOnlyWhatChanged) {
+  m_bus.monitor();
+  show();
+  QSignalSpy changed(&m_model, &Model::dataChanged);
+  show();
+  EXPECT_TRUE(changed.isEmpty()) << "nothing happened";
+  m_bus.pass(20ms);
+  show();
+  EXPECT_TRUE(changed.isEmpty()) << "an age that reads the same";
+  m_bus.hear("18EFFF80", kOutputs);
+  show();
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(changed[0][0].toModelIndex().column(), Model::FramesColumn);
+}
+
+TEST_F(DeviceTable, LetsAgesRunWithTheCursor) {
+  m_bus.monitor().pass(1500ms);
+  show();
+  EXPECT_EQ(text(0, Model::AgeColumn), QStringLiteral("1.5 s"));
+  m_bus.pass(1h);
+  show();
+  EXPECT_EQ(text(0, Model::AgeColumn), QStringLiteral("60 min"));
+}
+
+// Backwards too: rows come and go as the cursor moves, always as a model may.
+TEST_F(DeviceTable, FollowsTheCursorBothWays) {
+  Heard early;
+  early.hear("18EFFF80", kPosition);
+  m_bus.monitor().hear("18EEFF21", kHigherForeignName).hear("724", "05").hear("18EFFF90", kPosition);
+  for (const bool late : {true, false, true, true, false}) {
+    m_model.setView(late ? m_bus.view() : early.view());
+    EXPECT_EQ(m_model.rowCount(), late ? 4 : 1);
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+      EXPECT_EQ(m_model.keyAt(row),
+                deviceRows(late ? m_bus.state() : early.state())[static_cast<std::size_t>(row)].key);
+    }
+  }
+  m_model.setView({});
+  EXPECT_EQ(m_model.rowCount(), 0);
+}
+
+TEST_F(DeviceTable, SaysWhatIsMissingWhereItIsEmpty) {
+  EXPECT_TRUE(m_model.emptyText().startsWith(QStringLiteral("Nothing is open.")));
+  show();
+  EXPECT_TRUE(m_model.emptyText().startsWith(QStringLiteral("No device heard yet.")));
+  m_bus.hear("7DF", "0201");
+  m_bus.hear("7DF", "0201");
+  show();
+  EXPECT_EQ(m_model.rowCount(), 0);
+  EXPECT_EQ(m_model.emptyText(), QStringLiteral("2 frames heard, none from a known device."));
+}
+
+TEST_F(DeviceTable, NamesTheChannelWhereThereAreSeveral) {
+  m_bus.monitor();
+  show();
+  EXPECT_FALSE(tooltip(0).contains(QStringLiteral("can0")));
+  m_bus.document().frames.channel("can1");
+  show();
+  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("Channel: can0")));
+}
+
+TEST_F(DeviceTable, TellsTheNameInWords) {
+  m_bus.monitor();
+  show();
+  for (const char* line : {"Maker: Akron Brass", "Function: 66", "Claim: claimed just now"})
+    EXPECT_TRUE(tooltip(0).contains(QString::fromLatin1(line))) << tooltip(0).toStdString();
+}
+
+class DeviceOrderTest : public DeviceTable {
+ protected:
+  void SetUp() override {
+    m_order.setSourceModel(&m_model);
+    m_bus.hear("18EEFF21", kHigherForeignName)
+        .hear("724", "05")
+        .hear("18EFFF92", kPosition)
+        .pass(5s)
+        .hear("18EFFF91", kPosition)
+        .hear("0CFDD633", kRestingStick);
+    show();
+  }
+  std::string order() const {
+    std::string text;
+    for (int row = 0; row < m_order.rowCount(); ++row)
+      text += m_order.index(row, Model::AddressColumn).data().toString().toStdString() + ' ';
+    return text;
+  }
+  DeviceOrder m_order;
+  QAbstractItemModelTester m_orderTester{&m_order, QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
+TEST_F(DeviceOrderTest, StandsInGroupsByFirstAppearance) {
+  EXPECT_EQ(order(), "92 91 33 24 21 ");
+  EXPECT_TRUE(m_order.startsGroup(0));
+  EXPECT_FALSE(m_order.startsGroup(1));
+  EXPECT_TRUE(m_order.startsGroup(2));
+}
+
+TEST_F(DeviceOrderTest, SortsWithinGroupsBothWays) {
+  m_order.orderBy(Model::AddressColumn, Qt::AscendingOrder);
+  EXPECT_EQ(order(), "91 92 33 24 21 ");
+  m_order.orderBy(Model::AddressColumn, Qt::DescendingOrder);
+  EXPECT_EQ(order(), "92 91 33 24 21 ");
+  m_order.orderBy(Model::AgeColumn, Qt::AscendingOrder);
+  EXPECT_EQ(order(), "91 92 33 24 21 ");
+  m_order.orderBy(-1, Qt::AscendingOrder);
+  EXPECT_EQ(order(), "92 91 33 24 21 ");
+}
+
+TEST_F(DeviceOrderTest, DoesNotMoveDevicesThatAreWellWhileTimePasses) {
+  m_order.orderBy(Model::AgeColumn, Qt::AscendingOrder);
+  m_bus.hear("18EFFF92", kPosition);
+  show();
+  const std::string before = order();
+  for (int i = 0; i < 20; ++i) {
+    m_bus.pass(50ms).hear(i % 2 == 0 ? "18EFFF91" : "18EFFF92", kPosition).hear("0CFDD633", kRestingStick);
+    show();
+    EXPECT_EQ(order(), before);
+  }
+}
+
+TEST_F(DeviceOrderTest, PutsANewcomerIntoItsGroup) {
+  m_bus.hear("18EFFF80", kPosition);
+  show();
+  EXPECT_EQ(order(), "92 91 80 33 24 21 ");
+  // It turns out to be a joystick that answers like a monitor would not.
+  m_bus.hear("18EFFF93", announcementOf("1035AB000000002"));
+  show();
+  EXPECT_EQ(order(), "92 91 80 93 33 24 21 ");
+}
+
+}  // namespace
+}  // namespace deckpipe

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/monitor_page_of.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "widgets/model/heard.h"
+
+namespace deckpipe {
+namespace {
+
+using namespace test;
+
+MonitorPageValues pageOf(const Heard& bus, const DeviceKey& key = keyOfA()) {
+  return monitorPageOf(bus.view(), key);
+}
+DeviceKey addressKey(int address) {
+  return DeviceKey::at(Channel{0}, Address{static_cast<std::uint8_t>(address)});
+}
+DeviceKey nodeKey(int node) { return DeviceKey::at(Channel{0}, NodeId{static_cast<std::uint8_t>(node)}); }
+
+const PageLampGroup* groupOf(const MonitorPageValues& page, const char* key) {
+  for (const PageLampGroup& group : page.lamps) {
+    if (group.key == QLatin1String(key)) return &group;
+  }
+  return nullptr;
+}
+std::optional<Status2> lamp(const MonitorPageValues& page, const char* group, const char* label) {
+  if (const PageLampGroup* lamps = groupOf(page, group)) {
+    for (const PageLamp& l : lamps->lamps) {
+      if (l.label == QLatin1String(label)) return l.state;
+    }
+  }
+  ADD_FAILURE() << "no lamp " << group << ' ' << label;
+  return {};
+}
+PageFact fact(const MonitorPageValues& page, const char* label) {
+  for (const PageFactGroup& group : page.facts) {
+    for (const PageFact& f : group.facts) {
+      if (f.label == QLatin1String(label)) return f;
+    }
+  }
+  ADD_FAILURE() << "no fact " << label;
+  return {};
+}
+
+TEST(MonitorPageOf, GivesAMonitorItsDialFromFeedback) {
+  Heard bus;
+  bus.monitor().pass(50ms);
+  const MonitorPageValues page = pageOf(bus);
+  ASSERT_TRUE(page.isFound);
+  EXPECT_EQ(page.title, QString::fromLatin1(kPinA));
+  EXPECT_EQ(page.type, QStringLiteral("6032 Universal II"));
+  EXPECT_EQ(page.address, QStringLiteral("address 80 hex"));
+  EXPECT_EQ(page.age, 50ms);
+  ASSERT_TRUE(page.dial);
+  const PageAxis& rotation = page.dial->rotation;
+  EXPECT_EQ(rotation.reading, (PositionReading{PositionState::Ok, 473}));
+  EXPECT_EQ(rotation.age, 50ms);
+  EXPECT_FALSE(rotation.isStale);
+  ASSERT_TRUE(rotation.limits);
+  EXPECT_EQ(rotation.limits->low, -300);
+  EXPECT_EQ(rotation.limits->high, 450);
+  EXPECT_FALSE(rotation.limits->oscillating);
+  EXPECT_EQ(page.dial->elevation.reading, (PositionReading{PositionState::Ok, -55}));
+  EXPECT_EQ(page.dial->elevation.limits->high, 900);
+  EXPECT_EQ(page.dial->enable, true);
+  EXPECT_EQ(page.dial->stowed, false);
+  EXPECT_FALSE(rotation.command);
+}
+
+TEST(MonitorPageOf, MakesEachPartStaleByItsOwnPeriod) {
+  Heard bus;
+  bus.monitor().pass(200ms).hear("18EFFF80", kPosition).pass(100ms);
+  MonitorPageValues page = pageOf(bus);
+  EXPECT_FALSE(page.dial->rotation.isStale);
+  EXPECT_TRUE(page.dial->rotation.areLimitsStale);
+  EXPECT_TRUE(page.dial->elevation.areLimitsStale);
+  EXPECT_FALSE(page.stops.isStale);
+  EXPECT_TRUE(groupOf(page, "outputs")->isStale);
+  EXPECT_EQ(groupOf(page, "outputs")->age, 300ms);
+  bus.pass(200ms);
+  page = pageOf(bus);
+  EXPECT_TRUE(page.dial->rotation.isStale);
+  EXPECT_TRUE(page.stops.isStale);
+  EXPECT_EQ(page.dial->rotation.reading, (PositionReading{PositionState::Ok, 473})) << "kept, but as old";
+}
+
+TEST(MonitorPageOf, KnowsNothingOfEnableOnceOutputsAreStaleOrNeverCame) {
+  Heard bus;
+  bus.monitor().pass(299ms);
+  EXPECT_EQ(pageOf(bus).dial->enable, true);
+  bus.pass(1ms);
+  EXPECT_EQ(pageOf(bus).dial->enable, std::nullopt);
+  EXPECT_EQ(pageOf(bus).dial->stowed, std::nullopt);
+  Heard other;
+  other.hear("18EFFF90", kPosition);
+  EXPECT_EQ(pageOf(other, addressKey(0x90)).dial->enable, std::nullopt);
+}
+
+struct ReadingCase {
+  const char* name;
+  const char* frame;
+  PositionState state;
+};
+class Readings : public testing::TestWithParam<ReadingCase> {};
+TEST_P(Readings, ComeThroughAsTheControllerSaidThem) {
+  Heard bus;
+  bus.monitor(GetParam().frame);
+  const MonitorPageValues page = pageOf(bus);
+  ASSERT_TRUE(page.dial && page.dial->rotation.reading);
+  EXPECT_EQ(page.dial->rotation.reading->state, GetParam().state);
+}
+INSTANTIATE_TEST_SUITE_P(OfTheSensor, Readings,
+                         testing::Values(ReadingCase{"Ok", kPosition, PositionState::Ok},
+                                         ReadingCase{"SensorError", kSensorError, PositionState::SensorError},
+                                         ReadingCase{"NotFitted", kNotFitted, PositionState::NotFitted},
+                                         ReadingCase{"Invalid", "0112350000000000", PositionState::Invalid}),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+struct CommandCase {
+  const char* name;
+  std::function<void(Heard&)> story;
+  double rotation;
+  const char* rotationBy;
+  double elevation;
+  const char* elevationBy;
+};
+class Commands : public testing::TestWithParam<CommandCase> {};
+TEST_P(Commands, AreOfTheHighestSourceThatDeflectsTheAxis) {
+  Heard bus;
+  bus.monitor();
+  GetParam().story(bus);
+  const MonitorPageValues page = pageOf(bus);
+  const auto check = [](const std::optional<PageAxis::Command>& command, double speed, const char* by) {
+    EXPECT_EQ(command.has_value(), by[0] != '\0');
+    if (!command) return;
+    EXPECT_NEAR(command->speed, speed, 1e-9);
+    EXPECT_EQ(command->source.toStdString(), by);
+  };
+  check(page.dial->rotation.command, GetParam().rotation, GetParam().rotationBy);
+  check(page.dial->elevation.command, GetParam().elevation, GetParam().elevationBy);
+}
+INSTANTIATE_TEST_SUITE_P(
+    OfJoysticks, Commands,
+    testing::Values(
+        CommandCase{"Nobody", [](Heard&) {}, 0, "", 0, ""},
+        CommandCase{"Resting", [](Heard& b) { b.hear("0CFDD633", kRestingStick); }, 0, "", 0, ""},
+        CommandCase{"BackIsUp", [](Heard& b) { b.hear("0CFDD635", kStickRightBack); }, 0.5, "Joystick 35",
+                    0.4, "Joystick 35"},
+        CommandCase{"RestingSourceStopsNobody",
+                    [](Heard& b) { b.hear("0CFDD633", kRestingStick).hear("0CFDD638", kStickRightBack); },
+                    0.5, "Joystick 38", 0.4, "Joystick 38"},
+        CommandCase{"AxisByAxis",
+                    [](Heard& b) { b.hear("0CFDD638", kStickRightBack).hear("0CFDD634", kStickLeft); }, -1.0,
+                    "Joystick 34", 0.4, "Joystick 38"},
+        CommandCase{"OtherSourcesAreNotListenedTo", [](Heard& b) { b.hear("0CFDD640", kStickRightBack); }, 0,
+                    "", 0, ""},
+        CommandCase{"ForgottenAfter200Milliseconds",
+                    [](Heard& b) { b.hear("0CFDD633", kStickRightBack).pass(200ms); }, 0, "", 0, ""},
+        CommandCase{"HeldUpTo200Milliseconds",
+                    [](Heard& b) { b.hear("0CFDD633", kStickRightBack).pass(199ms); }, 0.5, "Joystick 33",
+                    0.4, "Joystick 33"},
+        CommandCase{"OtherChannel", [](Heard& b) { b.hear("0CFDD633", kStickRightBack, 1); }, 0, "", 0, ""}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(MonitorPageOf, TakesANodesCommandFromTheGatewayWhileItIsFresh) {
+  Heard bus;
+  bus.hear("724", "05").hear("1A4", kPosition).hear("224", kStickRightBack).hear("0CFDD633", kStickLeft);
+  MonitorPageValues page = pageOf(bus, nodeKey(0x24));
+  ASSERT_TRUE(page.dial);
+  ASSERT_TRUE(page.dial->rotation.command);
+  EXPECT_EQ(page.dial->rotation.command->source, QStringLiteral("Gateway joystick"));
+  EXPECT_NEAR(page.dial->rotation.command->speed, 0.5, 1e-9);
+  bus.pass(200ms);
+  EXPECT_FALSE(pageOf(bus, nodeKey(0x24)).dial->rotation.command);
+}
+
+TEST(MonitorPageOf, ShowsStopsInTheWordsOfTheType) {
+  Heard bus;
+  bus.monitor("011D940371004141");  // axis 3 + and axis 4 -
+  const PageStops stops = pageOf(bus).stops;
+  ASSERT_EQ(stops.axes.size(), 5u);
+  EXPECT_EQ(stops.axes[2].axis, QStringLiteral("Pattern"));
+  EXPECT_EQ(stops.axes[2].plus.label, QStringLiteral("Stream"));
+  EXPECT_EQ(stops.axes[4].minus.label, QStringLiteral("Close"));
+  EXPECT_EQ(stops.axes[4].minus.spoken, QStringLiteral("Discharge valve, Close stop"));
+  EXPECT_EQ(stops.axes[2].plus.state, Status2::On);
+  EXPECT_EQ(stops.axes[2].minus.state, Status2::Off);
+  EXPECT_EQ(stops.axes[3].minus.state, Status2::On);
+}
+
+TEST(MonitorPageOf, ShowsOutputsErrorAndCalibration) {
+  Heard bus;
+  bus.monitor();
+  const MonitorPageValues page = pageOf(bus);
+  EXPECT_EQ(lamp(page, "outputs", "Enabled"), Status2::On);
+  EXPECT_EQ(lamp(page, "outputs", "Stowed"), Status2::Off);
+  EXPECT_EQ(lamp(page, "outputs", "Discharge valve"), Status2::On);
+  EXPECT_EQ(lamp(page, "outputs", "High flow"), Status2::Off);
+  EXPECT_EQ(lamp(page, "status", "Operational error"), Status2::Off);
+  EXPECT_EQ(lamp(page, "status", "Calibrated"), Status2::On);
+}
+
+TEST(MonitorPageOf, LeavesLampsUnknownThatNeverCame) {
+  Heard bus;
+  bus.hear("18EFFF80", kAnnouncesA);
+  const MonitorPageValues page = pageOf(bus);
+  ASSERT_TRUE(page.dial) << "a 6032 is a monitor though it has not sent anything yet";
+  EXPECT_FALSE(page.dial->rotation.reading);
+  EXPECT_EQ(page.stops.axes[0].plus.state, std::nullopt);
+  EXPECT_EQ(lamp(page, "outputs", "Enabled"), std::nullopt);
+  EXPECT_EQ(groupOf(page, "outputs")->age, std::nullopt);
+}
+
+TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
+  Heard bus;
+  bus.monitor();
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("no answer heard"));
+  EXPECT_EQ(fact(pageOf(bus), "Firmware").value, QStringLiteral("no answer heard"));
+  bus.hear("18EF0580", "0200300000000B")
+      .hear("18EF0580", "03010001020105")
+      .hear("18EF0580", "040D1C000E0200")
+      .hear("18EF0580", "050398690E0103")
+      .pass(90s);
+  const MonitorPageValues page = pageOf(bus);
+  EXPECT_EQ(fact(page, "Fault bits").value,
+            QStringLiteral("Reserved bit 20 (older manuals: pCode fault 4)\nInternal fuse"));
+  EXPECT_EQ(fact(page, "Fault bits").tone, FactTone::Fault);
+  EXPECT_EQ(fact(page, "Fault bits").age, 90s);
+  EXPECT_EQ(fact(page, "pCode error").value, QStringLiteral("Error 11: rotation sensor error"));
+  EXPECT_EQ(fact(page, "Firmware").value, QStringLiteral("system 1.5, bootloader 1.2, fixed boot 1.0"));
+  EXPECT_EQ(fact(page, "pCode").value,
+            QStringLiteral("version 2.0\nstyle 3356: Trident\nsubtype 14: analog sensors"));
+  EXPECT_EQ(fact(page, "Configuration").value,
+            QStringLiteral("version 1.3\npart 60320014: Trident with Novotechnik sensors"));
+}
+
+TEST(MonitorPageOf, SaysThatAShortFaultAnswerHasNoErrorCode) {
+  Heard bus;
+  bus.monitor().hear("18EF0580", "0200000000");
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set"));
+  EXPECT_TRUE(fact(pageOf(bus), "pCode error").value.contains(QStringLiteral("older firmware")));
+}
+
+TEST(MonitorPageOf, ShowsAPermissiveWithItsSenderAndItsTimeOut) {
+  Heard bus;
+  bus.monitor();
+  EXPECT_EQ(groupOf(pageOf(bus), "permissive"), nullptr);
+  bus.hear("18EF8005", "A10009");
+  MonitorPageValues page = pageOf(bus);
+  EXPECT_EQ(lamp(page, "permissive", "Right"), Status2::On);
+  EXPECT_EQ(lamp(page, "permissive", "Left"), Status2::Off);
+  EXPECT_EQ(groupOf(page, "permissive")->remark, QStringLiteral("from 05 hex"));
+  bus.pass(300ms);
+  page = pageOf(bus);
+  EXPECT_TRUE(groupOf(page, "permissive")->isStale);
+  EXPECT_EQ(groupOf(page, "permissive")->remark, QStringLiteral("timed out, last from 05 hex"));
+}
+
+TEST(MonitorPageOf, SaysThatAPermissiveIsRequiredAndMissing) {
+  Heard bus;
+  bus.monitor().hear("18EFFF80", "83C800");
+  EXPECT_EQ(groupOf(pageOf(bus), "permissive")->remark, QStringLiteral("required, none heard"));
+  EXPECT_EQ(lamp(pageOf(bus), "permissive", "Up"), std::nullopt);
+}
+
+TEST(MonitorPageOf, ShowsA6033WithItsRiserAndWithoutADial) {
+  Heard bus;
+  bus.hear("18EFFF91", announcementOf("1033AB000000001")).hear("18EFFF91", "848002");
+  const MonitorPageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1033AB000000001")));
+  EXPECT_FALSE(page.dial);
+  EXPECT_TRUE(page.stops.axes.empty());
+  EXPECT_EQ(lamp(page, "riser", "Riser extended"), Status2::On);
+  EXPECT_EQ(lamp(page, "riser", "Riser retracted"), Status2::Off);
+  EXPECT_EQ(lamp(page, "riser", "Device active"), Status2::On);
+}
+
+TEST(MonitorPageOf, ShowsA6039WithItsInputs) {
+  Heard bus;
+  bus.hear("18EFFFF0", "8505");
+  const MonitorPageValues page = pageOf(bus, addressKey(0xF0));
+  EXPECT_FALSE(page.dial);
+  EXPECT_EQ(page.type, QStringLiteral("6039 CAN I/O module"));
+  EXPECT_EQ(lamp(page, "inputs", "Allowed in collision zone"), Status2::On);
+  EXPECT_EQ(lamp(page, "inputs", "Deploy"), Status2::Off);
+  EXPECT_EQ(lamp(page, "inputs", "Stow"), Status2::On);
+}
+
+TEST(MonitorPageOf, ShowsAJoystickWithItsStickAndTiming) {
+  Heard bus;
+  bus.hear("18EEFF33", kNameOfSerial2).hear("18EFFF33", announcementOf("1035AB000000002"));
+  for (int i = 0; i < 5; ++i) bus.hear("0CFDD633", kRestingStick).pass(20ms);
+  bus.pass(120ms).hear("0CFDD633", "107D046400004000");
+  const MonitorPageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1035AB000000002")));
+  EXPECT_FALSE(page.dial);
+  ASSERT_TRUE(page.stick);
+  EXPECT_NEAR(*page.stick->x, 0.5, 1e-9);
+  EXPECT_NEAR(*page.stick->y, -0.4, 1e-9);
+  EXPECT_EQ(page.stick->xText, QStringLiteral("50.0 % right"));
+  EXPECT_EQ(page.stick->yText, QStringLiteral("40.0 % back"));
+  EXPECT_EQ(lamp(page, "switches", "5 Flow high"), Status2::On);
+  EXPECT_EQ(fact(page, "Priority").value, QStringLiteral("1 of 6, the highest on CAN"));
+  EXPECT_EQ(fact(page, "Worst gap").value, QStringLiteral("140 ms, more than 100 ms"));
+  EXPECT_EQ(fact(page, "Worst gap").tone, FactTone::Attend);
+  bus.pass(200ms);
+  EXPECT_TRUE(pageOf(bus, page.key).stick->isStale);
+}
+
+struct StickCase {
+  const char* name;
+  const char* frame;
+  const char* x;
+};
+class StickWords : public testing::TestWithParam<StickCase> {};
+TEST_P(StickWords, SayWhatTheAxisSays) {
+  Heard bus;
+  bus.hear("0CFDD634", GetParam().frame);
+  const MonitorPageValues page = pageOf(bus, addressKey(0x34));
+  ASSERT_TRUE(page.stick);
+  EXPECT_EQ(page.stick->xText.toStdString(), GetParam().x);
+}
+INSTANTIATE_TEST_SUITE_P(OfAnAxis, StickWords,
+                         testing::Values(StickCase{"Neutral", kRestingStick, "neutral"},
+                                         StickCase{"Left", kStickLeft, "100.0 % left"},
+                                         StickCase{"Error", "A0FF010000000000", "error"},
+                                         StickCase{"NotFitted", "FFFF010000000000", "not fitted"},
+                                         StickCase{"BothWays", "147D010000000000", "not valid"}),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(MonitorPageOf, ShowsAForeignNodeWithItsNameInWords) {
+  Heard bus;
+  bus.hear("18EEFF21", kHigherForeignName).pass(1s);
+  const MonitorPageValues page = pageOf(bus, addressKey(0x21));
+  EXPECT_TRUE(page.isFound);
+  EXPECT_FALSE(page.dial);
+  EXPECT_TRUE(page.lamps.empty());
+  EXPECT_EQ(page.type, QStringLiteral("Other maker, code 9"));
+  EXPECT_TRUE(fact(page, "NAME").value.startsWith(QStringLiteral("Maker: other maker, code 9")));
+  EXPECT_EQ(fact(page, "Claim").value, QStringLiteral("claimed"));
+}
+
+TEST(MonitorPageOf, ShowsAHeartbeatOnlyNodeWithoutADial) {
+  Heard bus;
+  bus.hear("724", "05");
+  MonitorPageValues page = pageOf(bus, nodeKey(0x24));
+  EXPECT_FALSE(page.dial);
+  EXPECT_EQ(page.address, QStringLiteral("CANopen node 24 hex"));
+  EXPECT_EQ(fact(page, "NMT state").value, QStringLiteral("operational"));
+  bus.hear("724", "22");
+  EXPECT_EQ(fact(pageOf(bus, nodeKey(0x24)), "NMT state").value, QStringLiteral("unknown state 22 hex"));
+  bus.pass(3s);
+  EXPECT_EQ(fact(pageOf(bus, nodeKey(0x24)), "NMT state").value,
+            QStringLiteral("unknown state 22 hex, overdue"));
+}
+
+TEST(MonitorPageOf, ShowsANodesAnswers) {
+  Heard bus;
+  bus.hear("724", "05")
+      .hear("5A4", "4300500116699803")
+      .hear("5A4", "4301500100200000")
+      .hear("5A4", "4B0150020B00");
+  const MonitorPageValues page = pageOf(bus, nodeKey(0x24));
+  EXPECT_EQ(page.type, QStringLiteral("60320022: Firefox, style 3463, with Novotechnik sensors"));
+  EXPECT_EQ(fact(page, "Fault bits").value, QStringLiteral("Internal fuse"));
+  EXPECT_EQ(fact(page, "Operational error").value, QStringLiteral("Error 11: rotation sensor error"));
+  EXPECT_EQ(page.stops.axes.at(2).axis, QStringLiteral("Pattern")) << "the part is one of the 6032's";
+}
+
+TEST(MonitorPageOf, FollowsTheDeviceToItsNewAddress) {
+  Heard bus;
+  bus.monitor().pass(2s).hear("18EFFF81", kAnnouncesA).pass(5s);
+  const MonitorPageValues page = pageOf(bus);
+  EXPECT_EQ(page.address, QStringLiteral("address 81 hex"));
+  EXPECT_EQ(fact(page, "Address").value, QStringLiteral("81 hex for 5.0 s, before that 80 hex"));
+  EXPECT_EQ(pageOf(bus, addressKey(0x81)).key, keyOfA()) << "an address means who has it";
+  bus.hear("18EEFF81", kLowerForeignName);
+  EXPECT_EQ(pageOf(bus).address, QStringLiteral("address lost"));
+}
+
+TEST(MonitorPageOf, IsNotFoundWhereNothingWasHeardOfTheDevice) {
+  Heard bus;
+  EXPECT_FALSE(pageOf(bus).isFound);
+  EXPECT_FALSE(pageOf(bus, {}).isFound);
+  EXPECT_FALSE(monitorPageOf({}, keyOfA()).isFound);
+  EXPECT_EQ(pageOf(bus).key, keyOfA());
+}
+
+}  // namespace
+}  // namespace deckpipe

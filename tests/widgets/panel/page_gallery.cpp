@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the device table and the page of every scene in every theme: `page_gallery FOLDER [SCENE]`.
+#include <QApplication>
+#include <QDir>
+#include <QHBoxLayout>
+#include <QPixmap>
+#include <QStyleFactory>
+#include <cstdio>
+
+#include "panel/device_panel.h"
+#include "panel/monitor_page.h"
+#include "widgets/panel/panel_scenes.h"
+
+namespace deckpipe {
+namespace {
+
+const char* nameOf(Theme theme) {
+  switch (theme) {
+    case Theme::Light: return "light";
+    case Theme::Dark: return "dark";
+    case Theme::Sunlight: return "sunlight";
+  }
+  return "";
+}
+
+QPixmap picture(const test::PanelScene& scene, Theme theme, QSize size, bool hasTable) {
+  const Colours colours = coloursOf(theme);
+  QWidget window;
+  window.setPalette(qtPalette(colours));
+  auto* layout = new QHBoxLayout(&window);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  auto* panel = new DevicePanel;
+  auto* page = new MonitorPage;
+  panel->setColours(colours);
+  page->setColours(colours);
+  page->setAnimated(false);
+  QObject::connect(panel, &DevicePanel::deviceSelected, page, &MonitorPage::setDevice);
+  panel->setFixedWidth(332);
+  panel->setVisible(hasTable);
+  if (hasTable) layout->addWidget(panel);
+  layout->addWidget(page, 1);
+  window.resize(size);
+  window.show();
+  panel->setView(scene.view);
+  panel->selectDevice(scene.device);
+  page->setView(scene.view);
+  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  QPixmap result = window.grab();
+  if (!hasTable) delete panel;
+  return result;
+}
+
+int run(const QString& folder, const QString& only) {
+  if (!QDir().mkpath(folder)) {
+    std::fprintf(stderr, "cannot make the folder\n");
+    return 1;
+  }
+  const QDir dir(folder);
+  bool isSaved = true;
+  for (const test::PanelScene& scene : test::panelScenes()) {
+    const QString name = QString::fromStdString(scene.name);
+    if (!only.isEmpty() && name != only) continue;
+    for (const Theme theme : kThemes) {
+      const auto save = [&](QSize size, bool hasTable, const char* suffix) {
+        const QString file = QStringLiteral("%1_%2%3.png")
+                                 .arg(name, QString::fromLatin1(nameOf(theme)), QString::fromLatin1(suffix));
+        isSaved = picture(scene, theme, size, hasTable).save(dir.filePath(file)) && isSaved;
+      };
+      save({1366, 500}, true, "");
+      if (theme == Theme::Light) {
+        save({1366, 900}, true, "_high");
+        save({560, 1100}, false, "_narrow");
+      }
+    }
+  }
+  return isSaved ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace deckpipe
+
+int main(int argc, char** argv) {
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  QLocale::setDefault(QLocale::c());
+  const QApplication application(argc, argv);
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (argc < 2 || argc > 3) {
+    std::fprintf(stderr, "usage: page_gallery FOLDER [SCENE]\n");
+    return 2;
+  }
+  return deckpipe::run(QString::fromLocal8Bit(argv[1]),
+                       argc > 2 ? QString::fromLocal8Bit(argv[2]) : QString());
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/device_health.h"
+
+#include <QCoreApplication>
+
+namespace deckpipe {
+namespace {
+
+struct Health {
+  Q_DECLARE_TR_FUNCTIONS(Health)
+};
+
+HealthLevel levelOf(HealthReason reason) {
+  if (reason == HealthReason::NothingHeard) return HealthLevel::Silent;
+  return reason <= HealthReason::DeviceFaulted ? HealthLevel::Fault : HealthLevel::Attend;
+}
+
+class Finder {
+ public:
+  void add(HealthReason reason, bool holds) {
+    if (!holds) return;
+    m_health.reasons |= 1u << static_cast<unsigned>(reason);
+    // Reasons come in order of gravity: the first decides.
+    if (m_health.level == HealthLevel::Fine) m_health.level = levelOf(reason);
+  }
+  void addSilence(Instant lastHeard, Instant now) {
+    add(HealthReason::NothingHeard, lastHeard == kNotYet || now - lastHeard >= kSilentAfter);
+  }
+  void addJoystick(const ChannelState& channel, Address address) {
+    const Joystick* stick = channel.joysticks.find(address);
+    add(HealthReason::JoystickOverdue, stick != nullptr && stick->timedOut);
+  }
+  void addClaim(const Node& node) {
+    add(HealthReason::AddressContested, node.claim == ClaimState::Contested);
+    add(HealthReason::CannotClaim, node.claim == ClaimState::CannotClaim);
+  }
+  const DeviceHealth& health() const { return m_health; }
+
+ private:
+  DeviceHealth m_health;
+};
+
+}  // namespace
+
+DeviceHealth healthOf(const State& state, const Device& d) {
+  const ChannelState& channel = state.channel(d.channel);
+  // A status counts as long as it is fresh; an answer to a poll as long as there is no later one.
+  const bool hasPosition = d.position.isKnown() && !d.isStale(Periodic::Position);
+  const PositionLimitStatus& position = d.position.value;
+  Finder f;
+  f.addSilence(d.lastHeard, state.cursor().time);
+  f.add(HealthReason::FaultBits, d.faults.isKnown() && d.faults.value.map != 0);
+  f.add(HealthReason::PcodeError,
+        (d.faults.isKnown() && d.faults.value.pcodeError.value_or(0) != 0) ||
+            (d.operationalErrorCode.isKnown() && d.operationalErrorCode.value != 0));
+  f.add(HealthReason::RotationSensor, hasPosition && position.rotation.state == PositionState::SensorError);
+  f.add(HealthReason::ElevationSensor, hasPosition && position.elevation.state == PositionState::SensorError);
+  f.add(HealthReason::DeviceFaulted,
+        d.miniOutputs.isKnown() && !d.isStale(Periodic::MiniOutputs) && d.miniOutputs.value.deviceFaulted);
+  f.add(HealthReason::OperationalError, hasPosition && position.operationalError == Status2::On);
+  f.add(HealthReason::PositionOverdue, d.isStale(Periodic::Position));
+  f.add(HealthReason::LimitsOverdue,
+        d.isStale(Periodic::RotationLimits) || d.isStale(Periodic::ElevationLimits));
+  f.add(HealthReason::OutputsOverdue, d.isStale(Periodic::Outputs) || d.isStale(Periodic::MiniOutputs));
+  f.add(HealthReason::InputsOverdue, d.isStale(Periodic::Inputs));
+  f.add(HealthReason::HeartbeatOverdue, d.isStale(Periodic::Heartbeat));
+  f.add(HealthReason::NotOperational,
+        d.heartbeat.isKnown() && d.heartbeat.value != static_cast<std::uint8_t>(HeartbeatState::Operational));
+  if (d.kind != Device::Kind::Node) {
+    const bool hasAddress = d.address != kNullAddress;
+    if (hasAddress) f.addJoystick(channel, d.address);
+    f.add(HealthReason::AddressLost, !hasAddress);
+    if (hasAddress) f.addClaim(channel.claims[d.address]);
+  }
+  f.add(HealthReason::Malformed, d.malformed != 0);
+  return f.health();
+}
+
+DeviceHealth healthOf(const State& state, Channel channelId, Address address) {
+  const ChannelState& channel = state.channel(channelId);
+  const Node& node = channel.claims[address];
+  Finder f;
+  f.addSilence(node.lastHeard, state.cursor().time);
+  f.addJoystick(channel, address);
+  f.addClaim(node);
+  f.add(HealthReason::Malformed, node.malformed != 0);
+  return f.health();
+}
+
+QString healthWord(HealthLevel level) {
+  switch (level) {
+    case HealthLevel::Fine: return Health::tr("fine");
+    case HealthLevel::Attend: return Health::tr("attend");
+    case HealthLevel::Fault: return Health::tr("fault");
+    case HealthLevel::Silent: return Health::tr("silent");
+  }
+  return {};
+}
+
+QStringList healthReasons(const DeviceHealth& health) {
+  static constexpr const char* kTexts[] = {
+      QT_TRANSLATE_NOOP("Health", "Nothing heard for some time."),
+      QT_TRANSLATE_NOOP("Health", "It answered that fault bits are set."),
+      QT_TRANSLATE_NOOP("Health", "It answered with an error code."),
+      QT_TRANSLATE_NOOP("Health", "Rotation sensor error."),
+      QT_TRANSLATE_NOOP("Health", "Elevation sensor error."),
+      QT_TRANSLATE_NOOP("Health", "It says that it is faulted."),
+      QT_TRANSLATE_NOOP("Health", "It reports an operational error; ask for its faults."),
+      QT_TRANSLATE_NOOP("Health", "Its position status is overdue."),
+      QT_TRANSLATE_NOOP("Health", "Its soft limits are overdue."),
+      QT_TRANSLATE_NOOP("Health", "Its outputs are overdue."),
+      QT_TRANSLATE_NOOP("Health", "Its inputs are overdue."),
+      QT_TRANSLATE_NOOP("Health", "Its heartbeat is overdue."),
+      QT_TRANSLATE_NOOP("Health", "It is not operational (NMT)."),
+      QT_TRANSLATE_NOOP("Health", "It stopped sending joystick messages."),
+      QT_TRANSLATE_NOOP("Health", "It lost its address and has announced no other."),
+      QT_TRANSLATE_NOOP("Health", "Another NAME claims its address too."),
+      QT_TRANSLATE_NOOP("Health", "It could not claim an address."),
+      QT_TRANSLATE_NOOP("Health", "It sent messages of a wrong length."),
+  };
+  static_assert(std::size(kTexts) == static_cast<std::size_t>(HealthReason::Count));
+  QStringList texts;
+  for (std::size_t i = 0; i < std::size(kTexts); ++i) {
+    if (health.has(static_cast<HealthReason>(i))) texts << QCoreApplication::translate("Health", kTexts[i]);
+  }
+  return texts;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a device is well, as one word for a list and as reasons for who asks. It says what was reported and
+// what stopped coming; what to do about it is for the findings to say.
+#pragma once
+
+#include <QStringList>
+#include <cstdint>
+
+#include "state/state.h"
+
+namespace deckpipe {
+
+enum class HealthLevel : std::uint8_t { Fine, Attend, Fault, Silent };
+
+enum class HealthReason : std::uint8_t {
+  // silent
+  NothingHeard,
+  // fault
+  FaultBits,
+  PcodeError,
+  RotationSensor,
+  ElevationSensor,
+  DeviceFaulted,
+  // attend
+  OperationalError,
+  PositionOverdue,
+  LimitsOverdue,
+  OutputsOverdue,
+  InputsOverdue,
+  HeartbeatOverdue,
+  NotOperational,
+  JoystickOverdue,
+  AddressLost,
+  AddressContested,
+  CannotClaim,
+  Malformed,
+  Count,
+};
+
+struct DeviceHealth {
+  HealthLevel level = HealthLevel::Fine;
+  std::uint32_t reasons = 0;  // bit per HealthReason
+
+  bool has(HealthReason reason) const { return (reasons >> static_cast<unsigned>(reason) & 1u) != 0; }
+  friend bool operator==(const DeviceHealth&, const DeviceHealth&) = default;
+};
+
+// Nothing heard for so long is silence: three heartbeats, thirty of any other period.
+inline constexpr Duration kSilentAfter = 3s;
+
+DeviceHealth healthOf(const State& state, const Device& device);
+// Of a J1939 address that is no Akron device.
+DeviceHealth healthOf(const State& state, Channel channel, Address address);
+
+QString healthWord(HealthLevel level);
+// One sentence a reason, the gravest first.
+QStringList healthReasons(const DeviceHealth& health);
+
+}  // namespace deckpipe

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/device_model.h"
+
+#include <QLocale>
+#include <algorithm>
+
+#include "model/device_details.h"
+#include "text/age_text.h"
+#include "text/device_text.h"
+
+namespace deckpipe {
+namespace {
+
+int toInt(std::size_t n) { return static_cast<int>(n); }
+
+// What is written of an age, so that a row changes only when its text does.
+Duration shownAge(Duration age) {
+  if (age < 1s) return 0s;
+  return age < 10s ? age - age % 100ms : age - age % 1s;
+}
+
+// Two devices of the same rate would overtake each other all the time if all digits counted.
+std::uint32_t leadingDigits(std::uint32_t n) {
+  std::uint32_t unit = 1;
+  while (n / unit >= 100) unit *= 10;
+  return n - n % unit;
+}
+
+// `hint` is where it stands unless something came or went.
+int findRow(const std::vector<DeviceRow>& rows, const DeviceKey& key, std::size_t hint = 0) {
+  if (hint < rows.size() && rows[hint].key == key) return toInt(hint);
+  const auto found = std::ranges::find(rows, key, &DeviceRow::key);
+  return found == rows.end() ? -1 : toInt(static_cast<std::size_t>(found - rows.begin()));
+}
+
+}  // namespace
+
+DeviceModel::DeviceModel(QObject* parent) : QAbstractTableModel(parent) {
+  setObjectName(QStringLiteral("deviceModel"));
+}
+
+void DeviceModel::setView(const LogView& view) {
+  m_view = view;
+  std::vector<DeviceRow> next;
+  if (view.state != nullptr) next = deviceRows(*view.state);
+  for (DeviceRow& row : next) {
+    if (row.age) row.age = shownAge(*row.age);
+  }
+
+  // What was an address without a PIN and has one now is the same row under a new key.
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const DeviceRow& row = next[i];
+    if (row.key.kind != DeviceKey::Kind::Pin || row.address == kNullAddress) continue;
+    if (findRow(m_rows, row.key, i) >= 0) continue;
+    const DeviceKey before = DeviceKey::at(row.channel, row.address);
+    const int at = rowOf(before);
+    if (at < 0 || findRow(next, before) >= 0) continue;
+    replace(at, row);
+    Q_EMIT keyChanged(before, row.key);
+  }
+  removeGone(next);
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const int at = findRow(m_rows, next[i].key, i);
+    const int to = toInt(i);
+    if (at < 0) {
+      beginInsertRows({}, to, to);
+      m_rows.insert(m_rows.begin() + to, next[i]);
+      endInsertRows();
+      continue;
+    }
+    if (at != to) {
+      beginMoveRows({}, at, at, {}, to);  // what stands before `to` is in place, so it only moves up
+      std::rotate(m_rows.begin() + to, m_rows.begin() + at, m_rows.begin() + at + 1);
+      endMoveRows();
+    }
+    replace(to, next[i]);
+  }
+}
+
+void DeviceModel::removeGone(const std::vector<DeviceRow>& next) {
+  for (int row = toInt(m_rows.size()); row-- > 0;) {
+    if (findRow(next, keyAt(row), static_cast<std::size_t>(row)) >= 0) continue;
+    beginRemoveRows({}, row, row);
+    m_rows.erase(m_rows.begin() + row);
+    endRemoveRows();
+  }
+}
+
+void DeviceModel::replace(int row, const DeviceRow& next) {
+  DeviceRow& shown = m_rows[static_cast<std::size_t>(row)];
+  if (shown == next) return;
+  int first = ColumnCount, last = -1;
+  const auto changed = [&](int column, bool isChanged) {
+    if (!isChanged) return;
+    first = std::min(first, column);
+    last = std::max(last, column);
+  };
+  const bool isOther = shown.key != next.key || shown.type != next.type || shown.group != next.group ||
+                       shown.isJoystick != next.isJoystick;
+  changed(DeviceColumn, isOther);
+  changed(FramesColumn, isOther);  // all columns: sorted by any of them, the row may belong elsewhere now
+  changed(AddressColumn, shown.address != next.address || shown.previousAddress != next.previousAddress);
+  changed(AgeColumn, shown.age != next.age);
+  changed(HealthColumn, shown.health != next.health);
+  changed(FramesColumn, shown.frames != next.frames);
+  shown = next;
+  if (last >= 0) Q_EMIT dataChanged(index(row, first), index(row, last));
+}
+
+int DeviceModel::rowOf(const DeviceKey& key) const { return findRow(m_rows, key); }
+
+DeviceKey DeviceModel::keyAt(int row) const {
+  return row >= 0 && row < rowCount() ? m_rows[static_cast<std::size_t>(row)].key : DeviceKey{};
+}
+
+QString DeviceModel::emptyText() const {
+  if (m_view.state == nullptr || m_view.document == nullptr)
+    return tr("Nothing is open.\nConnect an adapter or open a log.");
+  const State& state = *m_view.state;
+  const std::uint64_t frames = state.cursor().frames;
+  if (frames == 0) {
+    return tr(
+        "No device heard yet.\nNot one frame has come: is the bus powered, and is its bit rate that of the "
+        "link?");
+  }
+  std::uint64_t errors = 0;
+  for (std::uint8_t c = 0; c < kMaxChannels; ++c) errors += state.channel(Channel{c}).errorFrames;
+  const QString heard = tr("%1 frames heard, none from a known device.")
+                            .arg(QLocale().toString(static_cast<qulonglong>(frames)));
+  if (errors == 0) return heard;
+  return tr("%1\n%2 of them are error frames: check bit rate and termination.")
+      .arg(heard, QLocale().toString(static_cast<qulonglong>(errors)));
+}
+
+int DeviceModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : toInt(m_rows.size());
+}
+
+int DeviceModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+QString DeviceModel::textOf(const DeviceRow& row, int column) const {
+  switch (column) {
+    case DeviceColumn: return deviceText(row.key);
+    case TypeColumn: return typeText(row);
+    case AddressColumn:
+      if (row.key.kind == DeviceKey::Kind::Node) return hexText(row.key.node.value);
+      return row.hasLostAddress() ? tr("lost", "an address") : hexText(row.address.value);
+    case AgeColumn: return row.age ? calmAge(*row.age) : QString();
+    case HealthColumn: return healthWord(row.health.level);
+    case FramesColumn: return QLocale().toString(row.frames);
+    default: return {};
+  }
+}
+
+QVariant DeviceModel::sortKey(const DeviceRow& row, int column) const {
+  switch (column) {
+    case AddressColumn:
+      return row.channel.value * 256 +
+             (row.key.kind == DeviceKey::Kind::Node ? row.key.node.value : row.address.value);
+    case AgeColumn: return static_cast<qlonglong>(row.age.value_or(Duration::max()).count());
+    case HealthColumn: return static_cast<int>(row.health.level);
+    case FramesColumn: return leadingDigits(row.frames);
+    default: return textOf(row, column);
+  }
+}
+
+QVariant DeviceModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+  const DeviceRow& row = m_rows[static_cast<std::size_t>(index.row())];
+  switch (role) {
+    case Qt::DisplayRole: return textOf(row, index.column());
+    case Qt::AccessibleTextRole:
+      if (index.column() == DeviceColumn)
+        return tr("%1, %2, %3").arg(textOf(row, DeviceColumn), typeText(row), groupText(row.group));
+      if (index.column() == AddressColumn)
+        return row.hasLostAddress() ? tr("address lost")
+                                    : tr("address %1 hex").arg(textOf(row, AddressColumn));
+      return textOf(row, index.column());
+    case Qt::ToolTipRole: return detailsText(m_view, row.key);
+    case Qt::TextAlignmentRole: {
+      const bool isNumber = index.column() >= AddressColumn && index.column() != HealthColumn;
+      return QVariant::fromValue(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
+    }
+    case KeyRole: return QVariant::fromValue(row.key);
+    case GroupRole: return static_cast<int>(row.group);
+    case GroupTextRole: return groupText(row.group);
+    case TypeRole: return typeText(row);
+    case HealthRole: return static_cast<int>(row.health.level);
+    case SortRole: return sortKey(row, index.column());
+    default: return {};
+  }
+}
+
+QVariant DeviceModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::DisplayRole) {
+    switch (section) {
+      case DeviceColumn: return tr("Device");
+      case TypeColumn: return tr("Type");
+      case AddressColumn: return tr("Addr.", "address, in hexadecimal");
+      case AgeColumn: return tr("Age");
+      case HealthColumn: return tr("Health");
+      case FramesColumn: return tr("Frames");
+      default: return {};
+    }
+  }
+  if (role == Qt::ToolTipRole) {
+    switch (section) {
+      case DeviceColumn: return tr("PIN, or where it is heard if it has not said its PIN");
+      case AddressColumn: return tr("J1939 address or CANopen node, hexadecimal");
+      case AgeColumn: return tr("Time since it was last heard, at the cursor");
+      case HealthColumn: return tr("What it reported, and what stopped coming; see its tooltip");
+      case FramesColumn: return tr("Frames it sent, up to the cursor");
+      default: return {};
+    }
+  }
+  if (role == Qt::TextAlignmentRole) {
+    const bool isNumber = section >= AddressColumn && section != HealthColumn;
+    return QVariant::fromValue(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
+  }
+  return {};
+}
+
+}  // namespace deckpipe

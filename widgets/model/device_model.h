@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who is on the bus at the cursor, a row each. A panel gives it a view at most 30 times a second; it tells
+// only what changed in what is shown. Rows are known by their DeviceKey: a device keeps its row when its
+// address changes, and an address keeps its row when the device there says who it is.
+//
+// Rows stand in order of first appearance; groups and sorting are a proxy's job (GroupRole, SortRole).
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "model/device_rows.h"
+#include "state/log_view.h"
+
+namespace deckpipe {
+
+class DeviceModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { DeviceColumn, TypeColumn, AddressColumn, AgeColumn, HealthColumn, FramesColumn, ColumnCount };
+  enum Role {
+    KeyRole = Qt::UserRole,  // DeviceKey
+    GroupRole,               // int of DeviceGroup
+    GroupTextRole,           // its heading
+    TypeRole,                // the type in words, whatever the column
+    HealthRole,              // int of HealthLevel
+    SortRole,                // what a column sorts by; calm: it does not change while a device is well
+  };
+
+  explicit DeviceModel(QObject* parent = nullptr);
+
+  void setView(const LogView& view);
+  // Where a key's row is now; -1 where it has none.
+  int rowOf(const DeviceKey& key) const;
+  DeviceKey keyAt(int row) const;
+  // What a table without rows says instead: what is missing, and what was heard all the same.
+  QString emptyText() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+ Q_SIGNALS:
+  // A row's device is known by another key from now on: what had no PIN said its own.
+  void keyChanged(const deckpipe::DeviceKey& before, const deckpipe::DeviceKey& after);
+
+ private:
+  QString textOf(const DeviceRow& row, int column) const;
+  QVariant sortKey(const DeviceRow& row, int column) const;
+  void removeGone(const std::vector<DeviceRow>& next);
+  void replace(int row, const DeviceRow& next);
+
+  LogView m_view;
+  std::vector<DeviceRow> m_rows;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/device_rows.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "protocol/j1939.h"
+#include "text/device_text.h"
+#include "text/joystick_text.h"
+
+namespace deckpipe {
+namespace {
+
+using From = DeviceType::From;
+
+struct Row {
+  Q_DECLARE_TR_FUNCTIONS(Row)
+};
+
+constexpr NodeId kGatewayNode{0x70};  // the gateway manual's default
+
+bool isMonitorType(unsigned type) { return type == 1032 || type == 1040 || type == 1042 || type == 1052; }
+// Operator station, joystick, wireless interface, switchbox: they send joystick messages.
+bool isControlType(unsigned type) { return type == 1034 || type == 1035 || type == 1037 || type == 1041; }
+bool sendsMonitorStatus(const Device& d) {
+  return d.position.isKnown() || d.outputs.isKnown() || d.rotationLimits.isKnown() ||
+         d.elevationLimits.isKnown();
+}
+
+bool isJoystick(const State& state, Channel channel, Address address) {
+  return state.channel(channel).joysticks.find(address) != nullptr;
+}
+
+std::optional<Duration> ageOf(const State& state, Instant at) {
+  if (at == kNotYet) return {};
+  return state.cursor().time - at;
+}
+
+DeviceGroup groupOf(const Device& d, const DeviceRow& row) {
+  if (d.kind == Device::Kind::Node) return DeviceGroup::CanopenNodes;
+  if (isMonitor(d)) return DeviceGroup::Monitors;
+  if (row.isJoystick || isControlType(row.type.pinDigits().value_or(0))) return DeviceGroup::Controls;
+  return DeviceGroup::OtherAkron;
+}
+
+DeviceRow rowOf(const State& state, const Device& d) {
+  DeviceRow row;
+  row.key = keyOf(d);
+  row.type = typeOf(d);
+  row.isJoystick = d.kind != Device::Kind::Node && isJoystick(state, d.channel, d.address);
+  row.group = groupOf(d, row);
+  row.channel = d.channel;
+  row.address = d.address;
+  row.previousAddress = d.previousAddress;
+  row.age = ageOf(state, d.lastHeard);
+  row.health = healthOf(state, d);
+  row.frames = d.frames;
+  return row;
+}
+
+DeviceRow rowOf(const State& state, Channel channel, Address address) {
+  const Node& node = state.channel(channel).claims[address];
+  DeviceRow row;
+  row.key = DeviceKey::at(channel, address);
+  row.type = typeOf(state, channel, address);
+  row.isJoystick = isJoystick(state, channel, address);
+  row.group = row.isJoystick                     ? DeviceGroup::Controls
+              : row.type.from == From::AkronName ? DeviceGroup::OtherAkron
+                                                 : DeviceGroup::OtherNodes;
+  row.channel = channel;
+  row.address = address;
+  row.age = ageOf(state, node.lastHeard);
+  row.health = healthOf(state, channel, address);
+  row.frames = node.frames;
+  return row;
+}
+
+// What is left of an address after the device that had it went on to another one, or lost it, and nobody else
+// was heard there: the device has its own row.
+bool wasLeft(const State& state, Channel channel, Address address) {
+  constexpr std::uint32_t kIdentityMask = 0x1F'FFFF;  // a NAME has the low 21 bits of the PIN's digits 7-15
+  const Node& node = state.channel(channel).claims[address];
+  const bool isAkron = node.name.manufacturerCode() == j1939::kAkronManufacturer;
+  return std::ranges::any_of(state.devices().all(), [&](const Device& d) {
+    if (d.kind != Device::Kind::Pin || d.channel != channel) return false;
+    const bool hasItsName = isAkron && node.name.identityNumber() == (d.pin.serial() & kIdentityMask);
+    return hasItsName || (d.previousAddress == address && node.lastHeard < d.addressSince);
+  });
+}
+
+bool isKnown(const Node& node) { return node.isHeard() || node.claim != ClaimState::NoClaim; }
+
+}  // namespace
+
+std::optional<unsigned> DeviceType::pinDigits() const {
+  if (from == From::Pin) return number;
+  if (from == From::Part) return deviceTypeOfPart(number);
+  if (from == From::Messages84) return 1033;
+  return {};
+}
+
+DeviceKey keyOf(const Device& d) {
+  switch (d.kind) {
+    case Device::Kind::Pin: return DeviceKey::of(d.pin);
+    case Device::Kind::Address: return DeviceKey::at(d.channel, d.address);
+    case Device::Kind::Node: return DeviceKey::at(d.channel, d.node);
+    case Device::Kind::Free: break;
+  }
+  return {};
+}
+
+const Device* findDevice(const State& state, const DeviceKey& key) {
+  switch (key.kind) {
+    case DeviceKey::Kind::Pin: return state.devices().byPin(key.pin);
+    case DeviceKey::Kind::Address: return state.devices().byAddress(key.channel, key.address);
+    case DeviceKey::Kind::Node: return state.devices().byNode(key.channel, key.node);
+    case DeviceKey::Kind::None: break;
+  }
+  return nullptr;
+}
+
+DeviceType typeOf(const Device& d) {
+  if (d.kind == Device::Kind::Pin) return {From::Pin, d.pin.deviceType()};
+  if (d.kind == Device::Kind::Node) {
+    if (d.partNumber.isKnown()) return {From::Part, d.partNumber.value};
+    if (sendsMonitorStatus(d)) return {From::MonitorNode};
+    return {d.node == kGatewayNode ? From::GatewayNode : From::CanopenNode};
+  }
+  if (sendsMonitorStatus(d)) return {From::Messages83};
+  if (d.miniOutputs.isKnown()) return {From::Messages84};
+  if (d.inputs.isKnown()) return {From::Messages85};
+  return {From::AkronMessages};
+}
+
+DeviceType typeOf(const State& state, Channel channel, Address address) {
+  const ChannelState& on = state.channel(channel);
+  if (on.roles.isDrive(address)) return {From::Drive};
+  const Name name = on.claims[address].name;
+  if (name.value == 0) return {From::NoName};
+  if (name.manufacturerCode() == j1939::kAkronManufacturer) return {From::AkronName};
+  return {From::OtherName, name.manufacturerCode()};
+}
+
+bool isMonitor(const Device& d) {
+  return sendsMonitorStatus(d) || isMonitorType(typeOf(d).pinDigits().value_or(0));
+}
+
+std::vector<DeviceRow> deviceRows(const State& state) {
+  std::vector<DeviceRow> rows;
+  for (const Device& d : state.devices().all()) {
+    if (d.kind != Device::Kind::Free) rows.push_back(rowOf(state, d));
+  }
+  for (std::uint8_t c = 0; c < kMaxChannels; ++c) {
+    const Channel channel{c};
+    for (unsigned a = 0; a < kNullAddress.value; ++a) {
+      const Address address{static_cast<std::uint8_t>(a)};
+      if (!isKnown(state.channel(channel).claims[address])) continue;
+      if (state.devices().byAddress(channel, address) != nullptr) continue;
+      if (!wasLeft(state, channel, address)) rows.push_back(rowOf(state, channel, address));
+    }
+  }
+  return rows;
+}
+
+std::optional<DeviceRow> deviceRow(const State& state, const DeviceKey& key) {
+  if (const Device* d = findDevice(state, key)) return rowOf(state, *d);
+  if (key.kind != DeviceKey::Kind::Address || key.channel.value >= kMaxChannels) return {};
+  if (!isKnown(state.channel(key.channel).claims[key.address])) return {};
+  return rowOf(state, key.channel, key.address);
+}
+
+QString groupText(DeviceGroup group) {
+  switch (group) {
+    case DeviceGroup::Monitors: return Row::tr("Monitors");
+    case DeviceGroup::Controls: return Row::tr("Controls");
+    case DeviceGroup::OtherAkron: return Row::tr("Other Akron devices");
+    case DeviceGroup::CanopenNodes: return Row::tr("CANopen nodes");
+    case DeviceGroup::OtherNodes: return Row::tr("Other nodes");
+  }
+  return {};
+}
+
+QString typeText(const DeviceRow& row) {
+  switch (row.type.from) {
+    case From::Pin: return deviceTypeText(row.type.number);
+    case From::Part: return partText(row.type.number);
+    case From::Messages83: return Row::tr("Monitor, type not known");
+    case From::Messages84: return deviceTypeText(1033);
+    case From::Messages85: return Row::tr("6039 CAN I/O module");
+    case From::AkronMessages: return Row::tr("Akron device, type not known");
+    case From::AkronName: return Row::tr("Akron device, not announced");
+    case From::Drive: return Row::tr("Copley drive");
+    case From::GatewayNode: return Row::tr("6051 CAN Gateway, by its default node");
+    case From::MonitorNode: return Row::tr("Monitor, type not known");
+    case From::CanopenNode: return Row::tr("Type not known");
+    case From::OtherName:
+    case From::NoName: break;
+  }
+  if (row.isJoystick) {
+    return row.type.from == From::NoName ? Row::tr("Joystick source")
+                                         : Row::tr("Joystick, %1").arg(makerText(row.type.number));
+  }
+  if (row.type.from == From::NoName) return Row::tr("No NAME heard");
+  QString maker = makerText(row.type.number);
+  return maker.replace(0, 1, maker.at(0).toUpper());
+}
+
+QString deviceText(const DeviceKey& key) {
+  switch (key.kind) {
+    case DeviceKey::Kind::Pin: return pinText(key.pin);
+    case DeviceKey::Kind::Address: return Row::tr("No PIN, address %1").arg(hexText(key.address.value));
+    case DeviceKey::Kind::Node: return Row::tr("Node %1").arg(hexText(key.node.value));
+    case DeviceKey::Kind::None: break;
+  }
+  return {};
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that was heard on the bus as rows of plain values: devices in order of first appearance, then
+// J1939 addresses that are no Akron device. A pure function of the state; DeviceModel compares two of these
+// lists, the page takes the words for a type from here.
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "base/device_key.h"
+#include "model/device_health.h"
+
+namespace deckpipe {
+
+enum class DeviceGroup : std::uint8_t { Monitors, Controls, OtherAkron, CanopenNodes, OtherNodes };
+
+// What a device is, from the best that is known of it.
+struct DeviceType {
+  enum class From : std::uint8_t {
+    Pin,            // number: PIN digits 1-4
+    Part,           // number: part number of SDO 5000.01
+    Messages83,     // sends what only monitors send
+    Messages84,     // … only the 6033
+    Messages85,     // … only the 6039 CAN I/O module
+    AkronMessages,  // … only Akron devices
+    AkronName,      // has a NAME of Akron's, has not announced itself
+    OtherName,      // number: manufacturer code
+    Drive,          // a person said that a Copley drive is there
+    NoName,
+    GatewayNode,  // the 6051's default node number; nothing else known
+    MonitorNode,  // a CANopen node that sends a monitor's PDOs
+    CanopenNode,
+  };
+  From from = From::NoName;
+  std::uint32_t number = 0;
+
+  // As PIN digits 1-4, where that is known.
+  std::optional<unsigned> pinDigits() const;
+  friend bool operator==(const DeviceType&, const DeviceType&) = default;
+};
+
+struct DeviceRow {
+  DeviceKey key;
+  DeviceGroup group = DeviceGroup::OtherNodes;
+  DeviceType type;
+  bool isJoystick = false;  // sends joystick messages
+  Channel channel;
+  Address address;          // null: none (a node), or lost
+  Address previousAddress;  // null: none
+  std::optional<Duration> age;
+  DeviceHealth health;
+  std::uint32_t frames = 0;
+
+  bool hasLostAddress() const { return key.kind == DeviceKey::Kind::Pin && address == kNullAddress; }
+  friend bool operator==(const DeviceRow&, const DeviceRow&) = default;
+};
+
+DeviceKey keyOf(const Device& device);
+// Whoever the key means now: an address means the device that has it. Null where that is none.
+const Device* findDevice(const State& state, const DeviceKey& key);
+DeviceType typeOf(const Device& device);
+DeviceType typeOf(const State& state, Channel channel, Address address);
+bool isMonitor(const Device& device);
+
+std::vector<DeviceRow> deviceRows(const State& state);
+// The row of one key; nothing where no such device was heard up to now.
+std::optional<DeviceRow> deviceRow(const State& state, const DeviceKey& key);
+
+QString groupText(DeviceGroup group);
+QString typeText(const DeviceRow& row);
+QString deviceText(const DeviceKey& key);
+
+}  // namespace deckpipe

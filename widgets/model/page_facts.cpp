@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/page_facts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include "model/device_details.h"
+#include "model/page_stick.h"
+#include "protocol/gateway.h"
+#include "text/age_text.h"
+#include "text/catalogue_text.h"
+#include "text/device_text.h"
+#include "text/fault_text.h"
+#include "text/joystick_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct Facts {
+  Q_DECLARE_TR_FUNCTIONS(Facts)
+};
+
+PageFact notAnswered(const QString& label) {
+  return {label, Facts::tr("no answer heard"), FactTone::Stale, {}};
+}
+
+template <typename T>
+PageFact answered(const QString& label, const Timed<T>& answer, Instant now, const QString& value,
+                  FactTone tone = FactTone::Plain) {
+  return answer.isKnown() ? PageFact{label, value, tone, now - answer.at} : notAnswered(label);
+}
+
+PageFact plain(const QString& label, const QString& value, FactTone tone = FactTone::Plain) {
+  return {label, value, tone, {}};
+}
+
+// Controllers want a joystick message at least so often (CAN Messaging manual, Appendix B).
+constexpr Duration kLongestPeriod = 100ms;
+
+QString countText(std::uint32_t n) { return QLocale().toString(n); }
+
+QString heartbeatText(std::uint8_t state) {
+  for (const ValueName& word : gateway::kHeartbeatStates) {
+    if (word.value == state) return wordText(word.word);
+  }
+  return Facts::tr("unknown state %1 hex").arg(hexText(state));
+}
+
+}  // namespace
+
+PageFactGroup faultsOf(const Device& d, Instant now) {
+  PageFactGroup group{QStringLiteral("faults"), Facts::tr("Faults"), {}};
+  const FaultStatus& faults = d.faults.value;
+  const QStringList lines = faultLines(faults.map);
+  group.facts.push_back(answered(Facts::tr("Fault bits"), d.faults, now,
+                                 lines.isEmpty() ? Facts::tr("none set") : lines.join(QLatin1Char('\n')),
+                                 lines.isEmpty() ? FactTone::Fine : FactTone::Fault));
+  if (d.kind == Device::Kind::Node) {
+    const unsigned code = d.operationalErrorCode.value;
+    group.facts.push_back(answered(Facts::tr("Operational error"), d.operationalErrorCode, now,
+                                   code == 0 ? Facts::tr("none") : pcodeErrorText(code),
+                                   code == 0 ? FactTone::Fine : FactTone::Fault));
+    return group;
+  }
+  const QString label = Facts::tr("pCode error");
+  if (d.faults.isKnown() && !faults.pcodeError) {
+    group.facts.push_back(
+        plain(label, Facts::tr("not in the short answer of older firmware"), FactTone::Stale));
+  } else {
+    const unsigned code = faults.pcodeError.value_or(0);
+    group.facts.push_back(answered(label, d.faults, now, code == 0 ? Facts::tr("none") : pcodeErrorText(code),
+                                   code == 0 ? FactTone::Fine : FactTone::Fault));
+  }
+  return group;
+}
+
+PageFactGroup versionsOf(const Device& d, Instant now) {
+  PageFactGroup group{QStringLiteral("versions"), Facts::tr("Versions"), {}};
+  if (d.kind == Device::Kind::Node) {
+    group.facts.push_back(
+        answered(Facts::tr("Part number"), d.partNumber, now, partText(d.partNumber.value)));
+    return group;
+  }
+  const FirmwareVersions& f = d.firmware.value;
+  group.facts.push_back(
+      answered(Facts::tr("Firmware"), d.firmware, now,
+               Facts::tr("system %1, bootloader %2, fixed boot %3")
+                   .arg(versionText(f.system), versionText(f.bootloader), versionText(f.fixedBoot))));
+  const PcodeVersion& p = d.pcode.value;
+  group.facts.push_back(
+      answered(Facts::tr("pCode"), d.pcode, now,
+               Facts::tr("version %1\nstyle %2\nsubtype %3")
+                   .arg(versionText(p.version), styleText(p.style), subtypeText(p.subtype))));
+  const ConfigVersion& c = d.config.value;
+  group.facts.push_back(
+      answered(Facts::tr("Configuration"), d.config, now,
+               Facts::tr("version %1\npart %2").arg(versionText(c.version), partText(c.type))));
+  return group;
+}
+
+PageFactGroup nodeOf(const Device& d, Instant now) {
+  PageFactGroup group{QStringLiteral("node"), Facts::tr("CANopen node"), {}};
+  PageFact state = answered(Facts::tr("NMT state"), d.heartbeat, now, heartbeatText(d.heartbeat.value));
+  const bool isOperational = d.heartbeat.value == static_cast<std::uint8_t>(HeartbeatState::Operational);
+  if (!d.heartbeat.isKnown()) {
+    state.value = Facts::tr("no heartbeat heard");
+  } else if (d.isStale(Periodic::Heartbeat)) {
+    state.value = Facts::tr("%1, overdue").arg(state.value);
+    state.tone = FactTone::Stale;
+  } else {
+    state.tone = isOperational ? FactTone::Fine : FactTone::Attend;
+  }
+  group.facts = {state, plain(Facts::tr("Frames"), countText(d.frames))};
+  if (d.malformed != 0)
+    group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), FactTone::Attend));
+  return group;
+}
+
+PageFactGroup joystickOf(const Joystick& stick, Instant now) {
+  PageFactGroup group{QStringLiteral("joystick"), Facts::tr("Joystick messages"), {}};
+  auto& facts = group.facts;
+  facts.push_back(plain(Facts::tr("Source"), addressText(stick.source)));
+  facts.push_back(stick.priority()
+                      ? plain(Facts::tr("Priority"), priorityText(*stick.priority()))
+                      : plain(Facts::tr("Priority"), Facts::tr("none: monitors listen to 33 to 38 hex"),
+                              FactTone::Attend));
+  if (stick.timedOut) {
+    facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), FactTone::Stale,
+                     now - stick.basic.at});
+  } else {
+    facts.push_back(plain(Facts::tr("Sending"), stick.basic.isKnown()
+                                                    ? Facts::tr("every %1").arg(periodText(stick.period))
+                                                    : Facts::tr("extended messages only")));
+  }
+  const bool isLate = stick.worstGap > kLongestPeriod;
+  facts.push_back(plain(
+      Facts::tr("Worst gap"),
+      isLate ? Facts::tr("%1, more than 100 ms").arg(periodText(stick.worstGap)) : periodText(stick.worstGap),
+      isLate ? FactTone::Attend : FactTone::Plain));
+  facts.push_back(plain(Facts::tr("Time-outs"), countText(stick.timeouts),
+                        stick.timeouts != 0 ? FactTone::Attend : FactTone::Plain));
+  if (stick.extended.isKnown()) {
+    const ExtendedJoystick& e = stick.extended.value;
+    const QString right = Facts::tr("right"), left = Facts::tr("left");
+    const QString forward = Facts::tr("forward"), back = Facts::tr("back");
+    facts.push_back({Facts::tr("Grip"),
+                     Facts::tr("X %1\nY %2\ntheta %3")
+                         .arg(deflectionText(e.gripX, right, left), deflectionText(e.gripY, forward, back),
+                              deflectionText(e.gripTheta, forward, back)),
+                     FactTone::Plain, now - stick.extended.at});
+  }
+  return group;
+}
+
+PageFactGroup addressOf(const State& state, Channel channelId, Address address, const Device* device) {
+  PageFactGroup group{QStringLiteral("address"), Facts::tr("Address and NAME"), {}};
+  auto& facts = group.facts;
+  const bool isLost = address == kNullAddress;
+  facts.push_back(plain(Facts::tr("Address"),
+                        device != nullptr ? addressHistory(state, *device) : addressText(address),
+                        isLost ? FactTone::Attend : FactTone::Plain));
+  if (isLost) return group;
+  if (const QString use = reservedUse(address); !use.isEmpty())
+    facts.push_back(plain(Facts::tr("Kept for"), use));
+  const Node& node = state.channel(channelId).claims[address];
+  const bool isOpen = node.claim == ClaimState::Contested || node.claim == ClaimState::CannotClaim;
+  facts.push_back(
+      plain(Facts::tr("Claim"), wordText(claimKey(node.claim)), isOpen ? FactTone::Attend : FactTone::Plain));
+  if (const QString contests = contestText(node); !contests.isEmpty())
+    facts.push_back(plain(Facts::tr("Contests"), contests, FactTone::Attend));
+  if (node.name.value != 0) {
+    facts.push_back(plain(Facts::tr("NAME"), nameLines(node.name).join(QLatin1Char('\n'))));
+  }
+  const std::uint32_t frames = device != nullptr ? device->frames : node.frames;
+  const std::uint32_t malformed = device != nullptr ? device->malformed : node.malformed;
+  facts.push_back(plain(Facts::tr("Frames"), countText(frames)));
+  if (malformed != 0)
+    facts.push_back(plain(Facts::tr("Of a wrong length"), countText(malformed), FactTone::Attend));
+  return group;
+}
+
+}  // namespace deckpipe

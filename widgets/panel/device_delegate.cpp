@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/device_delegate.h"
+
+#include <QFontInfo>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "model/device_model.h"
+#include "model/device_order.h"
+#include "paint/figures.h"
+#include "panel/health_look.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr double kPad = 8;
+constexpr double kGlyph = 14;
+
+}  // namespace
+
+QFont secondaryFont(const QFont& font) {
+  QFont smaller = font;
+  smaller.setPixelSize(std::max(11, static_cast<int>(std::lround(QFontInfo(font).pixelSize() * 0.88))));
+  smaller.setWeight(QFont::Normal);
+  return smaller;
+}
+
+DeviceDelegate::DeviceDelegate(QObject* parent)
+    : QStyledItemDelegate(parent), m_colours(coloursOf(Theme::Light)) {}
+
+QSize DeviceDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const auto* order = qobject_cast<const DeviceOrder*>(index.model());
+  const bool isFirst = order != nullptr && order->startsGroup(index.row());
+  // Two lines with air, in a font as large as a person wants.
+  const int height = std::max(kRowHeight, static_cast<int>(std::ceil(option.fontMetrics.height() * 2.7)));
+  return {0, height + (isFirst ? kHeadingHeight : 0)};
+}
+
+void DeviceDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                           const QModelIndex& index) const {
+  QPainter& p = *painter;
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  const bool isSelected = (option.state & QStyle::State_Selected) != 0;
+  p.fillRect(option.rect, isSelected ? m_colours.accent.fill : m_colours.surface);
+  const QRectF cell = QRectF(option.rect).adjusted(kPad, 0, -kPad, 0);
+  switch (index.column()) {
+    case DeviceModel::DeviceColumn: paintDevice(p, cell, index, option); break;
+    case DeviceModel::HealthColumn: paintHealth(p, QRectF(option.rect), index, isSelected); break;
+    default: paintNumber(p, cell, index, isSelected); break;
+  }
+  p.restore();
+}
+
+void DeviceDelegate::paintDevice(QPainter& p, const QRectF& cell, const QModelIndex& index,
+                                 const QStyleOptionViewItem& option) const {
+  const bool isSelected = (option.state & QStyle::State_Selected) != 0;
+  const QFontMetricsF metrics(option.font);
+  const QFont small = secondaryFont(option.font);
+  const QFontMetricsF smallMetrics(small);
+  const double middle = cell.center().y();
+  p.setFont(option.font);
+  p.setPen(isSelected ? m_colours.accent.onFill : m_colours.text);
+  p.drawText(QPointF(cell.left(), middle - 4),
+             metrics.elidedText(index.data().toString(), Qt::ElideRight, cell.width()));
+  p.setFont(small);
+  p.setPen(isSelected ? m_colours.accent.onFill : m_colours.textSecondary);
+  p.drawText(
+      QPointF(cell.left(), middle + 4 + smallMetrics.ascent()),
+      smallMetrics.elidedText(index.data(DeviceModel::TypeRole).toString(), Qt::ElideRight, cell.width()));
+}
+
+void DeviceDelegate::paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index,
+                                 bool isSelected) const {
+  const auto level = static_cast<HealthLevel>(index.data(DeviceModel::HealthRole).toInt());
+  const QColor ink = isSelected ? m_colours.accent.onFill : toneOf(m_colours, level).ink;
+  const double middle = cell.center().y();
+  const double x = cell.center().x();
+  drawGlyph(p, QRectF(x - kGlyph / 2, middle - 3 - kGlyph, kGlyph, kGlyph), glyphOf(level), ink,
+            Qt::transparent, m_colours.stroke);
+  const QFont small = secondaryFont(p.font());
+  const QFontMetricsF metrics(small);
+  const QString word = index.data().toString();
+  p.setFont(small);
+  p.setPen(ink);
+  p.drawText(QPointF(x - metrics.horizontalAdvance(word) / 2, middle + 4 + metrics.ascent()), word);
+}
+
+void DeviceDelegate::paintNumber(QPainter& p, const QRectF& cell, const QModelIndex& index,
+                                 bool isSelected) const {
+  QString text = index.data().toString();
+  QString unit;
+  // An age's unit is lighter than its number.
+  if (const auto space = text.lastIndexOf(QLatin1Char(' '));
+      index.column() == DeviceModel::AgeColumn && space > 0) {
+    unit = text.mid(space);
+    text.truncate(space);
+  }
+  const QFontMetricsF metrics(p.font());
+  const bool isSecondary = index.column() != DeviceModel::AddressColumn;
+  const QColor ink = isSelected    ? m_colours.accent.onFill
+                     : isSecondary ? m_colours.textSecondary
+                                   : m_colours.text;
+  // On the line of the device's name.
+  const double baseline = cell.center().y() - 4;
+  const QRectF slot(cell.left(), baseline - metrics.capHeight(), cell.width(), metrics.capHeight());
+  drawFigures(p, slot, {text, unit, p.font(), secondaryFont(p.font()), ink, ink});
+}
+
+}  // namespace deckpipe

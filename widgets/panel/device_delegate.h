@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Paints the cells of the device table: the device over its type, health as sign over word, numbers in equal
+// cells so that a running age moves nothing. Used by DeviceList alone, which paints the group headings.
+#pragma once
+
+#include <QStyledItemDelegate>
+
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class DeviceDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  static constexpr int kRowHeight = 48;
+  static constexpr int kHeadingHeight = 28;
+
+  explicit DeviceDelegate(QObject* parent = nullptr);
+  void setColours(const Colours& colours) { m_colours = colours; }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  // A row that opens its group is higher by the heading.
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  void paintDevice(QPainter& p, const QRectF& cell, const QModelIndex& index,
+                   const QStyleOptionViewItem& option) const;
+  void paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected) const;
+  void paintNumber(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected) const;
+
+  Colours m_colours;
+};
+
+// The type under the PIN, the words beside values: smaller than the application's font, never below 11 px.
+QFont secondaryFont(const QFont& font);
+
+}  // namespace deckpipe

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/device_list.h"
+
+#include <QFontMetrics>
+#include <QHeaderView>
+#include <QPainter>
+#include <QResizeEvent>
+#include <algorithm>
+
+#include "model/device_model.h"
+#include "model/device_order.h"
+#include "panel/device_delegate.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kPad = 8;
+
+}  // namespace
+
+DeviceList::DeviceList(QWidget* parent)
+    : QTreeView(parent), m_delegate(new DeviceDelegate(this)), m_colours(coloursOf(Theme::Light)) {
+  setObjectName(QStringLiteral("deviceList"));
+  setAccessibleName(tr("Devices"));
+  setItemDelegate(m_delegate);
+  setRootIsDecorated(false);
+  setItemsExpandable(false);
+  setIndentation(0);
+  setUniformRowHeights(false);
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  setEditTriggers(NoEditTriggers);
+  setAllColumnsShowFocus(true);
+  setVerticalScrollMode(ScrollPerPixel);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(NoFrame);
+  QHeaderView* h = header();
+  h->setObjectName(QStringLiteral("deviceListHeader"));
+  h->setSectionsMovable(false);
+  h->setSectionsClickable(true);
+  h->setStretchLastSection(false);
+  h->setSortIndicatorClearable(true);
+  h->setSortIndicatorShown(true);
+  h->setSortIndicator(-1, Qt::AscendingOrder);
+  h->setFixedHeight(32);
+  h->setMinimumSectionSize(32);
+}
+
+void DeviceList::setModel(QAbstractItemModel* model) {
+  QTreeView::setModel(model);
+  header()->setSectionResizeMode(QHeaderView::Fixed);
+  header()->setSectionResizeMode(DeviceModel::DeviceColumn, QHeaderView::Stretch);
+  setColumnHidden(DeviceModel::TypeColumn, true);  // it stands under the device
+  layOutColumns();
+}
+
+void DeviceList::setColours(const Colours& colours) {
+  m_colours = colours;
+  m_delegate->setColours(colours);
+  viewport()->update();
+}
+
+void DeviceList::resizeEvent(QResizeEvent* event) {
+  QTreeView::resizeEvent(event);
+  layOutColumns();
+}
+
+// Widths by the widest text a column can have, never by what it has now: nothing moves while values run.
+void DeviceList::layOutColumns() {
+  if (model() == nullptr) return;
+  const QFontMetrics metrics(font());
+  const auto set = [&](int column, const QString& widest, int extra = 0) {
+    setColumnWidth(column, std::max(40, metrics.horizontalAdvance(widest) + 2 * kPad + extra));
+  };
+  set(DeviceModel::AddressColumn, QStringLiteral("Addr."));
+  set(DeviceModel::AgeColumn, QStringLiteral("99 min"));
+  set(DeviceModel::HealthColumn, QStringLiteral("Health"));
+  set(DeviceModel::FramesColumn, QStringLiteral("99,999,999"));
+  setColumnHidden(DeviceModel::FramesColumn, width() < 480);
+}
+
+void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+                         const QModelIndex& index) const {
+  QStyleOptionViewItem row = option;
+  const auto* order = qobject_cast<const DeviceOrder*>(model());
+  if (order != nullptr && order->startsGroup(index.row())) {
+    QRect heading = option.rect;
+    heading.setHeight(DeviceDelegate::kHeadingHeight);
+    painter->save();
+    painter->fillRect(heading, m_colours.surfaceAlternate);
+    painter->setFont(secondaryFont(font()));
+    painter->setPen(m_colours.textSecondary);
+    painter->drawText(heading.adjusted(kPad, 0, -kPad, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                      index.data(DeviceModel::GroupTextRole).toString());
+    painter->restore();
+    row.rect.setTop(heading.bottom() + 1);
+  }
+  QTreeView::drawRow(painter, row, index);
+  painter->save();
+  painter->setPen(QPen(m_colours.stale.fill, 1));
+  painter->drawLine(row.rect.bottomLeft(), row.rect.bottomRight());
+  painter->restore();
+}
+
+}  // namespace deckpipe

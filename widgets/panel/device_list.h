@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The device table's view: rows under the headings of their groups. A heading is no row of its own, so
+// keyboard and selection never stop on it.
+#pragma once
+
+#include <QTreeView>
+
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class DeviceDelegate;
+
+class DeviceList : public QTreeView {
+  Q_OBJECT
+
+ public:
+  explicit DeviceList(QWidget* parent = nullptr);
+  void setModel(QAbstractItemModel* model) override;  // a DeviceOrder
+  void setColours(const Colours& colours);
+
+ protected:
+  void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void layOutColumns();
+
+  DeviceDelegate* m_delegate;
+  Colours m_colours;
+};
+
+}  // namespace deckpipe

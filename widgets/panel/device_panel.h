@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The left panel: who is on the bus at the cursor, and which device is looked at. The window gives it each
+// new view; it says when a person chose another device. What was chosen stays chosen by identity: through
+// changes of address, and while the cursor stands where the device was not heard yet.
+#pragma once
+
+#include <QWidget>
+
+#include "base/device_key.h"
+#include "paint/palette.h"
+#include "state/log_view.h"
+
+class QLabel;
+class QStackedLayout;
+
+namespace deckpipe {
+
+class DeviceList;
+class DeviceModel;
+class DeviceOrder;
+
+class DevicePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DevicePanel(QWidget* parent = nullptr);
+
+  void setView(const LogView& view);
+  void setColours(const Colours& colours);
+
+  // Chooses a device; it need not be there yet.
+  void selectDevice(const DeviceKey& key);
+  const DeviceKey& selectedDevice() const { return m_selected; }
+
+  QSize sizeHint() const override { return {336, 480}; }
+  QSize minimumSizeHint() const override { return {280, 160}; }
+
+ Q_SIGNALS:
+  // Another device is looked at, or the same one under the PIN that it has said now.
+  void deviceSelected(const deckpipe::DeviceKey& key);
+
+ private:
+  void choose(const DeviceKey& key);
+  void showSelection();
+
+  DeviceModel* m_model;
+  DeviceOrder* m_order;
+  DeviceList* m_list;
+  QLabel* m_empty;
+  QStackedLayout* m_pages;
+  DeviceKey m_selected;
+  bool m_isUpdating = false;  // the list's current row changes by itself then, not by a person
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/fact_list.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "panel/device_delegate.h"
+#include "panel/glyph_label.h"
+#include "panel/section_title.h"
+#include "text/age_text.h"
+
+namespace deckpipe {
+namespace {
+
+std::optional<Glyph> glyphOf(FactTone tone) {
+  switch (tone) {
+    case FactTone::Plain: return {};
+    case FactTone::Fine: return Glyph::Fine;
+    case FactTone::Attend: return Glyph::Attend;
+    case FactTone::Fault: return Glyph::Fault;
+    case FactTone::Stale: return Glyph::NoData;
+  }
+  return {};
+}
+
+QColor inkOf(const Colours& c, FactTone tone) {
+  switch (tone) {
+    case FactTone::Plain: return c.text;
+    case FactTone::Fine: return c.fine.ink;
+    case FactTone::Attend: return c.attend.ink;
+    case FactTone::Fault: return c.fault.ink;
+    case FactTone::Stale: return c.stale.ink;
+  }
+  return c.text;
+}
+
+void setInk(QLabel& label, const QColor& ink) {
+  QPalette palette = label.palette();
+  if (palette.color(QPalette::WindowText) == ink) return;
+  palette.setColor(QPalette::WindowText, ink);
+  label.setPalette(palette);
+}
+
+void setText(QLabel& label, const QString& text) {
+  if (label.text() != text) label.setText(text);
+}
+
+}  // namespace
+
+FactList::FactList(QWidget* parent)
+    : QWidget(parent),
+      m_colours(coloursOf(Theme::Light)),
+      m_title(new SectionTitle(this)),
+      m_grid(new QGridLayout(this)) {
+  m_grid->setContentsMargins(0, 0, 0, 0);
+  m_grid->setHorizontalSpacing(8);
+  m_grid->setVerticalSpacing(8);
+  m_grid->setColumnStretch(2, 1);
+  m_grid->addWidget(m_title, 0, 0, 1, 4);
+}
+
+void FactList::addLine() {
+  const int row = static_cast<int>(m_lines.size()) + 1;
+  Line line{new GlyphLabel(this), new QLabel(this), new QLabel(this), new QLabel(this)};
+  const QFont small = secondaryFont(font());
+  line.label->setFont(small);
+  line.age->setFont(small);
+  line.value->setWordWrap(true);
+  line.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  // Wide enough for every age, so that a running one moves nothing.
+  line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("< 99 min")));
+  m_grid->addWidget(line.sign, row, 0, Qt::AlignTop);
+  m_grid->addWidget(line.label, row, 1, Qt::AlignTop | Qt::AlignLeft);
+  m_grid->addWidget(line.value, row, 2, Qt::AlignTop);
+  m_grid->addWidget(line.age, row, 3, Qt::AlignTop | Qt::AlignRight);
+  m_lines.push_back(line);
+}
+
+void FactList::setGroup(const PageFactGroup& group) {
+  if (group == m_group) return;
+  if (group.key != m_group.key) {
+    setObjectName(group.key + QStringLiteral("Facts"));
+    for (std::size_t i = 0; i < m_lines.size(); ++i)
+      m_lines[i].value->setObjectName(QStringLiteral("%1Fact%2").arg(group.key).arg(i + 1));
+  }
+  setAccessibleName(group.title);
+  m_title->setTitle(group.title);
+  while (m_lines.size() < group.facts.size()) {
+    addLine();
+    m_lines.back().value->setObjectName(QStringLiteral("%1Fact%2").arg(group.key).arg(m_lines.size()));
+  }
+  for (std::size_t i = 0; i < m_lines.size(); ++i) {
+    const Line& line = m_lines[i];
+    const bool isUsed = i < group.facts.size();
+    for (QWidget* w : {static_cast<QWidget*>(line.sign), static_cast<QWidget*>(line.label),
+                       static_cast<QWidget*>(line.value), static_cast<QWidget*>(line.age)})
+      w->setVisible(isUsed);
+    if (isUsed) show(line, group.facts[i]);
+  }
+  m_group = group;
+}
+
+void FactList::show(const Line& line, const PageFact& fact) {
+  line.sign->setGlyph(glyphOf(fact.tone), inkOf(m_colours, fact.tone), m_colours.stroke);
+  setText(*line.label, fact.label);
+  setText(*line.value, fact.value);
+  setText(*line.age, fact.age ? calmAge(*fact.age) : QString());
+  setInk(*line.label, m_colours.textSecondary);
+  setInk(*line.value, inkOf(m_colours, fact.tone));
+  setInk(*line.age, m_colours.textSecondary);
+  line.value->setAccessibleName(tr("%1: %2").arg(fact.label, fact.value));
+}
+
+void FactList::setColours(const Colours& colours) {
+  m_colours = colours;
+  m_title->setColours(colours);
+  for (std::size_t i = 0; i < m_group.facts.size(); ++i) show(m_lines[i], m_group.facts[i]);
+}
+
+}  // namespace deckpipe

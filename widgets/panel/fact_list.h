@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A group of facts as lines of sign, label, value and age: faults, versions, address and NAME.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "model/monitor_page_values.h"
+#include "paint/palette.h"
+
+class QGridLayout;
+class QLabel;
+
+namespace deckpipe {
+
+class GlyphLabel;
+class SectionTitle;
+
+class FactList : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FactList(QWidget* parent = nullptr);
+
+  void setGroup(const PageFactGroup& group);
+  void setColours(const Colours& colours);
+
+ private:
+  struct Line {
+    GlyphLabel* sign;
+    QLabel* label;
+    QLabel* value;
+    QLabel* age;
+  };
+  void addLine();
+  void show(const Line& line, const PageFact& fact);
+
+  Colours m_colours;
+  PageFactGroup m_group;
+  SectionTitle* m_title;
+  QGridLayout* m_grid;
+  std::vector<Line> m_lines;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/lamp_grid.h"
+
+#include <algorithm>
+
+#include "paint/status_lamp.h"
+#include "panel/section_title.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kGap = 16;  // between columns
+constexpr int kNarrowest = 168;
+
+StatusLamp::State stateOf(const std::optional<Status2>& status) {
+  if (!status) return StatusLamp::State::Unknown;
+  switch (*status) {
+    case Status2::Off: return StatusLamp::State::Off;
+    case Status2::On: return StatusLamp::State::On;
+    case Status2::Error: return StatusLamp::State::Error;
+    case Status2::NotAvailable: break;
+  }
+  return StatusLamp::State::NotAvailable;
+}
+
+StatusLamp::WhenOn whenOnOf(LampTone tone) {
+  switch (tone) {
+    case LampTone::Plain: return StatusLamp::WhenOn::Plain;
+    case LampTone::Fine: return StatusLamp::WhenOn::Fine;
+    case LampTone::Attend: return StatusLamp::WhenOn::Attend;
+    case LampTone::Stop: break;
+  }
+  return StatusLamp::WhenOn::Stop;
+}
+
+}  // namespace
+
+void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale) {
+  lamp.setLabel(values.label, values.spoken);
+  lamp.setToolTip(values.spoken);
+  lamp.setWhenOn(whenOnOf(values.whenOn));
+  lamp.setState(stateOf(values.state), isStale);
+}
+
+LampGrid::LampGrid(QWidget* parent)
+    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_title(new SectionTitle(this)) {
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+}
+
+void LampGrid::setGroup(const PageLampGroup& group) {
+  m_title->setTitle(group.title, group.remark);
+  m_title->setAge(group.age, group.isStale);
+  setObjectName(group.key + QStringLiteral("Lamps"));
+  setAccessibleName(group.title);
+  const bool isOther = m_lamps.size() != group.lamps.size();
+  while (m_lamps.size() > group.lamps.size()) {
+    delete m_lamps.back();
+    m_lamps.pop_back();
+  }
+  while (m_lamps.size() < group.lamps.size()) {
+    auto* lamp = new StatusLamp(this);
+    lamp->setColours(m_colours);
+    lamp->show();
+    m_lamps.push_back(lamp);
+  }
+  for (std::size_t i = 0; i < m_lamps.size(); ++i) {
+    if (!isOther && i < m_group.lamps.size() && m_group.lamps[i] == group.lamps[i] &&
+        m_group.isStale == group.isStale)
+      continue;
+    setLamp(*m_lamps[i], group.lamps[i], group.isStale);
+    m_lamps[i]->setObjectName(QStringLiteral("%1Lamp%2").arg(group.key).arg(i + 1));
+  }
+  m_group = group;
+  if (!isOther) return;
+  updateGeometry();
+  layOut();
+}
+
+void LampGrid::setColours(const Colours& colours) {
+  m_colours = colours;
+  m_title->setColours(colours);
+  for (StatusLamp* lamp : m_lamps) lamp->setColours(colours);
+}
+
+// As wide as the widest label with its word wants, so that columns of one group line up.
+int LampGrid::columns(int width) const {
+  int widest = kNarrowest;
+  for (const StatusLamp* lamp : m_lamps) widest = std::max(widest, lamp->sizeHint().width() - 56);
+  const int fitting = std::max(1, (width + kGap) / (widest + kGap));
+  return std::min(fitting, std::max(1, static_cast<int>(m_lamps.size())));
+}
+
+int LampGrid::lampHeight() const { return m_lamps.empty() ? 32 : m_lamps.front()->sizeHint().height(); }
+
+int LampGrid::heightForWidth(int width) const {
+  const int count = static_cast<int>(m_lamps.size());
+  const int perRow = columns(width);
+  return m_title->sizeHint().height() + (count + perRow - 1) / perRow * lampHeight();
+}
+
+QSize LampGrid::sizeHint() const { return {2 * kNarrowest + kGap, heightForWidth(2 * kNarrowest + kGap)}; }
+
+QSize LampGrid::minimumSizeHint() const { return {kNarrowest, m_title->sizeHint().height() + lampHeight()}; }
+
+void LampGrid::resizeEvent(QResizeEvent*) { layOut(); }
+
+void LampGrid::layOut() {
+  const int perRow = columns(width());
+  const int top = m_title->sizeHint().height();
+  const int lampWidth = (width() - (perRow - 1) * kGap) / perRow;
+  m_title->setGeometry(0, 0, width(), top);
+  // Down the columns: what belongs together stays together.
+  const int count = static_cast<int>(m_lamps.size());
+  const int rows = (count + perRow - 1) / perRow;
+  for (int i = 0; i < count; ++i) {
+    m_lamps[static_cast<std::size_t>(i)]->setGeometry(i / rows * (lampWidth + kGap),
+                                                      top + i % rows * lampHeight(), lampWidth, lampHeight());
+  }
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A group of lamps that came with one message: its title with the age, the lamps in as many columns as have
+// room. The lamps stay the same widgets while only values change.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "model/monitor_page_values.h"
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class SectionTitle;
+class StatusLamp;
+
+class LampGrid : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LampGrid(QWidget* parent = nullptr);
+
+  void setGroup(const PageLampGroup& group);
+  void setColours(const Colours& colours);
+
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  int columns(int width) const;
+  int lampHeight() const;
+  void layOut();
+
+  Colours m_colours;
+  PageLampGroup m_group;
+  SectionTitle* m_title;
+  std::vector<StatusLamp*> m_lamps;
+};
+
+// What a page says of a lamp, for the widget.
+void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale);
+
+}  // namespace deckpipe

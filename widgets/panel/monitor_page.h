@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of one device: a monitor's dial with stops and outputs, a joystick's stick, a riser's or node's
+// own facts. The window tells it which device and gives it each new view; it draws monitorPageOf() and sends
+// nothing. It scrolls where there is too little room, and puts everything under one another where it is
+// narrow.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "model/monitor_page_of.h"
+#include "paint/palette.h"
+
+class QBoxLayout;
+class QLabel;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace deckpipe {
+
+class Dial;
+class FactList;
+class LampGrid;
+class PageHeader;
+class StickBox;
+class StopsGrid;
+
+class MonitorPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MonitorPage(QWidget* parent = nullptr);
+
+  void setDevice(const DeviceKey& key);
+  void setView(const LogView& view);
+  void setColours(const Colours& colours);
+  // Whether an oscillating band moves by itself; off while the cursor stands still.
+  void setAnimated(bool animated);
+
+  const MonitorPageValues& values() const { return m_values; }
+
+  QSize sizeHint() const override { return {1032, 560}; }
+  QSize minimumSizeHint() const override { return {320, 200}; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void refresh();
+  void showValues();
+  void showLamps();
+  void showFacts();
+  void layOut();
+
+  LogView m_view;
+  DeviceKey m_key;
+  MonitorPageValues m_values;
+  Colours m_colours;
+
+  PageHeader* m_header;
+  QLabel* m_message;  // instead of a page
+  QScrollArea* m_scroll;
+  QBoxLayout* m_top;  // dial or stick, and what stands beside it
+  QVBoxLayout* m_side;
+  QVBoxLayout* m_below;
+  QBoxLayout* m_factRow;
+  Dial* m_dial;
+  StickBox* m_stick;
+  StopsGrid* m_stops;
+  std::vector<LampGrid*> m_lamps;
+  std::vector<FactList*> m_facts;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/page_header.h"
+
+#include <QFontInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <cmath>
+
+#include "panel/device_delegate.h"
+#include "panel/glyph_label.h"
+#include "panel/health_look.h"
+#include "text/age_text.h"
+
+namespace deckpipe {
+namespace {
+
+QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QString::fromLatin1(name));
+  label->setAccessibleName(spoken);
+  return label;
+}
+
+void setText(QLabel& label, const QString& text) {
+  if (label.text() != text) label.setText(text);
+}
+
+void setInk(QLabel& label, const QColor& ink) {
+  QPalette palette = label.palette();
+  palette.setColor(QPalette::WindowText, ink);
+  label.setPalette(palette);
+}
+
+}  // namespace
+
+PageHeader::PageHeader(QWidget* parent)
+    : QWidget(parent),
+      m_colours(coloursOf(Theme::Light)),
+      m_title(makeLabel(this, "pageTitle", tr("Device"))),
+      m_type(makeLabel(this, "pageType", tr("Type"))),
+      m_place(makeLabel(this, "pageAddress", tr("Address"))),
+      m_age(makeLabel(this, "pageAge", tr("Last heard"))),
+      m_sign(new GlyphLabel(this)),
+      m_word(makeLabel(this, "pageHealth", tr("Health"))),
+      m_reason(makeLabel(this, "pageReason", tr("Reason of the health"))) {
+  setObjectName(QStringLiteral("pageHeader"));
+  QFont strong = font();
+  strong.setPixelSize(static_cast<int>(std::lround(QFontInfo(strong).pixelSize() * 1.4)));
+  strong.setWeight(QFont::DemiBold);
+  m_title->setFont(strong);
+  m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  QFont word = font();
+  word.setWeight(QFont::DemiBold);
+  m_word->setFont(word);
+  const QFont small = secondaryFont(font());
+  for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
+  m_age->setMinimumWidth(
+      m_age->fontMetrics().horizontalAdvance(tr("heard %1 ago").arg(QStringLiteral("< 99 min"))));
+
+  auto* names = new QHBoxLayout;
+  names->setSpacing(16);
+  names->addWidget(m_title);
+  names->addWidget(m_type, 1, Qt::AlignBottom);
+  auto* health = new QHBoxLayout;
+  health->setSpacing(8);
+  health->addStretch(1);
+  health->addWidget(m_sign);
+  health->addWidget(m_word);
+  auto* places = new QHBoxLayout;
+  places->setSpacing(16);
+  places->addWidget(m_place);
+  places->addWidget(m_age, 1);
+  m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  m_reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  m_type->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(16, 8, 16, 8);
+  grid->setHorizontalSpacing(16);
+  grid->setVerticalSpacing(4);
+  grid->addLayout(names, 0, 0);
+  grid->addLayout(health, 0, 1);
+  grid->addLayout(places, 1, 0);
+  grid->addWidget(m_reason, 1, 1);
+  grid->setColumnStretch(0, 3);
+  grid->setColumnStretch(1, 2);
+}
+
+void PageHeader::setPage(const MonitorPageValues& page) {
+  setText(*m_title, page.title);
+  setText(*m_type, page.type);
+  m_type->setToolTip(page.type);
+  setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
+  setText(*m_age, page.age ? tr("heard %1 ago").arg(calmAge(*page.age)) : QString());
+  if (page.health == m_health && !m_word->text().isEmpty()) return;
+  m_health = page.health;
+  showHealth();
+}
+
+void PageHeader::showHealth() {
+  const QColor ink = toneOf(m_colours, m_health.level).ink;
+  m_sign->setGlyph(glyphOf(m_health.level), ink, m_colours.stroke);
+  setText(*m_word, healthWord(m_health.level));
+  setInk(*m_word, ink);
+  const QStringList reasons = healthReasons(m_health);
+  QString first = reasons.isEmpty() ? QString() : reasons.front();
+  if (reasons.size() > 1)
+    first += QLatin1Char(' ') + tr("%n more", nullptr, static_cast<int>(reasons.size()) - 1);
+  setText(*m_reason, first);
+  m_reason->setToolTip(reasons.join(QLatin1Char('\n')));
+  m_word->setToolTip(m_reason->toolTip());
+}
+
+void PageHeader::setColours(const Colours& colours) {
+  m_colours = colours;
+  setInk(*m_title, colours.text);
+  for (QLabel* label : {m_type, m_place, m_age, m_reason}) setInk(*label, colours.textSecondary);
+  showHealth();
+  update();
+}
+
+void PageHeader::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), m_colours.surface);
+  painter.setPen(QPen(m_colours.stale.fill, 1));
+  painter.drawLine(QPointF(0, height() - 0.5), QPointF(width(), height() - 0.5));
+}
+
+}  // namespace deckpipe

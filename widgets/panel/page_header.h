@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first line of a page, which never scrolls away: which device this is, where it is heard, how long ago,
+// and how it is.
+#pragma once
+
+#include <QWidget>
+
+#include "model/monitor_page_values.h"
+#include "paint/palette.h"
+
+class QLabel;
+
+namespace deckpipe {
+
+class GlyphLabel;
+
+class PageHeader : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PageHeader(QWidget* parent = nullptr);
+
+  void setPage(const MonitorPageValues& page);
+  void setColours(const Colours& colours);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void showHealth();
+
+  Colours m_colours;
+  DeviceHealth m_health;
+  QLabel* m_title;
+  QLabel* m_type;
+  QLabel* m_place;
+  QLabel* m_age;
+  GlyphLabel* m_sign;
+  QLabel* m_word;
+  QLabel* m_reason;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/stick_box.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "paint/stick_view.h"
+#include "panel/section_title.h"
+
+namespace deckpipe {
+
+StickBox::StickBox(QWidget* parent)
+    : QWidget(parent),
+      m_colours(coloursOf(Theme::Light)),
+      m_title(new SectionTitle(this)),
+      m_view(new StickView(this)),
+      m_x(new QLabel(this)),
+      m_y(new QLabel(this)) {
+  setObjectName(QStringLiteral("stick"));
+  setAccessibleName(tr("Stick"));
+  m_title->setTitle(tr("Stick"));
+  m_x->setObjectName(QStringLiteral("stickX"));
+  m_y->setObjectName(QStringLiteral("stickY"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(16);
+  grid->setVerticalSpacing(8);
+  grid->addWidget(m_title, 0, 0, 1, 2);
+  grid->addWidget(m_view, 1, 0, 1, 2, Qt::AlignHCenter);
+  int row = 2;
+  for (QLabel* value : {m_x, m_y}) {
+    auto* axis = new QLabel(value == m_x ? tr("X") : tr("Y"), this);
+    axis->setObjectName(value->objectName() + QStringLiteral("Name"));
+    value->setMinimumWidth(value->fontMetrics().horizontalAdvance(tr("100.0 % forward")));
+    grid->addWidget(axis, row, 0, Qt::AlignRight);
+    grid->addWidget(value, row++, 1);
+  }
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 2);
+  grid->setRowStretch(row, 1);
+}
+
+void StickBox::setStick(const PageStick& stick) {
+  m_title->setAge(stick.age, stick.isStale);
+  m_view->setValues({stick.x, stick.y, stick.isStale});
+  const auto show = [&](QLabel& label, const QString& name, const QString& text) {
+    if (label.text() == text) return;
+    label.setText(text);
+    label.setAccessibleName(tr("%1: %2").arg(name, text));
+  };
+  show(*m_x, tr("X"), stick.xText);
+  show(*m_y, tr("Y"), stick.yText);
+  m_view->setAccessibleDescription(tr("X %1, Y %2").arg(stick.xText, stick.yText));
+  const QColor ink = stick.isStale ? m_colours.stale.ink : m_colours.text;
+  for (QLabel* label : {m_x, m_y}) {
+    QPalette palette = label->palette();
+    if (palette.color(QPalette::WindowText) == ink) continue;
+    palette.setColor(QPalette::WindowText, ink);
+    label->setPalette(palette);
+  }
+}
+
+void StickBox::setColours(const Colours& colours) {
+  m_colours = colours;
+  m_title->setColours(colours);
+  m_view->setColours(colours);
+}
+
+}  // namespace deckpipe

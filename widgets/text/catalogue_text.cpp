@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/catalogue_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "protocol/catalogue.h"
+
+namespace deckpipe {
+namespace {
+
+QString asItIs(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString translated(const char* context, std::span<const char* const> texts, std::string_view name) {
+  const auto found = std::ranges::find(texts, name, [](const char* text) { return std::string_view(text); });
+  return found == texts.end() ? asItIs(name) : QCoreApplication::translate(context, *found);
+}
+
+}  // namespace
+
+QString messageName(MessageId id) { return translated("Message", messageNameTexts(), messageOf(id).name); }
+
+QString fieldName(const Field& field) { return translated("Field", fieldNameTexts(), field.name); }
+
+QString wordText(std::string_view key) {
+  const auto found = std::ranges::find(wordTexts(), key, &WordText::key);
+  return found == wordTexts().end() ? asItIs(key) : QCoreApplication::translate("Word", found->text);
+}
+
+QString abortText(std::uint32_t code) {
+  const auto found = std::ranges::find(sdo::kAbortCodes, code, &ValueName::value);
+  if (found != sdo::kAbortCodes.end()) return translated("SdoAbort", abortTexts(), found->word);
+  return QCoreApplication::translate("SdoAbort", "code %1 hex")
+      .arg(QStringLiteral("%1").arg(code, 8, 16, QLatin1Char('0')).toUpper());
+}
+
+}  // namespace deckpipe

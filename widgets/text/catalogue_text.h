@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The catalogue's names and words in the person's language. Core says keys and English names and knows no
+// translation; here every one of them stands once more where lupdate finds it. A test compares the two, so
+// that no name can be added or changed in the catalogue without its text.
+#pragma once
+
+#include <QString>
+#include <span>
+#include <string_view>
+
+#include "protocol/message.h"
+
+namespace deckpipe {
+
+// "Position / limit status"
+QString messageName(MessageId id);
+// "Rotation", as the catalogue calls a field of any message.
+QString fieldName(const Field& field);
+// Words that fields take, fault keys and the console's own keys: "internal_fuse" is "Internal fuse". A key
+// without a text is given back as it is.
+QString wordText(std::string_view key);
+// CiA 301's reason for an abort code; "code 0504FFFF" for one that has none.
+QString abortText(std::uint32_t code);
+
+// For the test.
+struct WordText {
+  std::string_view key;
+  const char* text;
+};
+std::span<const char* const> messageNameTexts();
+std::span<const char* const> fieldNameTexts();
+std::span<const char* const> abortTexts();
+std::span<const WordText> wordTexts();
+
+}  // namespace deckpipe
