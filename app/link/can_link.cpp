@@ -125,8 +125,11 @@ std::optional<CanLink::Obstacle> CanLink::createDevice() {
     return Obstacle{LinkFault::NoInterface, m_device->errorString()};
   }
   if (pluginTakesBitRate(m_settings.plugin)) {
-    // The plugins' own 500,000 must not stand. Without a value socketcan leaves the interface alone.
-    const QVariant asked = m_settings.bitRate != 0 ? QVariant(m_settings.bitRate) : QVariant();
+    // The plugins' own 500,000 must not stand. Without a value socketcan leaves the interface alone, whose
+    // rate was just looked at; with one it would try to set it, through libsocketcan, and fail because it is
+    // up.
+    const QVariant asked =
+        m_settings.bitRate != 0 && !isSocketCan() ? QVariant(m_settings.bitRate) : QVariant();
     m_device->setConfigurationParameter(QCanBusDevice::BitRateKey, asked);
     const bool taken = m_device->configurationParameter(QCanBusDevice::BitRateKey) == asked;
     if (!taken || (m_settings.bitRate == 0 && !isSocketCan())) {

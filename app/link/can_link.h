@@ -3,9 +3,10 @@
 // the bus thread, gives it a listener and owns it; every call and every callback is on that thread, which
 // needs an event loop. Frames are converted as they arrive, many at a time, and none is kept here.
 //
-// 1. It never sends at a bit rate other than the one asked for, where that can be found out: socketcan cannot
-//    change the rate of an interface that is up and says nothing when it fails, so the rate is read back from
-//    the driver and the link refused if it differs. Plugins that would not take the rate are refused too.
+// 1. It never sends at a bit rate other than the one asked for, where that can be found out: nobody can
+// change the
+//    rate of an interface of Linux that is up, so it is left alone, its rate is read from the driver and the
+//    link refused if it differs. Plugins that would not take the rate are refused too.
 // 2. It says Up only for what is up: socketcan connects to interfaces that are down, and virtualcan waits for
 //    ever where nobody listens. The first is refused, the second given up after kConnectTimeout.
 // 3. An interface of Linux that goes down, is pulled out or comes back at another rate is Lost, and Up again
