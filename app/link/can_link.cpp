@@ -178,6 +178,7 @@ void CanLink::cameUp() {
     m_notifier = m_device->findChild<QSocketNotifier*>(QString(), Qt::FindDirectChildrenOnly);
     m_descriptor = m_notifier != nullptr ? static_cast<int>(m_notifier->socket()) : -1;
     if (m_descriptor >= 0) {
+      startStamping(m_descriptor);
       growReceiveBuffer(m_descriptor, kReceiveBufferBytes);
     }
     m_drops = 0;

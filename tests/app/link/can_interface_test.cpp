@@ -250,6 +250,28 @@ TEST(KernelSocket, TellsWhatWasDropped) {
   EXPECT_FALSE(readReceiveBuffer(-1));
 }
 
+// A datagram that waits before the first is read has the time at which it came, not that of the reading.
+TEST(KernelSocket, StampsWhatComesBeforeTheFirstReading) {
+  const int receiver = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  ASSERT_EQ(::bind(receiver, reinterpret_cast<const sockaddr*>(&address), size), 0);
+  ASSERT_EQ(::getsockname(receiver, reinterpret_cast<sockaddr*>(&address), &size), 0);
+  startStamping(receiver);
+  QTest::qWait(50);  // the kernel switches its stamps on a moment later
+  char byte = 0;
+  ASSERT_EQ(::sendto(receiver, &byte, 1, 0, reinterpret_cast<const sockaddr*>(&address), size), 1);
+  timeval before{}, stamp{};
+  ::gettimeofday(&before, nullptr);
+  QTest::qWait(50);
+  ASSERT_EQ(::recv(receiver, &byte, 1, 0), 1);
+  ASSERT_EQ(::ioctl(receiver, SIOCGSTAMP, &stamp), 0);
+  EXPECT_FALSE(timercmp(&stamp, &before, >)) << "stamped when it was read";
+  ::close(receiver);
+}
+
 }  // namespace
 }  // namespace deckpipe
 
