@@ -20,24 +20,25 @@ Session::Session(QObject* parent) : QObject(parent) {
 
 Session::~Session() { closeSource(); }
 
-// Workers that need an event loop each get a thread. A worker is deleted in its own thread when that ends,
+// Links, and in the demo the twin, live on one thread with an event loop. Each is deleted there when it ends,
 // which closes its link.
-QThread* Session::startThread(QObject* worker, const char* name) {
-  auto* thread = new QThread(this);
-  thread->setObjectName(QLatin1String(name));
-  worker->moveToThread(thread);
-  connect(thread, &QThread::finished, worker, &QObject::deleteLater);
-  thread->start();
-  return thread;
+void Session::startOnBusThread(QObject* worker, std::function<void()> start) {
+  if (m_busThread == nullptr) {
+    m_busThread = new QThread(this);
+    m_busThread->setObjectName(QStringLiteral("bus"));
+    m_busThread->start();
+  }
+  worker->moveToThread(m_busThread);
+  connect(m_busThread, &QThread::finished, worker, &QObject::deleteLater);
+  QMetaObject::invokeMethod(worker, std::move(start), Qt::QueuedConnection);
 }
 
 void Session::closeSource() {
   m_timer.stop();
-  for (QThread** thread : {&m_busThread, &m_benchThread}) {
-    if (*thread == nullptr) continue;
-    (*thread)->quit();
-    (*thread)->wait();
-    delete std::exchange(*thread, nullptr);
+  if (m_busThread != nullptr) {
+    m_busThread->quit();
+    m_busThread->wait();
+    delete std::exchange(m_busThread, nullptr);
   }
   m_live = nullptr;
   m_bench = nullptr;
@@ -75,8 +76,7 @@ void Session::openLink(const LinkSettings& settings) {
   LinkSettings onChannel = settings;
   onChannel.channel = {m_document->frames.channel(channelName.toStdString())};
   m_live = new LiveBus(m_document, onChannel);
-  m_busThread = startThread(m_live, "bus");
-  QMetaObject::invokeMethod(m_live, &LiveBus::start, Qt::QueuedConnection);
+  startOnBusThread(m_live, [live = m_live] { live->start(); });
   Q_EMIT changed();
 }
 
@@ -94,16 +94,14 @@ void Session::openDemo() {
     const Channel channel{m_document->frames.channel("can0")};
     m_live = new LiveBus(m_document,
                          {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel});
-    m_busThread = startThread(m_live, "bus");
-    QMetaObject::invokeMethod(m_live, &LiveBus::start, Qt::QueuedConnection);
+    startOnBusThread(m_live, [live = m_live] { live->start(); });
   });
   connect(m_bench, &BenchRunner::failed, this, [this](const QString& reason) {
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
     m_snapshot.source.reason = reason;
     Q_EMIT changed();
   });
-  m_benchThread = startThread(m_bench, "bench");
-  QMetaObject::invokeMethod(m_bench, &BenchRunner::startDemo, Qt::QueuedConnection);
+  startOnBusThread(m_bench, [bench = m_bench] { bench->startDemo(); });
   Q_EMIT changed();
 }
 

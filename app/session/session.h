@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "link/can_link.h"
@@ -62,16 +63,15 @@ class Session : public QObject {
   void setCursor(Cursor cursor);
   Cursor endCursor() const;
   bool grows() const { return m_live != nullptr; }
-  QThread* startThread(QObject* worker, const char* name);
+  void startOnBusThread(QObject* worker, std::function<void()> start);
 
   Snapshot m_snapshot;
   std::shared_ptr<LogDocument> m_document;
   std::unique_ptr<StateWalker> m_walker;
   std::unique_ptr<LogOpening> m_opening;
-  LiveBus* m_live = nullptr;       // on m_busThread, which deletes it
-  BenchRunner* m_bench = nullptr;  // on m_benchThread, which deletes it
-  QThread* m_busThread = nullptr;
-  QThread* m_benchThread = nullptr;
+  QThread* m_busThread = nullptr;  // deletes what lives on it when it ends
+  LiveBus* m_live = nullptr;
+  BenchRunner* m_bench = nullptr;
   QTimer m_timer;
   QElapsedTimer m_playClock;  // since the cursor was last moved by playing
 };
