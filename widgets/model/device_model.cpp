@@ -140,7 +140,7 @@ int DeviceModel::columnCount(const QModelIndex& parent) const { return parent.is
 
 QString DeviceModel::textOf(const DeviceRow& row, int column) const {
   switch (column) {
-    case DeviceColumn: return deviceText(row.key);
+    case DeviceColumn: return deviceText(row);
     case TypeColumn: return typeText(row);
     case AddressColumn:
       if (row.key.kind == DeviceKey::Kind::Node) return hexText(row.key.node.value);

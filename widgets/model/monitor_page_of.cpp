@@ -83,7 +83,7 @@ MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key) {
   if (!row) return page;
   page.isFound = true;
   page.key = row->key;
-  page.title = deviceText(row->key);
+  page.title = deviceText(*row);
   page.type = typeText(*row);
   page.address = placeText(*row);
   page.channel = channelText(view, row->channel);

@@ -3,8 +3,8 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <algorithm>
 
-#include "panel/device_delegate.h"
 #include "panel/glyph_label.h"
 #include "panel/section_title.h"
 #include "text/age_text.h"
@@ -62,13 +62,11 @@ FactList::FactList(QWidget* parent)
 void FactList::addLine() {
   const int row = static_cast<int>(m_lines.size()) + 1;
   Line line{new GlyphLabel(this), new QLabel(this), new QLabel(this), new QLabel(this)};
-  const QFont small = secondaryFont(font());
-  line.label->setFont(small);
-  line.age->setFont(small);
   line.value->setWordWrap(true);
   line.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   // Wide enough for every age, so that a running one moves nothing.
-  line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("< 99 min")));
+  line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("99 min")));
+  line.age->setAlignment(Qt::AlignRight);
   m_grid->addWidget(line.sign, row, 0, Qt::AlignTop);
   m_grid->addWidget(line.label, row, 1, Qt::AlignTop | Qt::AlignLeft);
   m_grid->addWidget(line.value, row, 2, Qt::AlignTop);
@@ -89,12 +87,14 @@ void FactList::setGroup(const PageFactGroup& group) {
     addLine();
     m_lines.back().value->setObjectName(QStringLiteral("%1Fact%2").arg(group.key).arg(m_lines.size()));
   }
+  const bool hasAges = std::ranges::any_of(group.facts, [](const PageFact& f) { return f.age.has_value(); });
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
     const Line& line = m_lines[i];
     const bool isUsed = i < group.facts.size();
-    for (QWidget* w : {static_cast<QWidget*>(line.sign), static_cast<QWidget*>(line.label),
-                       static_cast<QWidget*>(line.value), static_cast<QWidget*>(line.age)})
-      w->setVisible(isUsed);
+    line.sign->setVisible(isUsed);
+    line.label->setVisible(isUsed);
+    line.value->setVisible(isUsed);
+    line.age->setVisible(isUsed && hasAges);
     if (isUsed) show(line, group.facts[i]);
   }
   m_group = group;

@@ -18,6 +18,7 @@ namespace deckpipe {
 namespace {
 
 constexpr int kMargin = 16;
+constexpr int kDialHeight = 296;
 constexpr int kNarrow = 760;  // below this, one column
 
 // Lamps that say why a monitor moves or does not stand beside its dial, a joystick's beside its stick.
@@ -62,18 +63,21 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_side->setSpacing(kMargin);
   m_side->addWidget(m_stops);
   m_side->addStretch(1);
-  m_top->addWidget(m_dial, 3);
-  m_top->addWidget(m_stick, 2);
-  m_top->addLayout(m_side, 2);
+  m_top->addWidget(m_dial, 4);
+  m_top->addWidget(m_stick, 0, Qt::AlignTop);
+  m_top->addLayout(m_side, 3);
   m_below = new QVBoxLayout;
   m_below->setSpacing(kMargin);
   m_factRow = new QBoxLayout(QBoxLayout::LeftToRight);
   m_factRow->setSpacing(32);
-  all->addLayout(m_top, 1);
+  all->addLayout(m_top);
   all->addLayout(m_below);
   all->addLayout(m_factRow);
+  all->addStretch(0);
   m_scroll->setWidget(content);
-  m_dial->setMinimumHeight(264);
+  // As high as there is room for, and never less than what is read at arm's length.
+  m_dial->setMinimumHeight(kDialHeight);
+  m_dial->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -99,7 +103,8 @@ void MonitorPage::setView(const LogView& view) {
 
 void MonitorPage::refresh() {
   MonitorPageValues values = monitorPageOf(m_view, m_key);
-  if (values == m_values) return;
+  // Without a device the message depends on who else is there.
+  if (values == m_values && values.isFound) return;
   m_values = std::move(values);
   showValues();
 }
@@ -110,9 +115,7 @@ void MonitorPage::showValues() {
   m_scroll->setVisible(isFound);
   m_message->setVisible(!isFound);
   if (!isFound) {
-    m_message->setText(m_key.isNull()
-                           ? tr("Choose a device on the left.")
-                           : tr("%1 is not heard up to this place of the log.").arg(deviceText(m_key)));
+    m_message->setText(missingText());
     return;
   }
   m_header->setPage(m_values);
@@ -125,6 +128,12 @@ void MonitorPage::showValues() {
   showLamps();
   showFacts();
   layOut();
+}
+
+QString MonitorPage::missingText() const {
+  if (!m_key.isNull()) return tr("%1 was not heard up to this place of the log.").arg(keyText(m_key));
+  const bool isAnyone = m_view.state != nullptr && !deviceRows(*m_view.state).empty();
+  return isAnyone ? tr("Choose a device on the left.") : tr("Devices are shown here once they are heard.");
 }
 
 void MonitorPage::showLamps() {
@@ -170,6 +179,11 @@ void MonitorPage::showFacts() {
 }
 
 void MonitorPage::layOut() {
+  // Room to spare goes to the dial; without one it stays empty at the foot.
+  auto* all = static_cast<QVBoxLayout*>(m_scroll->widget()->layout());
+  const bool hasDial = m_values.dial.has_value();
+  all->setStretch(0, hasDial ? 1 : 0);
+  all->setStretch(all->count() - 1, hasDial ? 0 : 1);
   const auto direction = width() < kNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
   if (m_top->direction() != direction) m_top->setDirection(direction);
   if (m_factRow->direction() != direction) m_factRow->setDirection(direction);

@@ -48,6 +48,7 @@ class MonitorPage : public QWidget {
  private:
   void refresh();
   void showValues();
+  QString missingText() const;
   void showLamps();
   void showFacts();
   void layOut();

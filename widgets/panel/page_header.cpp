@@ -107,7 +107,7 @@ void PageHeader::showHealth() {
   const QStringList reasons = healthReasons(m_health);
   QString first = reasons.isEmpty() ? QString() : reasons.front();
   if (reasons.size() > 1)
-    first += QLatin1Char(' ') + tr("%n more", nullptr, static_cast<int>(reasons.size()) - 1);
+    first += QLatin1Char(' ') + tr("And %n more.", nullptr, static_cast<int>(reasons.size()) - 1);
   setText(*m_reason, first);
   m_reason->setToolTip(reasons.join(QLatin1Char('\n')));
   m_word->setToolTip(m_reason->toolTip());

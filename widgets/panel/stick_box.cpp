@@ -19,6 +19,7 @@ StickBox::StickBox(QWidget* parent)
   setObjectName(QStringLiteral("stick"));
   setAccessibleName(tr("Stick"));
   m_title->setTitle(tr("Stick"));
+  setFixedWidth(240);
   m_x->setObjectName(QStringLiteral("stickX"));
   m_y->setObjectName(QStringLiteral("stickY"));
   auto* grid = new QGridLayout(this);
