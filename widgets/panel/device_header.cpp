@@ -21,10 +21,8 @@ DeviceHeader::DeviceHeader(QWidget* parent)
   setObjectName(QStringLiteral("deviceListHeader"));
   setAccessibleName(tr("Sort the devices by"));
   setSectionsMovable(false);
-  setSectionsClickable(true);
   setStretchLastSection(false);
   setSortIndicatorClearable(true);
-  setSortIndicatorShown(true);
   setSortIndicator(-1, Qt::AscendingOrder);
   setMinimumSectionSize(32);
   setFixedHeight(32);
