@@ -6,7 +6,7 @@
 #include <QPolygonF>
 
 #include "model/device_model.h"
-#include "panel/device_delegate.h"
+#include "panel/secondary_font.h"
 
 namespace deckpipe {
 namespace {

@@ -10,6 +10,7 @@
 #include "model/device_order.h"
 #include "panel/device_delegate.h"
 #include "panel/device_header.h"
+#include "panel/secondary_font.h"
 
 namespace deckpipe {
 namespace {

@@ -69,9 +69,9 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_side->setSpacing(kMargin);
   m_side->addWidget(m_stops);
   m_side->addStretch(1);
-  m_top->addWidget(m_dial, 4);
+  m_top->addWidget(m_dial, 5);
   m_top->addWidget(m_stick, 0, Qt::AlignTop);
-  m_top->addLayout(m_side, 3);
+  m_top->addLayout(m_side, 4);
   m_below = new QVBoxLayout;
   m_below->setSpacing(kMargin);
   m_factGrid = new QGridLayout;
@@ -187,8 +187,8 @@ void MonitorPage::showFacts() {
 int MonitorPage::dialHeight() const {
   const int inner = width() - 2 * kMargin;
   const bool isWide = width() >= kNarrow;
-  const int dialWidth = isWide ? inner * 4 / 7 : inner;
-  const int beside = isWide ? m_side->heightForWidth((inner - m_top->spacing()) * 3 / 7) : 0;
+  const int dialWidth = isWide ? inner * 5 / 9 : inner;
+  const int beside = isWide ? m_side->heightForWidth((inner - m_top->spacing()) * 4 / 9) : 0;
   const int left = height() - m_header->sizeHint().height() - 2 * kMargin - kBelowDial;
   return std::clamp(std::max(left, beside), kLeastDial, std::max(kLeastDial, dialWidth * 11 / 16));
 }

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panel/device_delegate.h"
 #include "panel/glyph_label.h"
 #include "panel/health_look.h"
 #include "panel/label_ink.h"
+#include "panel/secondary_font.h"
 #include "text/age_text.h"
 
 namespace deckpipe {

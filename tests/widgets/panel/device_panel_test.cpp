@@ -62,7 +62,7 @@ TEST_F(DevicePanelTest, SaysWhatIsMissing) {
       << empty->text().toStdString();
   m_bus.hear("7DF", "0201");
   show();
-  EXPECT_EQ(empty->text(), QStringLiteral("1 frames heard, none from a known device."));
+  EXPECT_EQ(empty->text(), QStringLiteral("One frame heard, not from a known device."));
   neighbours(m_bus);
   show();
   EXPECT_FALSE(empty->isVisible());
