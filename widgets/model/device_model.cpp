@@ -125,8 +125,9 @@ QString DeviceModel::emptyText() const {
   }
   std::uint64_t errors = 0;
   for (std::uint8_t c = 0; c < kMaxChannels; ++c) errors += state.channel(Channel{c}).errorFrames;
-  const QString heard = tr("%1 frames heard, none from a known device.")
-                            .arg(QLocale().toString(static_cast<qulonglong>(frames)));
+  const QString heard = frames == 1 ? tr("One frame heard, not from a known device.")
+                                    : tr("%1 frames heard, none from a known device.")
+                                          .arg(QLocale().toString(static_cast<qulonglong>(frames)));
   if (errors == 0) return heard;
   return tr("%1\n%2 of them are error frames: check bit rate and termination.")
       .arg(heard, QLocale().toString(static_cast<qulonglong>(errors)));

@@ -6,7 +6,7 @@
 #include <QPolygonF>
 
 #include "model/device_model.h"
-#include "panel/device_delegate.h"
+#include "panel/secondary_font.h"
 
 namespace deckpipe {
 namespace {
@@ -21,10 +21,8 @@ DeviceHeader::DeviceHeader(QWidget* parent)
   setObjectName(QStringLiteral("deviceListHeader"));
   setAccessibleName(tr("Sort the devices by"));
   setSectionsMovable(false);
-  setSectionsClickable(true);
   setStretchLastSection(false);
   setSortIndicatorClearable(true);
-  setSortIndicatorShown(true);
   setSortIndicator(-1, Qt::AscendingOrder);
   setMinimumSectionSize(32);
   setFixedHeight(32);

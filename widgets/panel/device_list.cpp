@@ -10,6 +10,7 @@
 #include "model/device_order.h"
 #include "panel/device_delegate.h"
 #include "panel/device_header.h"
+#include "panel/secondary_font.h"
 
 namespace deckpipe {
 namespace {
@@ -38,6 +39,9 @@ DeviceList::DeviceList(QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(NoFrame);
   setHeader(m_header);
+  // setHeader() takes these back where the view does not sort by itself; DevicePanel sorts through the proxy.
+  m_header->setSectionsClickable(true);
+  m_header->setSortIndicatorShown(true);
 }
 
 void DeviceList::setModel(QAbstractItemModel* model) {
@@ -96,8 +100,8 @@ void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
   painter->drawLine(row.rect.bottomLeft(), row.rect.bottomRight());
   if (hasFocus() && index.row() == currentIndex().row()) {
     const bool isSelected = selectionModel()->isSelected(index);
-    painter->setPen(QPen(isSelected ? m_colours.accent.onFill : m_colours.accent.ink, 2));
-    painter->drawRect(QRectF(row.rect).adjusted(3, 3, -3, -3));
+    painter->setPen(QPen(isSelected ? m_colours.accent.onFill : m_colours.accent.ink, 1));
+    painter->drawRect(QRectF(row.rect).adjusted(2.5, 2.5, -2.5, -2.5));
   }
   painter->restore();
 }

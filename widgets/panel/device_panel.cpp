@@ -9,6 +9,7 @@
 #include "model/device_model.h"
 #include "model/device_order.h"
 #include "panel/device_list.h"
+#include "panel/label_ink.h"
 
 namespace deckpipe {
 
@@ -83,6 +84,7 @@ void DevicePanel::showSelection() {
 
 void DevicePanel::setColours(const Colours& colours) {
   setPalette(qtPalette(colours));
+  setInk(*m_empty, colours.textSecondary);
   m_list->setColours(colours);
 }
 

@@ -2,10 +2,10 @@
 #include "panel/fact_list.h"
 
 #include <QGridLayout>
-#include <QLabel>
 #include <algorithm>
 
 #include "panel/glyph_label.h"
+#include "panel/label_ink.h"
 #include "panel/section_title.h"
 #include "text/age_text.h"
 
@@ -32,17 +32,6 @@ QColor inkOf(const Colours& c, FactTone tone) {
     case FactTone::Stale: return c.stale.ink;
   }
   return c.text;
-}
-
-void setInk(QLabel& label, const QColor& ink) {
-  QPalette palette = label.palette();
-  if (palette.color(QPalette::WindowText) == ink) return;
-  palette.setColor(QPalette::WindowText, ink);
-  label.setPalette(palette);
-}
-
-void setText(QLabel& label, const QString& text) {
-  if (label.text() != text) label.setText(text);
 }
 
 }  // namespace

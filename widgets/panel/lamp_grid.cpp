@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kGap = 16;  // between columns
 constexpr int kNarrowest = 168;
+constexpr int kUsual = 208;  // the same for neighbouring groups, so that their words line up
 
 StatusLamp::State stateOf(const std::optional<Status2>& status) {
   if (!status) return StatusLamp::State::Unknown;
@@ -111,7 +112,7 @@ void LampGrid::layOut() {
   const int top = m_title->sizeHint().height();
   const int pitch = (width() + kGap) / perRow;
   // A word far from its label is hard to follow.
-  int widest = kNarrowest;
+  int widest = kUsual;
   for (const StatusLamp* lamp : m_lamps) widest = std::max(widest, lamp->sizeHint().width());
   const int lampWidth = std::min(pitch - kGap, widest);
   m_title->setGeometry(0, 0, width(), top);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/monitor_page.h"
 
+#include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -9,6 +10,7 @@
 #include "paint/dial.h"
 #include "panel/dial_adapter.h"
 #include "panel/fact_list.h"
+#include "panel/label_ink.h"
 #include "panel/lamp_grid.h"
 #include "panel/page_header.h"
 #include "panel/stick_box.h"
@@ -18,7 +20,9 @@ namespace deckpipe {
 namespace {
 
 constexpr int kMargin = 16;
-constexpr int kDialHeight = 296;
+constexpr int kLeastDial = 296;  // still read at arm's length
+constexpr int kBelowDial = 168;  // outputs in four columns
+constexpr int kFactWidth = 300;
 constexpr int kNarrow = 760;  // below this, one column
 
 // Lamps that say why a monitor moves or does not stand beside its dial, a joystick's beside its stick.
@@ -44,6 +48,8 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_message->setAlignment(Qt::AlignCenter);
   m_message->setWordWrap(true);
   m_message->setMargin(24);
+  m_message->setAutoFillBackground(true);
+  m_message->setBackgroundRole(QPalette::Base);
   m_scroll->setObjectName(QStringLiteral("pageScroll"));
   m_scroll->setAccessibleName(tr("Values of the device"));
   m_scroll->setWidgetResizable(true);
@@ -63,21 +69,19 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_side->setSpacing(kMargin);
   m_side->addWidget(m_stops);
   m_side->addStretch(1);
-  m_top->addWidget(m_dial, 4);
+  m_top->addWidget(m_dial, 5);
   m_top->addWidget(m_stick, 0, Qt::AlignTop);
-  m_top->addLayout(m_side, 3);
+  m_top->addLayout(m_side, 4);
   m_below = new QVBoxLayout;
   m_below->setSpacing(kMargin);
-  m_factRow = new QBoxLayout(QBoxLayout::LeftToRight);
-  m_factRow->setSpacing(32);
+  m_factGrid = new QGridLayout;
+  m_factGrid->setHorizontalSpacing(32);
+  m_factGrid->setVerticalSpacing(kMargin);
   all->addLayout(m_top);
   all->addLayout(m_below);
-  all->addLayout(m_factRow);
-  all->addStretch(0);
+  all->addLayout(m_factGrid);
+  all->addStretch(1);
   m_scroll->setWidget(content);
-  // As high as there is room for, and never less than what is read at arm's length.
-  m_dial->setMinimumHeight(kDialHeight);
-  m_dial->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -139,7 +143,7 @@ QString MonitorPage::missingText() const {
 void MonitorPage::showLamps() {
   const bool hasTop = m_values.dial || m_values.stick;
   while (m_lamps.size() < m_values.lamps.size()) {
-    m_lamps.push_back(new LampGrid);
+    m_lamps.push_back(new LampGrid(m_scroll->widget()));
     m_lamps.back()->setColours(m_colours);
     m_below->addWidget(m_lamps.back());
   }
@@ -167,9 +171,9 @@ void MonitorPage::showLamps() {
 
 void MonitorPage::showFacts() {
   while (m_facts.size() < m_values.facts.size()) {
-    m_facts.push_back(new FactList);
+    m_facts.push_back(new FactList(m_scroll->widget()));
     m_facts.back()->setColours(m_colours);
-    m_factRow->addWidget(m_facts.back(), 1, Qt::AlignTop);
+    m_factColumns = 0;  // they are to be placed
   }
   for (std::size_t i = 0; i < m_facts.size(); ++i) {
     const bool isUsed = i < m_values.facts.size();
@@ -178,15 +182,36 @@ void MonitorPage::showFacts() {
   }
 }
 
+// As high as what stands beside it, or as what the outputs leave, within what still looks like one
+// instrument.
+int MonitorPage::dialHeight() const {
+  const int inner = width() - 2 * kMargin;
+  const bool isWide = width() >= kNarrow;
+  const int dialWidth = isWide ? inner * 5 / 9 : inner;
+  const int beside = isWide ? m_side->heightForWidth((inner - m_top->spacing()) * 4 / 9) : 0;
+  const int left = height() - m_header->sizeHint().height() - 2 * kMargin - kBelowDial;
+  return std::clamp(std::max(left, beside), kLeastDial, std::max(kLeastDial, dialWidth * 11 / 16));
+}
+
 void MonitorPage::layOut() {
-  // Room to spare goes to the dial; without one it stays empty at the foot.
-  auto* all = static_cast<QVBoxLayout*>(m_scroll->widget()->layout());
-  const bool hasDial = m_values.dial.has_value();
-  all->setStretch(0, hasDial ? 1 : 0);
-  all->setStretch(all->count() - 1, hasDial ? 0 : 1);
+  m_dial->setFixedHeight(dialHeight());
   const auto direction = width() < kNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
   if (m_top->direction() != direction) m_top->setDirection(direction);
-  if (m_factRow->direction() != direction) m_factRow->setDirection(direction);
+  layOutFacts();
+}
+
+void MonitorPage::layOutFacts() {
+  const int count = static_cast<int>(m_values.facts.size());
+  const int fitting = std::max(1, (width() - 2 * kMargin) / kFactWidth);
+  // Four groups in two rows of two, not in three and one.
+  const int rows = (count + fitting - 1) / fitting;
+  const int columns = std::max(1, rows == 0 ? 1 : (count + rows - 1) / rows);
+  if (columns == m_factColumns) return;
+  m_factColumns = columns;
+  for (FactList* facts : m_facts) m_factGrid->removeWidget(facts);
+  for (int i = 0; i < static_cast<int>(m_facts.size()); ++i)
+    m_factGrid->addWidget(m_facts[static_cast<std::size_t>(i)], i / columns, i % columns, Qt::AlignTop);
+  for (int c = 0; c < m_factGrid->columnCount(); ++c) m_factGrid->setColumnStretch(c, c < columns ? 1 : 0);
 }
 
 void MonitorPage::resizeEvent(QResizeEvent*) { layOut(); }
@@ -194,6 +219,7 @@ void MonitorPage::resizeEvent(QResizeEvent*) { layOut(); }
 void MonitorPage::setColours(const Colours& colours) {
   m_colours = colours;
   setPalette(qtPalette(colours));
+  setInk(*m_message, colours.textSecondary);
   m_header->setColours(colours);
   m_dial->setColours(colours);
   m_stick->setColours(colours);

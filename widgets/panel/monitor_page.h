@@ -12,6 +12,7 @@
 #include "paint/palette.h"
 
 class QBoxLayout;
+class QGridLayout;
 class QLabel;
 class QScrollArea;
 class QVBoxLayout;
@@ -52,6 +53,8 @@ class MonitorPage : public QWidget {
   void showLamps();
   void showFacts();
   void layOut();
+  void layOutFacts();
+  int dialHeight() const;
 
   LogView m_view;
   DeviceKey m_key;
@@ -64,12 +67,13 @@ class MonitorPage : public QWidget {
   QBoxLayout* m_top;  // dial or stick, and what stands beside it
   QVBoxLayout* m_side;
   QVBoxLayout* m_below;
-  QBoxLayout* m_factRow;
+  QGridLayout* m_factGrid;
   Dial* m_dial;
   StickBox* m_stick;
   StopsGrid* m_stops;
   std::vector<LampGrid*> m_lamps;
   std::vector<FactList*> m_facts;
+  int m_factColumns = 0;
 };
 
 }  // namespace deckpipe
