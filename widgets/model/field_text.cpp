@@ -196,14 +196,18 @@ QString numberText(const Message& message, const Field& field, std::int64_t numb
   return name.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, name);
 }
 
-// Characters as they are, control characters as Unicode draws them, so that a line's end can be seen.
+// Characters as they are, others as programmers write them, so that a line's end can be seen in every font.
 QString charactersText(std::span<const std::uint8_t> bytes) {
   QString text;
   for (const int byte : bytes) {
-    if (byte < 0x20) {
-      text += QChar(0x2400 + byte);
+    if (byte == '\r') {
+      text += QStringLiteral("\\r");
+    } else if (byte == '\n') {
+      text += QStringLiteral("\\n");
+    } else if (byte < 0x20 || byte > 0x7E) {
+      text += QStringLiteral("\\x") + hex(static_cast<std::uint64_t>(byte), 2);
     } else {
-      text += byte < 0x7F ? QChar(byte) : QChar(0x00B7);
+      text += QChar(byte);
     }
   }
   return QStringLiteral("“%1”").arg(text);

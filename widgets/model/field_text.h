@@ -23,7 +23,7 @@ QString wordText(std::string_view key);
 // Whether a key has words of its own; a test asks for every key of the catalogue.
 bool hasWords(std::string_view key);
 
-// "47.3°", "−40.0 %", "on", "11 (rotation sensor error)", "“A?␍␊”"; "no value" for null.
+// "47.3°", "−40.0 %", "on", "11 (rotation sensor error)", "“A?\r\n”"; "no value" for null.
 QString valueText(const Message& message, const Field& field, const Value& value);
 
 // What a manual calls this value of this field, empty where none does.

@@ -67,7 +67,7 @@ QString frameTitle(const Frame& frame, const Classified& what) {
   if (what.message != MessageId::Count) {
     const QString title = messageTitle(messageOf(what.message));
     if (what.malformed) return MessageText::tr("Malformed: %1").arg(title);
-    return what.family == Family::Presumed ? MessageText::tr("%1 (presumed)").arg(title) : title;
+    return title;
   }
   switch (what.family) {
     case Family::Ambiguous: return MessageText::tr("Ambiguous");

@@ -223,8 +223,9 @@ class Summary {
     }
     if (m_message.id == MessageId::NmtCommand) {
       const QString name = numberName(m_message, field, value.number());
-      if (name.isEmpty()) return false;
-      say(Rank::Value, name);
+      const bool isNode = field.key == "node";
+      if (name.isEmpty() && !isNode) return false;
+      say(Rank::Value, name.isEmpty() ? SummaryText::tr("node %1").arg(words(field, value)) : name);
       return true;
     }
     if (m_message.family == Family::Copley && field.key == "error_code") {

@@ -37,7 +37,13 @@ QString secondsText(std::int64_t ns) {
 
 QString stampText(const Frame& frame) { return frame.hasStamp() ? secondsText(frame.stamp) : QString(kDash); }
 
-QString deltaText(std::optional<Duration> delta) { return delta ? secondsText(delta->count()) : QString(); }
+QString deltaText(std::optional<Duration> delta) {
+  if (!delta) return {};
+  QString text = secondsText(delta->count());
+  // Of a long pause microseconds are not worth a cut-off number.
+  if (*delta >= 1000s) text.chop(3);
+  return text;
+}
 
 QString identifierText(const Frame& frame) {
   std::string text;

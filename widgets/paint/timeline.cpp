@@ -143,7 +143,7 @@ void Timeline::paintDensity(QPainter& p, const TimelineGeometry& g, const QRectF
   p.setClipRect(QRectF(strip.topLeft(), QPointF(cursor, strip.bottom())));
   p.fillPath(shape, c.travel);
   p.setClipRect(QRectF(QPointF(cursor, strip.top()), strip.bottomRight()));
-  p.setPen(QPen(c.outline, c.stroke));
+  p.setPen(QPen(c.outline, 1));
   p.setBrush(Qt::NoBrush);
   p.drawPath(shape);
   p.restore();

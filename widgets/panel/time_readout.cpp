@@ -99,7 +99,7 @@ void TimeReadout::paintEvent(QPaintEvent*) {
   Figures figures;
   figures.number = m_elapsed;
   figures.numberFont = elapsedFont();
-  figures.numberColour = m_colours.text;
+  figures.numberColour = m_absolute == m_elapsed ? m_colours.textSecondary : m_colours.text;
   drawFigures(p, QRectF(0, 0, width() - 2, upper), figures);
   figures.number = m_absolute;
   figures.numberFont = font();

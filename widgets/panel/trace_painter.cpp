@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "paint/glyph.h"
+#include "panel/flat_header.h"
 
 namespace deckpipe {
 namespace {
@@ -20,9 +21,19 @@ std::optional<Glyph> signOf(Marks marks) {
   if (marks.testFlag(TraceModel::Error)) return Glyph::Fault;
   if (marks.testFlag(TraceModel::Malformed)) return Glyph::Invalid;
   if (marks.testFlag(TraceModel::TimeJump)) return Glyph::Stale;
-  if (marks.testFlag(TraceModel::Ambiguous)) return Glyph::Unknown;
+  if (marks.testFlag(TraceModel::Ambiguous)) return Glyph::Attend;
   if (marks.testFlag(TraceModel::Own)) return Glyph::CommandPlus;
+  if (marks.testFlag(TraceModel::Presumed)) return Glyph::Unknown;
   return {};
+}
+
+QColor signInk(Glyph sign, const Colours& c) {
+  switch (sign) {
+    case Glyph::Fault: return c.fault.ink;
+    case Glyph::CommandPlus: return c.accent.ink;
+    case Glyph::Unknown: return c.textSecondary;
+    default: return c.attend.ink;
+  }
 }
 
 }  // namespace
@@ -91,21 +102,19 @@ void TracePainter::gutter(const QRect& rect, Marks marks, bool isSelected) {
     m_painter.drawPolygon(QPolygonF{{x - 4, y - 6}, {x + 6, y}, {x - 4, y + 6}});
     m_painter.setRenderHint(QPainter::Antialiasing, false);
   } else if (marks.testFlag(TraceModel::AfterCursor)) {
-    QPen dots(isSelected ? c.accent.onFill : c.outline, 2 * c.stroke, Qt::SolidLine, Qt::FlatCap);
-    dots.setDashPattern({1, 2});
-    m_painter.setPen(dots);
-    m_painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom() + 1));
+    // As many dots a row, so that they run on through all rows.
+    constexpr int kDots = 4;
+    for (int dot = 0; dot < kDots; ++dot) {
+      const double y = area.top() + (dot + 0.5) * area.height() / kDots;
+      m_painter.fillRect(QRectF(x - c.stroke, y - c.stroke, 2 * c.stroke, 2 * c.stroke),
+                         isSelected ? c.accent.onFill : c.outline);
+    }
   }
   if (const auto sign = signOf(marks)) {
     const double side = std::min(14.0, area.height() - 4.0);
     const QRectF box(area.left() + kCursorZone + 2, area.center().y() + 0.5 - side / 2, side, side);
-    const bool isFault = *sign == Glyph::Fault;
-    const bool isOwn = *sign == Glyph::CommandPlus;
-    const QColor ink = isSelected ? c.accent.onFill
-                       : isFault  ? c.fault.ink
-                       : isOwn    ? c.accent.ink
-                                  : c.attend.ink;
-    drawGlyph(m_painter, box, *sign, ink, Qt::transparent, c.stroke);
+    drawGlyph(m_painter, box, *sign, isSelected ? c.accent.onFill : signInk(*sign, c), Qt::transparent,
+              c.stroke);
   }
 }
 
@@ -118,6 +127,7 @@ QColor TracePainter::ink(int column, Marks marks, bool isSelected) const {
   if (isWord && (marks.testFlag(TraceModel::Malformed) || marks.testFlag(TraceModel::Ambiguous)))
     return c.attend.ink;
   if (column == TraceModel::Delta && marks.testFlag(TraceModel::TimeJump)) return c.attend.ink;
+  if (column == TraceModel::Direction && marks.testFlag(TraceModel::Own)) return c.accent.ink;
   switch (column) {
     case TraceModel::Delta:
     case TraceModel::ChannelName:
@@ -130,7 +140,8 @@ QColor TracePainter::ink(int column, Marks marks, bool isSelected) const {
 
 void TracePainter::cells(const QRect& rect, const QModelIndex& index, Marks marks, bool isSelected) {
   for (const TraceColumn& column : m_columns) {
-    const QRect cell(column.left + kPadding, rect.top(), column.width - 2 * kPadding, rect.height());
+    const QRect cell(column.left + FlatHeader::kPadding, rect.top(), column.width - 2 * FlatHeader::kPadding,
+                     rect.height());
     if (cell.right() < kGutter || cell.left() > rect.right() || cell.width() <= 0) continue;
     const QModelIndex at = index.siblingAtColumn(column.column);
     const QString text = at.data().toString();

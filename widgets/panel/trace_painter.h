@@ -36,7 +36,6 @@ struct TraceFonts {
 class TracePainter {
  public:
   static constexpr int kGutter = 36;
-  static constexpr int kPadding = 6;  // at either side of a cell
 
   TracePainter(QPainter& painter, const Colours& colours, const TraceFonts& fonts,
                std::vector<TraceColumn> columns);

@@ -63,7 +63,7 @@ TEST(MessageText, SummariesSayWhatMattersAndLeaveOutWhatIsOff) {
       {"five_byte_faults_of_older_firmware",
        "Faults: internal EEPROM, motor of axis 1, internal fuse, S12 processor, Fault bits without a name "
        "12"},
-      {"manual_pipe_data", "“A?␍␊”"},
+      {"manual_pipe_data", "“A?\\r\\n”"},
       {"gateway_manual_nmt", "Start, all nodes"},
       {"gateway_manual_heartbeat", "Operational"},
       {"gateway_manual_part_number", "5000.01 Akron device type = 60320022"},
