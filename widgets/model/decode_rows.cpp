@@ -9,6 +9,7 @@
 #include "model/message_text.h"
 #include "model/trace_cells.h"
 #include "protocol/decode.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {

@@ -7,6 +7,7 @@
 #include "bus/canopen.h"
 #include "model/field_text.h"
 #include "protocol/catalogue.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {
@@ -65,7 +66,7 @@ QString frameTitle(const Frame& frame, const Classified& what) {
   if (frame.isError()) return MessageText::tr("Error frame");
   if (frame.isRemote()) return MessageText::tr("Remote request");
   if (what.message != MessageId::Count) {
-    const QString title = messageTitle(messageOf(what.message));
+    const QString title = messageName(what.message);
     if (what.malformed) return MessageText::tr("Malformed: %1").arg(title);
     return title;
   }

@@ -9,6 +9,7 @@
 #include "model/field_text.h"
 #include "model/message_text.h"
 #include "protocol/decode.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {

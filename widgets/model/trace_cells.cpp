@@ -12,6 +12,7 @@
 #include "protocol/decode.h"
 #include "report/json.h"
 #include "report/trace_text.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {

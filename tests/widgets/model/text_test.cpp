@@ -25,20 +25,6 @@ std::string summary(std::string_view sampleName) {
   return "no such sample";
 }
 
-TEST(MessageText, EveryKeyOfTheCatalogueHasWords) {
-  for (const Message& message : kCatalogue) {
-    for (const Field& field : message.fields) {
-      if (field.kind == Kind::AbortText) continue;  // CiA 301's texts are words already
-      for (const ValueName& name : field.words) EXPECT_TRUE(hasWords(name.word)) << name.word;
-      EXPECT_TRUE(field.otherwise.empty() || hasWords(field.otherwise)) << field.otherwise;
-    }
-  }
-  for (const PositionState state :
-       {PositionState::Ok, PositionState::SensorError, PositionState::NotFitted, PositionState::Invalid})
-    EXPECT_TRUE(hasWords(keyOf(state)));
-  for (const char* word : {"off", "on", "error", "na"}) EXPECT_TRUE(hasWords(word));
-}
-
 TEST(MessageText, SummariesSayWhatMattersAndLeaveOutWhatIsOff) {
   const std::pair<const char*, const char*> expected[] = {
       {"manual_position", "Rotation 47.3°, Elevation −5.5°, Axis 5 (+) hard stop"},
