@@ -103,10 +103,6 @@ constexpr HexKey kHexKeys[] = {{"index", 4, false},    {"subindex", 2, false},  
                                {"specifier", 2, true}, {"parameter", 1, true},  {"command", 2, false},
                                {"node", 2, true},      {"record_type", 2, true}};
 
-QString hex(std::uint64_t number, int digits) {
-  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
-}
-
 QString unitText(Unit unit) {
   switch (unit) {
     case Unit::None:
@@ -133,10 +129,10 @@ QString numberText(const Message& message, const Field& field, std::int64_t numb
   const auto* inHex = std::find_if(std::begin(kHexKeys), std::end(kHexKeys),
                                    [&field](const HexKey& k) { return k.key == field.key; });
   if (inHex != std::end(kHexKeys)) {
-    text = hex(static_cast<std::uint64_t>(number), inHex->digits);
+    text = hexText(static_cast<std::uint64_t>(number), inHex->digits);
     if (inHex->said) text = FieldText::tr("%1 hex").arg(text);
   } else if (field.key == "pgn") {
-    text = FieldText::tr("%1 hex").arg(hex(static_cast<std::uint64_t>(number), 4));
+    text = FieldText::tr("%1 hex").arg(hexText(static_cast<std::uint64_t>(number), 4));
   } else {
     text = decimalText(number, decimals) + unitText(field.unit);
   }
@@ -153,7 +149,7 @@ QString charactersText(std::span<const std::uint8_t> bytes) {
     } else if (byte == '\n') {
       text += QStringLiteral("\\n");
     } else if (byte < 0x20 || byte > 0x7E) {
-      text += QStringLiteral("\\x") + hex(static_cast<std::uint64_t>(byte), 2);
+      text += QStringLiteral("\\x") + hexText(static_cast<std::uint64_t>(byte), 2);
     } else {
       text += QChar(byte);
     }
@@ -167,6 +163,10 @@ QString toQString(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+QString hexText(std::uint64_t number, int digits) {
+  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
+}
+
 QString numberName(const Message& message, const Field& field, std::int64_t number) {
   if (field.key == "device_type") return toQString(deviceTypeName(static_cast<unsigned>(number)));
   if (field.key == "pgn" && number == pgn::kAddressClaimed) return FieldText::tr("NAME");
@@ -177,7 +177,7 @@ QString numberName(const Message& message, const Field& field, std::int64_t numb
 }
 
 QString objectText(unsigned index, unsigned subindex) {
-  return QStringLiteral("%1.%2").arg(hex(index, 4), hex(subindex, 2));
+  return QStringLiteral("%1.%2").arg(hexText(index, 4), hexText(subindex, 2));
 }
 
 QString objectName(unsigned index, unsigned subindex) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <string_view>
 
 #include "protocol/message.h"
@@ -13,6 +14,8 @@
 namespace deckpipe {
 
 QString toQString(std::string_view text);
+// Upper case, without a prefix, so many digits at least.
+QString hexText(std::uint64_t number, int digits);
 
 // "47.3°", "−40.0 %", "on", "11 (rotation sensor error)", "“A?\r\n”"; "no value" for null.
 QString valueText(const Message& message, const Field& field, const Value& value);

@@ -35,10 +35,6 @@ constexpr ErrorClass kErrorClasses[] = {
     {0x100, QT_TRANSLATE_NOOP("ErrorFrames", "controller restarted")},
 };
 
-QString hexNode(std::uint32_t identifier) {
-  return QString::number(CobId::of(identifier).node.value, 16).toUpper().rightJustified(2, QLatin1Char('0'));
-}
-
 QString undecodedText(const Frame& frame, const Classified& what) {
   switch (what.family) {
     case Family::Ambiguous:
@@ -91,7 +87,7 @@ QString certaintyText(const Frame& frame, const Classified& what) {
         "Presumed: neither end has been heard to be an Akron device, but type, length and "
         "direction fit.");
   return MessageText::tr("Presumed: node %1 has not been heard to be an Akron device, but the message fits.")
-      .arg(hexNode(frame.identifier()));
+      .arg(hexText(CobId::of(frame.identifier()).node.value, 2));
 }
 
 QString malformedText(const Classified& what, unsigned length) {

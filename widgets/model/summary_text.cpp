@@ -213,8 +213,8 @@ class Summary {
       return true;
     }
     if (field.key == "abort_text" && value.isNull()) {
-      const auto code = static_cast<std::int64_t>(readBits(m_frame.data, field.bits));
-      say(Rank::Error, SummaryText::tr("abort code %1").arg(code, 8, 16, QLatin1Char('0')));
+      const QString code = hexText(readBits(m_frame.data, field.bits), 8);
+      say(Rank::Error, SummaryText::tr("abort code %1").arg(code));
       return true;
     }
     if (field.key == "device_type") {

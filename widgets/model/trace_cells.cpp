@@ -24,10 +24,6 @@ struct TraceCells {
 constexpr QChar kDash(0x2013);
 constexpr QChar kArrow(0x2192);
 
-QString hex(unsigned number, int digits) {
-  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
-}
-
 QString secondsText(std::int64_t ns) {
   std::string text;
   appendJsonSeconds(text, ns);
@@ -54,18 +50,18 @@ QString identifierText(const Frame& frame) {
 
 QString pgnText(const Frame& frame) {
   if (!frame.isExtended() || frame.isError()) return {};
-  return hex(J1939Id::of(frame.identifier()).pgn, 4);
+  return hexText(J1939Id::of(frame.identifier()).pgn, 4);
 }
 
 QString endsText(const Frame& frame) {
   if (frame.isError()) return {};
   if (frame.isExtended()) {
     const J1939Id id = J1939Id::of(frame.identifier());
-    const QString source = hex(id.source.value, 2);
-    return id.hasDestination() ? source + kArrow + hex(id.destination.value, 2) : source;
+    const QString source = hexText(id.source.value, 2);
+    return id.hasDestination() ? source + kArrow + hexText(id.destination.value, 2) : source;
   }
   const CobId cob = CobId::of(frame.identifier());
-  return cob.hasNode() ? TraceCells::tr("node %1").arg(hex(cob.node.value, 2)) : QString();
+  return cob.hasNode() ? TraceCells::tr("node %1").arg(hexText(cob.node.value, 2)) : QString();
 }
 
 QString bytesText(const Frame& frame) {
@@ -73,7 +69,7 @@ QString bytesText(const Frame& frame) {
   QString text;
   for (const std::uint8_t byte : frame.bytes()) {
     if (!text.isEmpty()) text += QLatin1Char(' ');
-    text += hex(byte, 2);
+    text += hexText(byte, 2);
   }
   return text;
 }

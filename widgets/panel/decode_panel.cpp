@@ -142,6 +142,14 @@ void DecodePanel::resizeEvent(QResizeEvent* event) {
 
 bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list->viewport() && event->type() == QEvent::Resize) shareWidth();
+  if (watched == m_list->viewport() && event->type() == QEvent::Paint &&
+      (m_model == nullptr || m_model->rowCount() == 0)) {
+    QPainter p(m_list->viewport());
+    p.fillRect(m_list->viewport()->rect(), m_colours.surface);
+    p.setPen(m_colours.textSecondary);
+    p.drawText(m_list->viewport()->rect(), Qt::AlignCenter, tr("No frame selected"));
+    return true;
+  }
   return QWidget::eventFilter(watched, event);
 }
 

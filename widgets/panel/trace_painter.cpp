@@ -62,6 +62,7 @@ TracePainter::TracePainter(QPainter& painter, const Colours& colours, const Trac
       m_fonts(fonts),
       m_textMetrics(fonts.text),
       m_figureMetrics(fonts.figures),
+      m_figureWidth(m_figureMetrics.horizontalAdvance(QLatin1Char('0'))),
       m_columns(std::move(columns)) {}
 
 void TracePainter::row(const QRect& rect, const QModelIndex& index, Look look) {
@@ -138,23 +139,31 @@ QColor TracePainter::ink(int column, Marks marks, bool isSelected) const {
   }
 }
 
+// A trace is hundreds of short texts thirty times a second, so they are drawn at points, without the layout
+// that drawing into a rectangle takes, and figures are measured by their count.
 void TracePainter::cells(const QRect& rect, const QModelIndex& index, Marks marks, bool isSelected) {
   for (const TraceColumn& column : m_columns) {
-    const QRect cell(column.left + FlatHeader::kPadding, rect.top(), column.width - 2 * FlatHeader::kPadding,
-                     rect.height());
-    if (cell.right() < kGutter || cell.left() > rect.right() || cell.width() <= 0) continue;
+    const int left = column.left + FlatHeader::kPadding;
+    const int width = column.width - 2 * FlatHeader::kPadding;
+    if (left + width < kGutter || left > rect.right() || width <= 0) continue;
     const QModelIndex at = index.siblingAtColumn(column.column);
-    const QString text = at.data().toString();
+    QString text = at.data().toString();
     if (text.isEmpty()) continue;
     const bool isTabular = TraceFonts::isTabular(column.column);
     const QFontMetrics& metrics = isTabular ? m_figureMetrics : m_textMetrics;
+    const auto widthOf = [&](const QString& t) {
+      return isTabular ? static_cast<int>(t.size()) * m_figureWidth : metrics.horizontalAdvance(t);
+    };
+    int needed = widthOf(text);
+    if (needed > width) {
+      text = metrics.elidedText(text, Qt::ElideRight, width);
+      needed = widthOf(text);
+    }
+    const bool toRight = (at.data(Qt::TextAlignmentRole).value<Qt::Alignment>() & Qt::AlignRight) != 0;
+    const int baseline = rect.top() + (rect.height() - metrics.height()) / 2 + metrics.ascent();
     m_painter.setFont(isTabular ? m_fonts.figures : m_fonts.text);
     m_painter.setPen(ink(column.column, marks, isSelected));
-    const auto alignment = at.data(Qt::TextAlignmentRole).value<Qt::Alignment>();
-    const QString shown = metrics.horizontalAdvance(text) <= cell.width()
-                              ? text
-                              : metrics.elidedText(text, Qt::ElideRight, cell.width());
-    m_painter.drawText(cell, static_cast<int>(alignment) | Qt::TextSingleLine, shown);
+    m_painter.drawText(QPoint(toRight ? left + width - needed : left, baseline), text);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "paint/plain_tip.h"
 #include "panel/trace_view.h"
 
 namespace deckpipe {
@@ -217,7 +218,7 @@ void TraceView::showToolTip(const QPoint& at, const QPoint& global) {
   if (text.isEmpty()) {
     QToolTip::hideText();
   } else {
-    QToolTip::showText(global, text, viewport());
+    QToolTip::showText(global, plainTip(text), viewport());
   }
 }
 

@@ -5,9 +5,11 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QHelpEvent>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include "support/frames.h"
@@ -215,6 +217,40 @@ TEST_F(TraceViewTest, TellsTheCurrentRowToWhoCannotSeeIt) {
             "frame 4, after the cursor, time 1700000000.500000, can0, identifier 18EFFF80, Position / limit "
             "status, "
             "Rotation 0.0°, Elevation −5.5°");
+}
+
+TEST_F(TraceViewTest, ScrollsByRowsAndPagesOfItsBar) {
+  open(10'000, 0);
+  QScrollBar* bar = view.verticalScrollBar();
+  bar->triggerAction(QAbstractSlider::SliderSingleStepAdd);
+  EXPECT_EQ(view.topRow(), 1u);
+  bar->triggerAction(QAbstractSlider::SliderPageStepAdd);
+  EXPECT_EQ(view.topRow(), 1 + page());
+  bar->triggerAction(QAbstractSlider::SliderSingleStepSub);
+  EXPECT_EQ(view.topRow(), page());
+  EXPECT_EQ(bar->value(), static_cast<int>(page()));
+  bar->triggerAction(QAbstractSlider::SliderToMaximum);
+  EXPECT_EQ(view.topRow(), 10'000 - page());
+  EXPECT_TRUE(view.isFollowing());
+  bar->triggerAction(QAbstractSlider::SliderToMinimum);
+  EXPECT_EQ(view.topRow(), 0u);
+  EXPECT_FALSE(view.isFollowing());
+}
+
+TEST_F(TraceViewTest, TellsInToolTipsWhatCellsHaveNoRoomFor) {
+  log = test::logOf(
+      {test::frame("18EFFF80", "FF83150206021A0B", 0, 1), test::frame("18EF80F2", "FE3C623E78", 0, 2)});
+  tick(1);
+  const auto tip = [this](int x, std::uint64_t row) {
+    const QPoint at(x, pointOf(row).y());
+    QHelpEvent event(QEvent::ToolTip, at, view.viewport()->mapToGlobal(at));
+    QApplication::sendEvent(view.viewport(), &event);
+    return QToolTip::text();
+  };
+  const int decoded = view.header()->sectionViewportPosition(TraceModel::Decoded) + 20;
+  EXPECT_TRUE(tip(decoded, 0).contains(QStringLiteral("Device type: 1032 (6032 Universal II)")));
+  EXPECT_TRUE(tip(decoded, 1).contains(QStringLiteral("“&lt;b&gt;x”"))) << "never taken for HTML";
+  EXPECT_TRUE(tip(10, 1).contains(QStringLiteral("after the cursor")));
 }
 
 TEST_F(TraceViewTest, ForgetsTheSelectionWithAnotherLog) {
