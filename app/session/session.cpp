@@ -52,6 +52,7 @@ void Session::closeSource() {
 void Session::beginDocument() {
   closeSource();
   m_document = std::make_shared<LogDocument>();
+  m_indexed = 0;
   m_walker = std::make_unique<StateWalker>(m_document);
   m_snapshot.view.document = m_document;
   m_timer.start();
@@ -89,14 +90,17 @@ void Session::openDemo() {
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;
   m_bench = new BenchRunner;
   // The twin is on the bus first: frames written before the other end listens reach nobody.
-  connect(m_bench, &BenchRunner::busReady, this, [this](const QString& interfaceName) {
-    if (m_document == nullptr || m_live != nullptr) return;
+  // A signal of a twin that was closed meanwhile may still be on its way: it is not for what is open now.
+  const std::weak_ptr<LogDocument> own = m_document;
+  connect(m_bench, &BenchRunner::busReady, this, [this, own](const QString& interfaceName) {
+    if (m_document == nullptr || own.lock() != m_document || m_live != nullptr) return;
     const Channel channel{m_document->frames.channel("can0")};
     m_live = new LiveBus(m_document,
                          {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel});
     startOnBusThread(m_live, [live = m_live] { live->start(); });
   });
-  connect(m_bench, &BenchRunner::failed, this, [this](const QString& reason) {
+  connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {
+    if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
     m_snapshot.source.reason = reason;
     Q_EMIT changed();
@@ -240,12 +244,13 @@ void Session::tick() {
   if (view.atEnd && grows()) {
     view.state = m_live->latest().state;
     view.cursor = view.state->cursor();
-    // Keeps the walker's indexes growing with the log.
-    if (end.frames - std::min(end.frames, m_document->roles.built()) > 0) m_walker->index();
   } else {
     m_walker->request(view.cursor);
     view.state = m_walker->latest();
   }
+  // The walker's indexes grow with the log, wherever the cursor stands.
+  if (frames.count() != m_indexed) m_walker->index();
+  m_indexed = frames.count();
   const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
                     before.view.frameCount == view.frameCount && before.source == m_snapshot.source &&
                     before.playing == m_snapshot.playing;

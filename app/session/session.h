@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one object that the window talks to: opens a source (log file, adapter, demo), moves the cursor, and
 // makes a snapshot on its tick. It composes store, bus thread, walker and bench; it lives on the window's
-// thread and never waits for any of them.
+// thread and waits for none of them, but for their end when a source is closed.
 #pragma once
 
 #include <QElapsedTimer>
@@ -73,7 +73,8 @@ class Session : public QObject {
   LiveBus* m_live = nullptr;
   BenchRunner* m_bench = nullptr;
   QTimer m_timer;
-  QElapsedTimer m_playClock;  // since the cursor was last moved by playing
+  std::uint64_t m_indexed = 0;  // frames of the log when the walker was last told
+  QElapsedTimer m_playClock;    // since the cursor was last moved by playing
 };
 
 }  // namespace deckpipe
