@@ -86,7 +86,11 @@ void FactList::setGroup(const PageFactGroup& group) {
     line.age->setVisible(isUsed && hasAges);
     if (isUsed) show(line, group.facts[i]);
   }
+  // The page may lay itself out before this list's own layout gets to know of its labels.
+  const bool hasOtherLines =
+      !std::ranges::equal(group.facts, m_group.facts, {}, &PageFact::value, &PageFact::value);
   m_group = group;
+  if (hasOtherLines) updateGeometry();
 }
 
 void FactList::show(const Line& line, const PageFact& fact) {

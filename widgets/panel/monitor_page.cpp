@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/monitor_page.h"
 
-#include <QGridLayout>
+#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "paint/dial.h"
 #include "panel/dial_adapter.h"
 #include "panel/fact_list.h"
 #include "panel/label_ink.h"
 #include "panel/lamp_grid.h"
+#include "panel/page_content.h"
 #include "panel/page_header.h"
 #include "panel/stick_box.h"
 #include "panel/stops_grid.h"
 
 namespace deckpipe {
 namespace {
-
-constexpr int kMargin = 16;
-constexpr int kLeastDial = 296;  // still read at arm's length
-constexpr int kBelowDial = 168;  // outputs in four columns
-constexpr int kFactWidth = 300;
-constexpr int kNarrow = 760;  // below this, one column
 
 // Lamps that say why a monitor moves or does not stand beside its dial, a joystick's beside its stick.
 bool standsBeside(const PageLampGroup& group) {
@@ -39,9 +34,10 @@ MonitorPage::MonitorPage(QWidget* parent)
       m_header(new PageHeader(this)),
       m_message(new QLabel(this)),
       m_scroll(new QScrollArea(this)),
-      m_dial(new Dial),
-      m_stick(new StickBox),
-      m_stops(new StopsGrid) {
+      m_content(new PageContent),
+      m_dial(new Dial(m_content)),
+      m_stick(new StickBox(m_content)),
+      m_stops(new StopsGrid(m_content)) {
   setObjectName(QStringLiteral("monitorPage"));
   setAccessibleName(tr("Device page"));
   m_message->setObjectName(QStringLiteral("pageMessage"));
@@ -55,33 +51,8 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_scroll->setWidgetResizable(true);
   m_scroll->setFrameShape(QFrame::NoFrame);
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-
-  auto* content = new QWidget;
-  content->setObjectName(QStringLiteral("pageContent"));
-  content->setAutoFillBackground(true);
-  content->setBackgroundRole(QPalette::Base);
-  auto* all = new QVBoxLayout(content);
-  all->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-  all->setSpacing(kMargin);
-  m_top = new QBoxLayout(QBoxLayout::LeftToRight);
-  m_top->setSpacing(24);
-  m_side = new QVBoxLayout;
-  m_side->setSpacing(kMargin);
-  m_side->addWidget(m_stops);
-  m_side->addStretch(1);
-  m_top->addWidget(m_dial, 5);
-  m_top->addWidget(m_stick, 0, Qt::AlignTop);
-  m_top->addLayout(m_side, 4);
-  m_below = new QVBoxLayout;
-  m_below->setSpacing(kMargin);
-  m_factGrid = new QGridLayout;
-  m_factGrid->setHorizontalSpacing(32);
-  m_factGrid->setVerticalSpacing(kMargin);
-  all->addLayout(m_top);
-  all->addLayout(m_below);
-  all->addLayout(m_factGrid);
-  all->addStretch(1);
-  m_scroll->setWidget(content);
+  m_scroll->setWidget(m_content);
+  m_scroll->viewport()->installEventFilter(this);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -97,7 +68,7 @@ void MonitorPage::setDevice(const DeviceKey& key) {
   if (key == m_key) return;
   m_key = key;
   refresh();
-  m_scroll->ensureVisible(0, 0);
+  m_scroll->verticalScrollBar()->setValue(0);
 }
 
 void MonitorPage::setView(const LogView& view) {
@@ -115,23 +86,15 @@ void MonitorPage::refresh() {
 
 void MonitorPage::showValues() {
   const bool isFound = m_values.isFound;
+  if (isFound) {
+    m_header->setPage(m_values);
+    showParts();
+  } else {
+    setText(*m_message, missingText());
+  }
+  m_message->setVisible(!isFound);
   m_header->setVisible(isFound);
   m_scroll->setVisible(isFound);
-  m_message->setVisible(!isFound);
-  if (!isFound) {
-    m_message->setText(missingText());
-    return;
-  }
-  m_header->setPage(m_values);
-  m_dial->setVisible(m_values.dial.has_value());
-  if (m_values.dial) m_dial->setValues(dialValuesOf(*m_values.dial));
-  m_stick->setVisible(m_values.stick.has_value());
-  if (m_values.stick) m_stick->setStick(*m_values.stick);
-  m_stops->setVisible(!m_values.stops.axes.empty());
-  m_stops->setStops(m_values.stops);
-  showLamps();
-  showFacts();
-  layOut();
 }
 
 QString MonitorPage::missingText() const {
@@ -140,81 +103,46 @@ QString MonitorPage::missingText() const {
   return isAnyone ? tr("Choose a device on the left.") : tr("Devices are shown here once they are heard.");
 }
 
-void MonitorPage::showLamps() {
-  const bool hasTop = m_values.dial || m_values.stick;
-  while (m_lamps.size() < m_values.lamps.size()) {
-    m_lamps.push_back(new LampGrid(m_scroll->widget()));
-    m_lamps.back()->setColours(m_colours);
-    m_below->addWidget(m_lamps.back());
+void MonitorPage::showParts() {
+  PageContent::Parts parts;
+  if (m_values.dial) {
+    m_dial->setValues(dialValuesOf(*m_values.dial));
+    parts.dial = m_dial;
   }
-  for (std::size_t i = 0; i < m_lamps.size(); ++i) {
-    LampGrid* grid = m_lamps[i];
-    const bool isUsed = i < m_values.lamps.size();
-    if (isUsed) {
-      const PageLampGroup& group = m_values.lamps[i];
-      const bool beside = hasTop && standsBeside(group);
-      const bool isThere = (m_side->indexOf(grid) >= 0) == beside;
-      if (!isThere) {
-        m_side->removeWidget(grid);
-        m_below->removeWidget(grid);
-        if (beside) {
-          m_side->insertWidget(m_side->count() - 1, grid);  // before the stretch
-        } else {
-          m_below->addWidget(grid);
-        }
-      }
-      grid->setGroup(group);
+  if (m_values.stick) {
+    m_stick->setStick(*m_values.stick);
+    // A monitor that sends joystick messages, if there is one, shows its stick below.
+    (parts.dial == nullptr ? parts.stick : parts.below.emplace_back()) = m_stick;
+  }
+  if (!m_values.stops.axes.empty()) {
+    m_stops->setStops(m_values.stops);
+    parts.beside.push_back(m_stops);
+  }
+  const bool hasMain = m_values.dial || m_values.stick;
+  for (std::size_t i = 0; i < m_values.lamps.size(); ++i) {
+    if (i == m_lamps.size()) {
+      m_lamps.push_back(new LampGrid(m_content));
+      m_lamps.back()->setColours(m_colours);
     }
-    grid->setVisible(isUsed);
+    m_lamps[i]->setGroup(m_values.lamps[i]);
+    (hasMain && standsBeside(m_values.lamps[i]) ? parts.beside : parts.below).push_back(m_lamps[i]);
   }
-}
-
-void MonitorPage::showFacts() {
-  while (m_facts.size() < m_values.facts.size()) {
-    m_facts.push_back(new FactList(m_scroll->widget()));
-    m_facts.back()->setColours(m_colours);
-    m_factColumns = 0;  // they are to be placed
+  for (std::size_t i = 0; i < m_values.facts.size(); ++i) {
+    if (i == m_facts.size()) {
+      m_facts.push_back(new FactList(m_content));
+      m_facts.back()->setColours(m_colours);
+    }
+    m_facts[i]->setGroup(m_values.facts[i]);
+    parts.facts.push_back(m_facts[i]);
   }
-  for (std::size_t i = 0; i < m_facts.size(); ++i) {
-    const bool isUsed = i < m_values.facts.size();
-    if (isUsed) m_facts[i]->setGroup(m_values.facts[i]);
-    m_facts[i]->setVisible(isUsed);
-  }
+  m_content->setParts(parts);
 }
 
-// As high as what stands beside it, or as what the outputs leave, within what still looks like one
-// instrument.
-int MonitorPage::dialHeight() const {
-  const int inner = width() - 2 * kMargin;
-  const bool isWide = width() >= kNarrow;
-  const int dialWidth = isWide ? inner * 5 / 9 : inner;
-  const int beside = isWide ? m_side->heightForWidth((inner - m_top->spacing()) * 4 / 9) : 0;
-  const int left = height() - m_header->sizeHint().height() - 2 * kMargin - kBelowDial;
-  return std::clamp(std::max(left, beside), kLeastDial, std::max(kLeastDial, dialWidth * 11 / 16));
+bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
+    m_content->setRoom(m_scroll->viewport()->height());
+  return QWidget::eventFilter(watched, event);
 }
-
-void MonitorPage::layOut() {
-  m_dial->setFixedHeight(dialHeight());
-  const auto direction = width() < kNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
-  if (m_top->direction() != direction) m_top->setDirection(direction);
-  layOutFacts();
-}
-
-void MonitorPage::layOutFacts() {
-  const int count = static_cast<int>(m_values.facts.size());
-  const int fitting = std::max(1, (width() - 2 * kMargin) / kFactWidth);
-  // Four groups in two rows of two, not in three and one.
-  const int rows = (count + fitting - 1) / fitting;
-  const int columns = std::max(1, rows == 0 ? 1 : (count + rows - 1) / rows);
-  if (columns == m_factColumns) return;
-  m_factColumns = columns;
-  for (FactList* facts : m_facts) m_factGrid->removeWidget(facts);
-  for (int i = 0; i < static_cast<int>(m_facts.size()); ++i)
-    m_factGrid->addWidget(m_facts[static_cast<std::size_t>(i)], i / columns, i % columns, Qt::AlignTop);
-  for (int c = 0; c < m_factGrid->columnCount(); ++c) m_factGrid->setColumnStretch(c, c < columns ? 1 : 0);
-}
-
-void MonitorPage::resizeEvent(QResizeEvent*) { layOut(); }
 
 void MonitorPage::setColours(const Colours& colours) {
   m_colours = colours;

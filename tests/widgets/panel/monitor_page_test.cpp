@@ -20,6 +20,11 @@ namespace {
 
 using namespace test;
 
+// One layout asks for the next; an event loop would come round as often.
+void settle() {
+  for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+}
+
 class PageTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -30,7 +35,7 @@ class PageTest : public testing::Test {
   void show(const DeviceKey& key = keyOfA()) {
     m_page.setDevice(key);
     m_page.setView(m_bus.view());
-    QCoreApplication::processEvents();
+    settle();
   }
   template <typename W>
   W* find(const char* name) const {
@@ -120,7 +125,7 @@ TEST_P(PageOfKind, HasTheParts) {
     if (scene.name != GetParam().scene) continue;
     m_page.setDevice(scene.device);
     m_page.setView(scene.view);
-    QCoreApplication::processEvents();
+    settle();
     EXPECT_EQ(isShown("dial"), GetParam().dial);
     EXPECT_EQ(isShown("stick"), GetParam().stick);
     EXPECT_EQ(isShown("stops"), GetParam().stops);
@@ -173,7 +178,7 @@ TEST_F(PageTest, LaysOutWithoutOverlapAtAnySize) {
       m_page.resize(size);
       m_page.setDevice(scene.device);
       m_page.setView(scene.view);
-      QCoreApplication::processEvents();
+      settle();
       if (!m_page.values().isFound) continue;
       const auto* content = find<QWidget>("pageContent");
       QList<QRect> taken;
@@ -185,6 +190,13 @@ TEST_F(PageTest, LaysOutWithoutOverlapAtAnySize) {
         taken << w->geometry();
         EXPECT_TRUE(content->rect().contains(w->geometry()))
             << scene.name << ' ' << size.width() << ' ' << w->objectName().toStdString();
+      }
+      for (const QLabel* label : content->findChildren<QLabel*>()) {
+        if (!label->isVisible()) continue;
+        const int needed =
+            label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        EXPECT_GE(label->height(), needed)
+            << scene.name << ' ' << size.width() << ' ' << label->text().toStdString();
       }
       for (const StatusLamp* l : content->findChildren<StatusLamp*>()) {
         if (l->isVisible()) {
