@@ -98,7 +98,8 @@ QWidget* MainWindow::makeWorkspace() {
   for (QSplitter* splitter : {m_upper, m_lower, m_halves}) splitter->setChildrenCollapsible(false);
   m_upper->setSizes({336, 1030});
   m_lower->setSizes({946, 420});
-  m_halves->setSizes({400, 220});
+  m_halves->setSizes({420, 190});
+  m_decode->hide();
 
   auto* layout = new QVBoxLayout(workspace);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -137,7 +138,7 @@ void MainWindow::makeMenus() {
 
 void MainWindow::connectPanels() {
   connect(m_devices, &DevicePanel::deviceSelected, m_page, &MonitorPage::setDevice);
-  connect(m_trace, &TraceView::currentFrameChanged, m_decodeModel, &DecodeModel::setFrame);
+  connect(m_trace, &TraceView::currentFrameChanged, this, &MainWindow::showFrame);
   // The cursor stands behind the frame that was asked for: it has happened.
   connect(m_trace, &TraceView::cursorRequested, this,
           [this](std::uint64_t frame) { m_session.seekFrames(frame + 1); });
@@ -163,7 +164,7 @@ void MainWindow::showSnapshot() {
     m_devices->selectDevice({});
     m_page->setDevice({});
     m_trace->setCurrentFrame({});
-    m_decodeModel->setFrame({});
+    showFrame({});
   }
   m_devices->setView(view);
   chooseFirstMonitor();
@@ -174,6 +175,12 @@ void MainWindow::showSnapshot() {
   m_transport->setView(
       view, {view.atEnd && snapshot.source.kind == SourceStatus::Kind::Link ? true : snapshot.playing,
              snapshot.speed});
+}
+
+// The detail takes room from the trace only while there is a frame to show.
+void MainWindow::showFrame(std::optional<std::uint64_t> frame) {
+  m_decodeModel->setFrame(frame);
+  m_decode->setVisible(frame.has_value());
 }
 
 // Until a person chooses, the first monitor that is heard is looked at.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <optional>
 
 #include "paint/palette.h"
 #include "session/session.h"
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void connectPanels();
   void showSnapshot();
+  void showFrame(std::optional<std::uint64_t> frame);
   void openLogByHand();
   void chooseFirstMonitor();
   void saveLayout() const;

@@ -30,7 +30,8 @@ TEST(MessageText, SummariesSayWhatMattersAndLeaveOutWhatIsOff) {
       {"manual_position", "Rotation 47.3°, Elevation −5.5°, Axis 5 (+) hard stop"},
       {"gateway_manual_tpdo1", "Rotation 47.3°, Elevation −5.5°"},
       {"operational_error_bits",
-       "Elevation sensor error, Axis 1 (+) hard stop error, Operational error, Rotation sensor no sensor fitted, "
+       "Elevation sensor error, Axis 1 (+) hard stop error, Operational error, "
+       "Rotation sensor no sensor fitted, "
        "Not "
        "calibrated"},
       {"manual_basic_joystick", "X 50.0 %, Y −40.0 %, Fog"},
@@ -47,7 +48,8 @@ TEST(MessageText, SummariesSayWhatMattersAndLeaveOutWhatIsOff) {
       {"manual_fault_poll", ""},
       {"manual_fault_response_seven_bytes", "No faults, pCode error code 11 (rotation sensor error)"},
       {"five_byte_faults_of_older_firmware",
-       "Faults: Internal EEPROM, Motor of axis 1, Internal fuse, S12 processor code, Fault bits without a name "
+       "Faults: Internal EEPROM, Motor of axis 1, Internal fuse, S12 processor code, "
+       "Fault bits without a name "
        "12"},
       {"manual_pipe_data", "“A?\\r\\n”"},
       {"gateway_manual_nmt", "Start, all nodes"},
