@@ -73,7 +73,8 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
   options.grabFile = parser.value(grab);
   bool ok = false;
   options.grabAfter = parser.value(after).toDouble(&ok);
-  if (!ok || options.grabAfter < 0 || options.grabAfter > 3600) return say(text("--after wants seconds"));
+  if (!ok || !(options.grabAfter >= 0 && options.grabAfter <= 3600))
+    return say(text("--after wants seconds"));
   return {};
 }
 

@@ -173,6 +173,11 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
     out += line;
   }
   if (m_withDevices) {
+    if (m_state.untrackedFrames() != 0) {
+      out += "  " + std::to_string(m_state.untrackedFrames()) +
+             " frames on channels beyond the fourth, not followed\n";
+    }
+    if (m_state.devices().untracked() != 0) out += "  more devices than can be followed\n";
     out += "devices\n";
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;
@@ -219,6 +224,8 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
   }
   out += ']';
   if (m_withDevices) {
+    out += ",\"untracked_frames\":" + std::to_string(m_state.untrackedFrames());
+    out += ",\"untracked_devices\":" + std::string(m_state.devices().untracked() != 0 ? "true" : "false");
     out += ",\"devices\":[";
     first = true;
     for (const Device& device : m_state.devices().all()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "log_input.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -28,7 +30,15 @@ int sayError(const std::string& name, const ReadError& error) {
 }  // namespace
 
 int LogInput::read(const std::function<bool()>& more) {
-  return path == "-" ? readStandardInput(more) : readFile(more);
+  if (path == "-") return readStream(STDIN_FILENO, more);
+  struct stat facts {};
+  if (::stat(path.c_str(), &facts) != 0 || S_ISREG(facts.st_mode) || S_ISDIR(facts.st_mode))
+    return readFile(more);
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return sayError(path, {ReadError::Kind::CannotOpen, std::strerror(errno)});
+  const int status = readStream(descriptor, more);
+  ::close(descriptor);
+  return status;
 }
 
 int LogInput::readFile(const std::function<bool()>& more) {
@@ -62,15 +72,15 @@ int LogInput::readFile(const std::function<bool()>& more) {
   return *outcome ? unkeptStatus : sayError(name(), outcome->error());
 }
 
-int LogInput::readStandardInput(const std::function<bool()>& more) {
+int LogInput::readStream(int descriptor, const std::function<bool()>& more) {
   CandumpStream stream(frames, unkept);
   std::array<char, 64 * 1024> buffer;
   int status = kDone;
   for (;;) {
-    const ssize_t got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
-      std::fprintf(stderr, "deckpipectl: standard input: %s\n", std::strerror(errno));
+      std::fprintf(stderr, "deckpipectl: %s: %s\n", name().c_str(), std::strerror(errno));
       status = kNotWhole;
     }
     if (got <= 0) break;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A log given on the command line: a file, or candump text on standard input. Frames go to the store; whoever
-// wants them is called as they come, on the calling thread.
+// A log given on the command line: a file, or candump text on standard input or a pipe. Frames go to the
+// store; whoever wants them is called as they come, on the calling thread.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ struct LogInput {
 
  private:
   int readFile(const std::function<bool()>& more);
-  int readStandardInput(const std::function<bool()>& more);
+  // Whatever is no regular file: standard input, a pipe.
+  int readStream(int descriptor, const std::function<bool()>& more);
   int sayUnkept() const;
 };
 

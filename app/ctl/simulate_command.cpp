@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl simulate: the bench twin on an interface in real time, or into a log at once.
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QSaveFile>
 #include <cmath>
 #include <csignal>
@@ -55,14 +56,17 @@ int writeLog(simulator::StandardBench& bench, double seconds, const QString& pat
                ? kDone
                : kNotWhole;
   }
-  QSaveFile file(path);
-  const bool written = file.open(QIODevice::WriteOnly) &&
-                       simulateInto(bench, seconds,
-                                    [&](const std::string& text) {
-                                      return file.write(text.data(), static_cast<qint64>(text.size())) ==
-                                             static_cast<qint64>(text.size());
-                                    }) &&
-                       file.commit();
+  // A regular file is replaced when all of it is there; a pipe or device is written to as it stands.
+  const QFileInfo target(path);
+  QSaveFile whole(path);
+  QFile asItStands(path);
+  const bool replaces = !target.exists() || target.isFile();
+  QFileDevice& file = replaces ? static_cast<QFileDevice&>(whole) : asItStands;
+  const auto write = [&](const std::string& text) {
+    return file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
+  };
+  const bool written = file.open(QIODevice::WriteOnly) && simulateInto(bench, seconds, write) &&
+                       (replaces ? whole.commit() : asItStands.flush());
   if (written) return kDone;
   std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(path), qPrintable(file.errorString()));
   return kNotWhole;
@@ -85,7 +89,9 @@ void quitOnSignals() {
 int runOnInterface(BenchRunner& runner, const LinkSettings& settings) {
   int status = kDone;
   QObject::connect(&runner, &BenchRunner::busReady, [&](const QString& interfaceName) {
-    std::fprintf(stderr, "deckpipectl: the bench twin is on %s; Ctrl+C ends it\n", qPrintable(interfaceName));
+    std::fprintf(stderr,
+                 "deckpipectl: the bench twin is on %s and drives every monitor there; Ctrl+C ends it\n",
+                 qPrintable(interfaceName));
   });
   QObject::connect(&runner, &BenchRunner::failed, [&](const QString& reason) {
     std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(settings.interfaceName), qPrintable(reason));
@@ -105,7 +111,8 @@ int simulateCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose\n"
-      "scripted hand drives the monitor; on an interface in real time, or into a candump log."));
+      "scripted hand drives the monitor; on an interface in real time, or into a candump log.\n"
+      "On an interface its joystick drives every monitor that hears it: never put it on a truck."));
   const QCommandLineOption plugin(QStringLiteral("plugin"),
                                   QStringLiteral("Qt CAN bus plugin, e.g. socketcan."),
                                   QStringLiteral("PLUGIN"));

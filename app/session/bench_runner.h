@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bench twin on a real port: runs core/simulator's bench in real time on a thread of its own and puts it
-// on a link. The demo starts one behind a virtual bus; `deckpipectl simulate` puts one on any interface. Time
-// for the bench is CLOCK_MONOTONIC, which stands still while the machine sleeps: no burst on waking.
+// The bench twin on a real port: runs core/simulator's bench in real time, on its thread's event loop and
+// over a link. The demo starts one behind a virtual bus; `deckpipectl simulate` puts one on any interface.
+// Time for the bench is CLOCK_MONOTONIC, which stands still while the machine sleeps: no burst on waking.
 #pragma once
 
 #include <QObject>

@@ -77,7 +77,8 @@ void LiveBus::linkChanged(LinkState state, const std::string& reason) {
 
 void LiveBus::note(NoteKind kind, std::uint64_t number, const std::string& text) {
   const Note note{.frame = m_document->frames.count(),
-                  .time = std::max(m_state.cursor().time, bootTime() - FrameStore::kLiveDrift),
+                  // Behind every cursor that was published: a note at a cursor's own time has happened there.
+                  .time = std::max(m_state.cursor().time, bootTime() - FrameStore::kLiveDrift) + 1ns,
                   .kind = kind,
                   .channel = m_settings.channel,
                   .number = number,

@@ -20,24 +20,25 @@ Session::Session(QObject* parent) : QObject(parent) {
 
 Session::~Session() { closeSource(); }
 
-// Workers that need an event loop each get a thread. A worker is deleted in its own thread when that ends,
+// Links, and in the demo the twin, live on one thread with an event loop. Each is deleted there when it ends,
 // which closes its link.
-QThread* Session::startThread(QObject* worker, const char* name) {
-  auto* thread = new QThread(this);
-  thread->setObjectName(QLatin1String(name));
-  worker->moveToThread(thread);
-  connect(thread, &QThread::finished, worker, &QObject::deleteLater);
-  thread->start();
-  return thread;
+void Session::startOnBusThread(QObject* worker, std::function<void()> start) {
+  if (m_busThread == nullptr) {
+    m_busThread = new QThread(this);
+    m_busThread->setObjectName(QStringLiteral("bus"));
+    m_busThread->start();
+  }
+  worker->moveToThread(m_busThread);
+  connect(m_busThread, &QThread::finished, worker, &QObject::deleteLater);
+  QMetaObject::invokeMethod(worker, std::move(start), Qt::QueuedConnection);
 }
 
 void Session::closeSource() {
   m_timer.stop();
-  for (QThread** thread : {&m_busThread, &m_benchThread}) {
-    if (*thread == nullptr) continue;
-    (*thread)->quit();
-    (*thread)->wait();
-    delete std::exchange(*thread, nullptr);
+  if (m_busThread != nullptr) {
+    m_busThread->quit();
+    m_busThread->wait();
+    delete std::exchange(m_busThread, nullptr);
   }
   m_live = nullptr;
   m_bench = nullptr;
@@ -51,6 +52,7 @@ void Session::closeSource() {
 void Session::beginDocument() {
   closeSource();
   m_document = std::make_shared<LogDocument>();
+  m_indexed = 0;
   m_walker = std::make_unique<StateWalker>(m_document);
   m_snapshot.view.document = m_document;
   m_timer.start();
@@ -75,8 +77,7 @@ void Session::openLink(const LinkSettings& settings) {
   LinkSettings onChannel = settings;
   onChannel.channel = {m_document->frames.channel(channelName.toStdString())};
   m_live = new LiveBus(m_document, onChannel);
-  m_busThread = startThread(m_live, "bus");
-  QMetaObject::invokeMethod(m_live, &LiveBus::start, Qt::QueuedConnection);
+  startOnBusThread(m_live, [live = m_live] { live->start(); });
   Q_EMIT changed();
 }
 
@@ -89,21 +90,22 @@ void Session::openDemo() {
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;
   m_bench = new BenchRunner;
   // The twin is on the bus first: frames written before the other end listens reach nobody.
-  connect(m_bench, &BenchRunner::busReady, this, [this](const QString& interfaceName) {
-    if (m_document == nullptr || m_live != nullptr) return;
+  // A signal of a twin that was closed meanwhile may still be on its way: it is not for what is open now.
+  const std::weak_ptr<LogDocument> own = m_document;
+  connect(m_bench, &BenchRunner::busReady, this, [this, own](const QString& interfaceName) {
+    if (m_document == nullptr || own.lock() != m_document || m_live != nullptr) return;
     const Channel channel{m_document->frames.channel("can0")};
     m_live = new LiveBus(m_document,
                          {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel});
-    m_busThread = startThread(m_live, "bus");
-    QMetaObject::invokeMethod(m_live, &LiveBus::start, Qt::QueuedConnection);
+    startOnBusThread(m_live, [live = m_live] { live->start(); });
   });
-  connect(m_bench, &BenchRunner::failed, this, [this](const QString& reason) {
+  connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {
+    if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
     m_snapshot.source.reason = reason;
     Q_EMIT changed();
   });
-  m_benchThread = startThread(m_bench, "bench");
-  QMetaObject::invokeMethod(m_bench, &BenchRunner::startDemo, Qt::QueuedConnection);
+  startOnBusThread(m_bench, [bench = m_bench] { bench->startDemo(); });
   Q_EMIT changed();
 }
 
@@ -242,12 +244,13 @@ void Session::tick() {
   if (view.atEnd && grows()) {
     view.state = m_live->latest().state;
     view.cursor = view.state->cursor();
-    // Keeps the walker's indexes growing with the log.
-    if (end.frames - std::min(end.frames, m_document->roles.built()) > 0) m_walker->index();
   } else {
     m_walker->request(view.cursor);
     view.state = m_walker->latest();
   }
+  // The walker's indexes grow with the log, wherever the cursor stands.
+  if (frames.count() != m_indexed) m_walker->index();
+  m_indexed = frames.count();
   const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
                     before.view.frameCount == view.frameCount && before.source == m_snapshot.source &&
                     before.playing == m_snapshot.playing;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one object that the window talks to: opens a source (log file, adapter, demo), moves the cursor, and
 // makes a snapshot on its tick. It composes store, bus thread, walker and bench; it lives on the window's
-// thread and never waits for any of them.
+// thread and waits for none of them, but for their end when a source is closed.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "link/can_link.h"
@@ -62,18 +63,18 @@ class Session : public QObject {
   void setCursor(Cursor cursor);
   Cursor endCursor() const;
   bool grows() const { return m_live != nullptr; }
-  QThread* startThread(QObject* worker, const char* name);
+  void startOnBusThread(QObject* worker, std::function<void()> start);
 
   Snapshot m_snapshot;
   std::shared_ptr<LogDocument> m_document;
   std::unique_ptr<StateWalker> m_walker;
   std::unique_ptr<LogOpening> m_opening;
-  LiveBus* m_live = nullptr;       // on m_busThread, which deletes it
-  BenchRunner* m_bench = nullptr;  // on m_benchThread, which deletes it
-  QThread* m_busThread = nullptr;
-  QThread* m_benchThread = nullptr;
+  QThread* m_busThread = nullptr;  // deletes what lives on it when it ends
+  LiveBus* m_live = nullptr;
+  BenchRunner* m_bench = nullptr;
   QTimer m_timer;
-  QElapsedTimer m_playClock;  // since the cursor was last moved by playing
+  std::uint64_t m_indexed = 0;  // frames of the log when the walker was last told
+  QElapsedTimer m_playClock;    // since the cursor was last moved by playing
 };
 
 }  // namespace deckpipe

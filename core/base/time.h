@@ -18,9 +18,19 @@ struct Instant {
   std::int64_t ns = 0;
 
   friend constexpr auto operator<=>(Instant, Instant) = default;
-  friend constexpr Instant operator+(Instant t, Duration d) { return {t.ns + d.count()}; }
-  friend constexpr Instant operator-(Instant t, Duration d) { return {t.ns - d.count()}; }
-  friend constexpr Duration operator-(Instant a, Instant b) { return Duration{a.ns - b.ns}; }
+  // Stays at the ends of time: a log may hold any stamp.
+  friend constexpr Instant operator+(Instant t, Duration d) {
+    std::int64_t sum = 0;
+    if (!__builtin_add_overflow(t.ns, d.count(), &sum)) return {sum};
+    return {d.count() > 0 ? std::numeric_limits<std::int64_t>::max()
+                          : std::numeric_limits<std::int64_t>::min()};
+  }
+  friend constexpr Instant operator-(Instant t, Duration d) { return t + -d; }
+  friend constexpr Duration operator-(Instant a, Instant b) {
+    std::int64_t gap = 0;
+    if (!__builtin_sub_overflow(a.ns, b.ns, &gap)) return Duration{gap};
+    return a.ns > b.ns ? Duration::max() : Duration::min();
+  }
 };
 
 // Later than every event; "never" as an answer to "when do you next need time?".

@@ -62,7 +62,8 @@ InputFile::~InputFile() {
 }
 
 std::string InputFile::open(const std::string& path) {
-  m_file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // A pipe without a writer must not hold us up before we know that it is one.
+  m_file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat facts {};
   if (m_file < 0 || fstat(m_file, &facts) != 0) return systemWords(errno);
   if (!S_ISREG(facts.st_mode)) return systemWords(S_ISDIR(facts.st_mode) ? EISDIR : EINVAL);

@@ -318,7 +318,12 @@ ExtendedJoystick ExtendedJoystick::of(const Frame& frame) {
 
 FaultStatus FaultStatus::of(const Frame& frame) {
   constexpr Field kPcodeError = fieldOf(akron::kFaultResponseFields, "pcode_error");
+  constexpr BitRange kSdoMap = fieldOf(gateway::kSdoReadResponseFields, "faults").bits;
   FaultStatus status;
+  if (frame.data[0] != messageOf(MessageId::FaultResponse).firstByte) {
+    status.map = bitsOf(frame, kSdoMap);
+    return status;
+  }
   status.map = bitsOf(frame, fieldOf(akron::kFaultResponseFields, "faults").bits);
   if (kPcodeError.bits.bytesNeeded() <= frame.length) {
     status.pcodeError = static_cast<std::uint16_t>(bitsOf(frame, kPcodeError.bits));

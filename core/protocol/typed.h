@@ -107,10 +107,10 @@ struct ExtendedJoystick {
   friend bool operator==(const ExtendedJoystick&, const ExtendedJoystick&) = default;
 };
 
-// Type 02.
+// Type 02, or the answer to SDO 5001.01: the same map.
 struct FaultStatus {
   std::uint32_t map = 0;                    // bits as in akron::kFaultBits
-  std::optional<std::uint16_t> pcodeError;  // nothing in the 5-byte answer of older firmware
+  std::optional<std::uint16_t> pcodeError;  // nothing in an SDO and in the 5-byte answer of older firmware
 
   static FaultStatus of(const Frame& frame);
   friend bool operator==(const FaultStatus&, const FaultStatus&) = default;

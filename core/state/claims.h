@@ -21,7 +21,8 @@ class Claims {
   void countMalformed(Address source) { ++m_nodes[source.value].malformed; }
 
   // A NAME of length 8. From the null address it says 'cannot claim'. Claims from the global address and with
-  // NAME 0 mean nothing. Returns the address whose holder changed or left; the null address where none did.
+  // NAME 0 mean nothing. Returns the address whose holder changed or left; the null address where none did. A
+  // NAME that held several leaves one a call: from the null address call again until it returns that.
   Address claimed(Address source, Name name, Instant time);
 
   // The next time a claim or a contest is decided; kNever where none is open.

@@ -74,14 +74,13 @@ void Device::take(const Frame& frame, MessageId id, Instant time) {
 }
 
 void Device::takeSdo(const Frame& frame, Instant time) {
-  constexpr BitRange kFaultMap = fieldOf(gateway::kSdoReadResponseFields, "faults").bits;
   const auto object =
       readBits(frame.data, gateway::kIndex.bits) << 8 | readBits(frame.data, gateway::kSubindex.bits);
   const unsigned size = sdo::valueSize(frame.data[0]);
   if (object == sdo::kDeviceType && size == 4) {
     partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
   } else if (object == sdo::kFaultStatus && size == 4) {
-    faultMap.set(static_cast<std::uint32_t>(readBits(frame.data, kFaultMap)), time);
+    faults.set(frame, time);
   } else if (object == sdo::kOperationalError && size == 2) {
     operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
   }

@@ -72,7 +72,6 @@ struct Device {
   Timed<std::uint8_t> heartbeat;  // low seven bits, HeartbeatState
   Timed<std::uint32_t> partNumber;
   Timed<std::uint16_t> operationalErrorCode;
-  Timed<std::uint32_t> faultMap;           // SDO 5001.01; bits as in akron::kFaultBits
   Reported<&BasicJoystick::of> commanded;  // RPDO1; the sender is not known
 
   bool isStale(Periodic p) const { return (stale >> static_cast<unsigned>(p) & 1u) != 0; }

@@ -103,20 +103,19 @@ void Devices::announced(Channel channel, Address address, const Pin& pin, Instan
   device->announced = time;
 }
 
-void Devices::addressTaken(Channel channel, Address address, Name name, Instant time) {
+void Devices::addressTaken(Channel channel, Address address, Name name, bool isFirst, Instant time) {
   Device* device = findAddress(channel, address);
-  if (device == nullptr || device->kind != Device::Kind::Pin) return;
+  if (device == nullptr) return;
   constexpr std::uint32_t kIdentityMask = 0x1F'FFFF;  // a NAME has the low 21 bits of the PIN's digits 7-15
-  const bool same = name.manufacturerCode() == j1939::kAkronManufacturer &&
-                    name.identityNumber() == (device->pin.serial() & kIdentityMask);
+  const bool akron = name.manufacturerCode() == j1939::kAkronManufacturer;
+  const bool same = device->kind == Device::Kind::Pin
+                        ? akron && name.identityNumber() == (device->pin.serial() & kIdentityMask)
+                        : akron && isFirst;
   if (!same) takeAddress(*device, time);
 }
 
 void Devices::addressLeft(Channel channel, Address address, Instant time) {
-  if (Device* device = findAddress(channel, address);
-      device != nullptr && device->kind == Device::Kind::Pin) {
-    takeAddress(*device, time);
-  }
+  if (Device* device = findAddress(channel, address)) takeAddress(*device, time);
 }
 
 Instant Devices::nextDeadline() const {

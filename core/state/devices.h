@@ -32,8 +32,9 @@ class Devices {
 
   // A device announced itself: its device has this address from now on, and whoever had it has none.
   void announced(Channel channel, Address address, const Pin& pin, Instant time);
-  // An address went to a NAME. A device whose PIN cannot be that NAME's lost it.
-  void addressTaken(Channel channel, Address address, Name name, Instant time);
+  // An address went to a NAME. A device whose PIN cannot be that NAME's lost it; what was known only by its
+  // address is forgotten, unless this may be its own first NAME.
+  void addressTaken(Channel channel, Address address, Name name, bool isFirst, Instant time);
   // Its holder said that it cannot claim any address.
   void addressLeft(Channel channel, Address address, Instant time);
 

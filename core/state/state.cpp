@@ -71,11 +71,16 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
     switch (what.message) {
       case MessageId::Name: {
         const Name name = Name::of(frame);
-        const Address changed = channel.claims.claimed(id.source, name, time);
-        if (id.source == kNullAddress) {
-          if (isNode(changed)) m_devices.addressLeft(channelId, changed, time);
-        } else if (isNode(changed)) {
-          m_devices.addressTaken(channelId, changed, name, time);
+        const bool isFirst = channel.claims[id.source].name.value == 0;
+        // From the null address one frame may give up several; elsewhere it changes one address at most.
+        for (Address changed = channel.claims.claimed(id.source, name, time); isNode(changed);
+             changed = id.source == kNullAddress ? channel.claims.claimed(id.source, name, time)
+                                                 : kNullAddress) {
+          if (id.source == kNullAddress) {
+            m_devices.addressLeft(channelId, changed, time);
+          } else {
+            m_devices.addressTaken(channelId, changed, name, isFirst, time);
+          }
         }
         sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
         break;
@@ -114,8 +119,10 @@ void State::applyStandard(const Frame& frame, Instant time, const Classified& wh
   const bool fromNode = cob.function != static_cast<std::uint16_t>(CobFunction::SdoRequest) &&
                         cob.function != static_cast<std::uint16_t>(CobFunction::Rpdo1);
   const Channel channel{frame.channel};
-  Device* device = fromNode ? m_devices.atNode(channel, cob.node)
-                            : const_cast<Device*>(m_devices.byNode(channel, cob.node));
+  // Nor does what only looks like CANopen: other buses use these identifiers too.
+  const bool makesDevice = fromNode && what.isDecoded() && what.message != MessageId::SdoOther;
+  Device* device = makesDevice ? m_devices.atNode(channel, cob.node)
+                               : const_cast<Device*>(m_devices.byNode(channel, cob.node));
   if (device == nullptr) return;
   if (what.malformed) {
     ++device->malformed;
@@ -149,9 +156,9 @@ void State::apply(const Note& note) {
 }
 
 void State::timeCame(Instant time) {
-  while (m_nextCheck <= time) {
+  while (m_nextCheck <= time && m_nextCheck != kNever) {
     m_nextCheck = nextDeadline();
-    if (m_nextCheck <= time) fire(m_nextCheck);
+    if (m_nextCheck <= time && m_nextCheck != kNever) fire(m_nextCheck);
   }
   m_cursor.time = std::max(m_cursor.time, time);
 }
@@ -171,7 +178,7 @@ void State::fire(Instant due) {
     const Channel channel{static_cast<std::uint8_t>(i)};
     for (Address changed = m_channels[i].claims.decide(due); isNode(changed);
          changed = m_channels[i].claims.decide(due)) {
-      m_devices.addressTaken(channel, changed, m_channels[i].claims[changed].name, due);
+      m_devices.addressTaken(channel, changed, m_channels[i].claims[changed].name, false, due);
     }
   }
 }

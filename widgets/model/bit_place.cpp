@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "model/field_text.h"
 #include "protocol/catalogue.h"
 #include "protocol/sdo.h"
 
@@ -71,8 +72,7 @@ QString placeText(BitRange range) {
 QString rawText(BitRange range, const Payload& data) {
   if (range.width == 0) return {};
   const std::uint64_t raw = readBits(data, range);
-  if (range.width > kWidestBinary)
-    return QString::number(raw, 16).toUpper().rightJustified((range.width + 3) / 4, QLatin1Char('0'));
+  if (range.width > kWidestBinary) return hexText(raw, (range.width + 3) / 4);
   QString text = QString::number(raw, 2).rightJustified(range.width, QLatin1Char('0'));
   for (qsizetype at = text.size() - 4; at > 0; at -= 4) text.insert(at, QLatin1Char(' '));
   return text;

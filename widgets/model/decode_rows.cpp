@@ -9,6 +9,7 @@
 #include "model/message_text.h"
 #include "model/trace_cells.h"
 #include "protocol/decode.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {
@@ -18,13 +19,9 @@ struct DecodeRows {
 };
 using Line = DecodeRow::Line;
 
-QString hex(std::uint32_t number, int digits) {
-  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
-}
-
 // "80 hex (128)": how manuals write an address, and how other tools do.
 QString hexAndDecimal(std::uint32_t number, int digits) {
-  return DecodeRows::tr("%1 hex (%2)").arg(hex(number, digits)).arg(number);
+  return DecodeRows::tr("%1 hex (%2)").arg(hexText(number, digits)).arg(number);
 }
 
 QString addressText(Address address) {
@@ -86,8 +83,8 @@ void addIdentifier(std::vector<DecodeRow>& rows, const Frame& frame) {
   const QString function = functionText(cob.function);
   rows.push_back(identifierRow(DecodeRows::tr("Function"),
                                function.isEmpty()
-                                   ? hex(cob.function, 3)
-                                   : QStringLiteral("%1 (%2)").arg(hex(cob.function, 3), function),
+                                   ? hexText(cob.function, 3)
+                                   : QStringLiteral("%1 (%2)").arg(hexText(cob.function, 3), function),
                                DecodeRows::tr("ID 10–7")));
   if (cob.hasNode())
     rows.push_back(
@@ -99,7 +96,7 @@ void addByte(std::vector<DecodeRow>& rows, const Frame& frame, unsigned byte) {
   DecodeRow row;
   row.kind = Line::Byte;
   row.name = DecodeRows::tr("Byte %1").arg(byte);
-  row.value = DecodeRows::tr("%1 hex (%2)").arg(hex(frame.data[byte - 1], 2)).arg(frame.data[byte - 1]);
+  row.value = DecodeRows::tr("%1 hex (%2)").arg(hexText(frame.data[byte - 1], 2)).arg(frame.data[byte - 1]);
   row.raw = rawText(range, frame.data);
   row.place = placeText(range);
   row.bits = bitsOf(range);
@@ -113,7 +110,7 @@ void addType(std::vector<DecodeRow>& rows, const Frame& frame, const Message& me
   row.name = message.family == Family::Copley    ? DecodeRows::tr("Command")
              : message.family == Family::Canopen ? DecodeRows::tr("Command specifier")
                                                  : DecodeRows::tr("Message type");
-  row.value = DecodeRows::tr("%1 hex").arg(hex(frame.data[0], 2));
+  row.value = DecodeRows::tr("%1 hex").arg(hexText(frame.data[0], 2));
   row.raw = rawText(range, frame.data);
   row.place = placeText(range);
   row.tip = toQString(message.source);

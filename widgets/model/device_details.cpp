@@ -62,7 +62,7 @@ QString detailsText(const LogView& view, const DeviceKey& key) {
   const std::optional<DeviceRow> row = deviceRow(state, key);
   if (!row) return {};
   const Device* device = findDevice(state, key);
-  QStringList lines{deviceText(row->key) + QStringLiteral(" – ") + typeText(*row)};
+  QStringList lines{deviceText(*row) + QStringLiteral(" – ") + typeText(*row)};
   if (const QString channel = channelText(view, row->channel); !channel.isEmpty())
     lines << Details::tr("Channel: %1").arg(channel);
   if (device != nullptr && device->kind != Device::Kind::Node)

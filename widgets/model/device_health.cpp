@@ -46,17 +46,17 @@ DeviceHealth healthOf(const State& state, const Device& d) {
   const ChannelState& channel = state.channel(d.channel);
   // A status counts as long as it is fresh; an answer to a poll as long as there is no later one.
   const bool hasPosition = d.position.isKnown() && !d.isStale(Periodic::Position);
-  const PositionLimitStatus& position = d.position.value;
+  const PositionLimitStatus position = d.position.value();
   Finder f;
   f.addSilence(d.lastHeard, state.cursor().time);
-  f.add(HealthReason::FaultBits, d.faults.isKnown() && d.faults.value.map != 0);
+  f.add(HealthReason::FaultBits, d.faults.isKnown() && d.faults.value().map != 0);
   f.add(HealthReason::PcodeError,
-        (d.faults.isKnown() && d.faults.value.pcodeError.value_or(0) != 0) ||
+        (d.faults.isKnown() && d.faults.value().pcodeError.value_or(0) != 0) ||
             (d.operationalErrorCode.isKnown() && d.operationalErrorCode.value != 0));
   f.add(HealthReason::RotationSensor, hasPosition && position.rotation.state == PositionState::SensorError);
   f.add(HealthReason::ElevationSensor, hasPosition && position.elevation.state == PositionState::SensorError);
   f.add(HealthReason::DeviceFaulted,
-        d.miniOutputs.isKnown() && !d.isStale(Periodic::MiniOutputs) && d.miniOutputs.value.deviceFaulted);
+        d.miniOutputs.isKnown() && !d.isStale(Periodic::MiniOutputs) && d.miniOutputs.value().deviceFaulted);
   f.add(HealthReason::OperationalError, hasPosition && position.operationalError == Status2::On);
   f.add(HealthReason::PositionOverdue, d.isStale(Periodic::Position));
   f.add(HealthReason::LimitsOverdue,

@@ -125,8 +125,9 @@ QString DeviceModel::emptyText() const {
   }
   std::uint64_t errors = 0;
   for (std::uint8_t c = 0; c < kMaxChannels; ++c) errors += state.channel(Channel{c}).errorFrames;
-  const QString heard = tr("%1 frames heard, none from a known device.")
-                            .arg(QLocale().toString(static_cast<qulonglong>(frames)));
+  const QString heard = frames == 1 ? tr("One frame heard, not from a known device.")
+                                    : tr("%1 frames heard, none from a known device.")
+                                          .arg(QLocale().toString(static_cast<qulonglong>(frames)));
   if (errors == 0) return heard;
   return tr("%1\n%2 of them are error frames: check bit rate and termination.")
       .arg(heard, QLocale().toString(static_cast<qulonglong>(errors)));
@@ -140,7 +141,7 @@ int DeviceModel::columnCount(const QModelIndex& parent) const { return parent.is
 
 QString DeviceModel::textOf(const DeviceRow& row, int column) const {
   switch (column) {
-    case DeviceColumn: return deviceText(row.key);
+    case DeviceColumn: return deviceText(row);
     case TypeColumn: return typeText(row);
     case AddressColumn:
       if (row.key.kind == DeviceKey::Kind::Node) return hexText(row.key.node.value);

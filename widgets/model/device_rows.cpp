@@ -205,10 +205,17 @@ QString typeText(const DeviceRow& row) {
   return maker.replace(0, 1, maker.at(0).toUpper());
 }
 
-QString deviceText(const DeviceKey& key) {
+QString deviceText(const DeviceRow& row) {
+  const bool lacksPin = row.group == DeviceGroup::Monitors || row.group == DeviceGroup::OtherAkron;
+  if (row.key.kind == DeviceKey::Kind::Address && lacksPin)
+    return Row::tr("No PIN, address %1").arg(hexText(row.address.value));
+  return keyText(row.key);
+}
+
+QString keyText(const DeviceKey& key) {
   switch (key.kind) {
     case DeviceKey::Kind::Pin: return pinText(key.pin);
-    case DeviceKey::Kind::Address: return Row::tr("No PIN, address %1").arg(hexText(key.address.value));
+    case DeviceKey::Kind::Address: return Row::tr("Address %1").arg(hexText(key.address.value));
     case DeviceKey::Kind::Node: return Row::tr("Node %1").arg(hexText(key.node.value));
     case DeviceKey::Kind::None: break;
   }

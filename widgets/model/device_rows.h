@@ -69,6 +69,8 @@ std::optional<DeviceRow> deviceRow(const State& state, const DeviceKey& key);
 
 QString groupText(DeviceGroup group);
 QString typeText(const DeviceRow& row);
-QString deviceText(const DeviceKey& key);
+// "1032AE100801035", "No PIN, address 80", "Address 21" of who needs none, "Node 24".
+QString deviceText(const DeviceRow& row);
+QString keyText(const DeviceKey& key);
 
 }  // namespace deckpipe

@@ -9,6 +9,7 @@
 
 #include "protocol/device_types.h"
 #include "protocol/j1939.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {
@@ -17,49 +18,6 @@ constexpr QChar kMinus(0x2212);
 
 struct FieldText {
   Q_DECLARE_TR_FUNCTIONS(FieldText)
-};
-
-struct Words {
-  std::string_view key;
-  const char* text;
-};
-constexpr Words kWords[] = {
-    {"off", QT_TRANSLATE_NOOP("Words", "off")},
-    {"on", QT_TRANSLATE_NOOP("Words", "on")},
-    {"error", QT_TRANSLATE_NOOP("Words", "error")},
-    {"na", QT_TRANSLATE_NOOP("Words", "not available")},
-    {"ok", QT_TRANSLATE_NOOP("Words", "ok")},
-    {"sensor_error", QT_TRANSLATE_NOOP("Words", "sensor error")},
-    {"not_fitted", QT_TRANSLATE_NOOP("Words", "not fitted")},
-    {"invalid", QT_TRANSLATE_NOOP("Words", "invalid")},
-    {"boot", QT_TRANSLATE_NOOP("Words", "boot-up")},
-    {"stopped", QT_TRANSLATE_NOOP("Words", "stopped")},
-    {"operational", QT_TRANSLATE_NOOP("Words", "operational")},
-    {"pre_operational", QT_TRANSLATE_NOOP("Words", "pre-operational")},
-    {"unknown", QT_TRANSLATE_NOOP("Words", "unknown")},
-    {"ram", QT_TRANSLATE_NOOP("Words", "RAM")},
-    {"flash", QT_TRANSLATE_NOOP("Words", "flash")},
-    {"abort", QT_TRANSLATE_NOOP("Words", "abort")},
-    {"start", QT_TRANSLATE_NOOP("Words", "start or update the move")},
-    {"home", QT_TRANSLATE_NOOP("Words", "home")},
-    {"internal_eeprom", QT_TRANSLATE_NOOP("Words", "internal EEPROM")},
-    {"motor_axis_1", QT_TRANSLATE_NOOP("Words", "motor of axis 1")},
-    {"motor_axis_2", QT_TRANSLATE_NOOP("Words", "motor of axis 2")},
-    {"motor_axis_3", QT_TRANSLATE_NOOP("Words", "motor of axis 3")},
-    {"motor_axis_4", QT_TRANSLATE_NOOP("Words", "motor of axis 4")},
-    {"motor_axis_5", QT_TRANSLATE_NOOP("Words", "motor of axis 5")},
-    {"digital_output_1", QT_TRANSLATE_NOOP("Words", "digital output 1")},
-    {"digital_output_2", QT_TRANSLATE_NOOP("Words", "digital output 2")},
-    {"digital_output_3", QT_TRANSLATE_NOOP("Words", "digital output 3")},
-    {"sci_input_overrun", QT_TRANSLATE_NOOP("Words", "SCI input overrun")},
-    {"can_input_overrun", QT_TRANSLATE_NOOP("Words", "CAN input overrun")},
-    {"xgate_processor", QT_TRANSLATE_NOOP("Words", "XGATE processor")},
-    {"pcode_syntax", QT_TRANSLATE_NOOP("Words", "pCode syntax")},
-    {"internal_fuse", QT_TRANSLATE_NOOP("Words", "internal fuse")},
-    {"external_eeprom", QT_TRANSLATE_NOOP("Words", "external EEPROM")},
-    {"sci_output_overrun", QT_TRANSLATE_NOOP("Words", "SCI output overrun")},
-    {"can_output_overrun", QT_TRANSLATE_NOOP("Words", "CAN output overrun")},
-    {"s12_processor", QT_TRANSLATE_NOOP("Words", "S12 processor")},
 };
 
 // Numbers that a manual gives a name to.
@@ -145,20 +103,6 @@ constexpr HexKey kHexKeys[] = {{"index", 4, false},    {"subindex", 2, false},  
                                {"specifier", 2, true}, {"parameter", 1, true},  {"command", 2, false},
                                {"node", 2, true},      {"record_type", 2, true}};
 
-const Words* wordsOf(std::string_view key) {
-  const auto* found = std::find_if(std::begin(kWords), std::end(kWords),
-                                   [key](const Words& words) { return words.key == key; });
-  return found == std::end(kWords) ? nullptr : found;
-}
-
-QString translated(const char* context, std::string_view source) {
-  return QCoreApplication::translate(context, std::string(source).c_str());
-}
-
-QString hex(std::uint64_t number, int digits) {
-  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
-}
-
 QString unitText(Unit unit) {
   switch (unit) {
     case Unit::None:
@@ -185,10 +129,10 @@ QString numberText(const Message& message, const Field& field, std::int64_t numb
   const auto* inHex = std::find_if(std::begin(kHexKeys), std::end(kHexKeys),
                                    [&field](const HexKey& k) { return k.key == field.key; });
   if (inHex != std::end(kHexKeys)) {
-    text = hex(static_cast<std::uint64_t>(number), inHex->digits);
+    text = hexText(static_cast<std::uint64_t>(number), inHex->digits);
     if (inHex->said) text = FieldText::tr("%1 hex").arg(text);
   } else if (field.key == "pgn") {
-    text = FieldText::tr("%1 hex").arg(hex(static_cast<std::uint64_t>(number), 4));
+    text = FieldText::tr("%1 hex").arg(hexText(static_cast<std::uint64_t>(number), 4));
   } else {
     text = decimalText(number, decimals) + unitText(field.unit);
   }
@@ -196,14 +140,18 @@ QString numberText(const Message& message, const Field& field, std::int64_t numb
   return name.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, name);
 }
 
-// Characters as they are, control characters as Unicode draws them, so that a line's end can be seen.
+// Characters as they are, others as programmers write them, so that a line's end can be seen in every font.
 QString charactersText(std::span<const std::uint8_t> bytes) {
   QString text;
   for (const int byte : bytes) {
-    if (byte < 0x20) {
-      text += QChar(0x2400 + byte);
+    if (byte == '\r') {
+      text += QStringLiteral("\\r");
+    } else if (byte == '\n') {
+      text += QStringLiteral("\\n");
+    } else if (byte < 0x20 || byte > 0x7E) {
+      text += QStringLiteral("\\x") + hexText(static_cast<std::uint64_t>(byte), 2);
     } else {
-      text += byte < 0x7F ? QChar(byte) : QChar(0x00B7);
+      text += QChar(byte);
     }
   }
   return QStringLiteral("“%1”").arg(text);
@@ -215,15 +163,8 @@ QString toQString(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-QString messageTitle(const Message& message) { return translated("Catalogue", message.name); }
-QString fieldName(const Field& field) { return translated("Catalogue", field.name); }
-
-bool hasWords(std::string_view key) { return wordsOf(key) != nullptr; }
-
-QString wordText(std::string_view key) {
-  if (const Words* words = wordsOf(key)) return QCoreApplication::translate("Words", words->text);
-  QString text = translated("Words", key);
-  return text.replace(QLatin1Char('_'), QLatin1Char(' '));
+QString hexText(std::uint64_t number, int digits) {
+  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
 }
 
 QString numberName(const Message& message, const Field& field, std::int64_t number) {
@@ -236,7 +177,7 @@ QString numberName(const Message& message, const Field& field, std::int64_t numb
 }
 
 QString objectText(unsigned index, unsigned subindex) {
-  return QStringLiteral("%1.%2").arg(hex(index, 4), hex(subindex, 2));
+  return QStringLiteral("%1.%2").arg(hexText(index, 4), hexText(subindex, 2));
 }
 
 QString objectName(unsigned index, unsigned subindex) {
@@ -256,7 +197,10 @@ QString valueText(const Message& message, const Field& field, const Value& value
       return text.replace(QLatin1Char('-'), kMinus) + unitText(field.unit);
     }
     case Value::Type::Flag: return wordText(value.flag() ? "on" : "off");
-    case Value::Type::Word: return wordText(value.text());
+    case Value::Type::Word:
+      return field.kind == Kind::AbortText
+                 ? QCoreApplication::translate("SdoAbort", std::string(value.text()).c_str())
+                 : wordText(value.text());
     case Value::Type::Text: return toQString(value.text());
     case Value::Type::Bytes:
       return field.key == "text" ? charactersText(value.bytes()) : toQString(toText(value));

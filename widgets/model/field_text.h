@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of the catalogue and their values in the words of people: names, units, numbers that the manuals
-// name, keys as words. For the trace's Decoded column, the decode detail and their tooltips. Core says keys;
-// everything that a person reads of them is made here.
+// Values of the catalogue's fields in the words of people: units, numbers that the manuals name, keys as
+// words. For the trace's Decoded column, the decode detail and their tooltips. Core says keys; everything
+// that a person reads of them is made here.
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <string_view>
 
 #include "protocol/message.h"
@@ -13,17 +14,10 @@
 namespace deckpipe {
 
 QString toQString(std::string_view text);
+// Upper case, without a prefix, so many digits at least.
+QString hexText(std::uint64_t number, int digits);
 
-QString messageTitle(const Message& message);
-QString fieldName(const Field& field);
-
-// A key that stands for a value: "not_fitted" → "not fitted". A key without words of its own is written with
-// spaces; CiA 301's texts are translated as they are.
-QString wordText(std::string_view key);
-// Whether a key has words of its own; a test asks for every key of the catalogue.
-bool hasWords(std::string_view key);
-
-// "47.3°", "−40.0 %", "on", "11 (rotation sensor error)", "“A?␍␊”"; "no value" for null.
+// "47.3°", "−40.0 %", "on", "11 (rotation sensor error)", "“A?\r\n”"; "no value" for null.
 QString valueText(const Message& message, const Field& field, const Value& value);
 
 // What a manual calls this value of this field, empty where none does.

@@ -7,6 +7,7 @@
 #include "bus/canopen.h"
 #include "model/field_text.h"
 #include "protocol/catalogue.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {
@@ -33,10 +34,6 @@ constexpr ErrorClass kErrorClasses[] = {
     {0x080, QT_TRANSLATE_NOOP("ErrorFrames", "bus error")},
     {0x100, QT_TRANSLATE_NOOP("ErrorFrames", "controller restarted")},
 };
-
-QString hexNode(std::uint32_t identifier) {
-  return QString::number(CobId::of(identifier).node.value, 16).toUpper().rightJustified(2, QLatin1Char('0'));
-}
 
 QString undecodedText(const Frame& frame, const Classified& what) {
   switch (what.family) {
@@ -65,9 +62,9 @@ QString frameTitle(const Frame& frame, const Classified& what) {
   if (frame.isError()) return MessageText::tr("Error frame");
   if (frame.isRemote()) return MessageText::tr("Remote request");
   if (what.message != MessageId::Count) {
-    const QString title = messageTitle(messageOf(what.message));
+    const QString title = messageName(what.message);
     if (what.malformed) return MessageText::tr("Malformed: %1").arg(title);
-    return what.family == Family::Presumed ? MessageText::tr("%1 (presumed)").arg(title) : title;
+    return title;
   }
   switch (what.family) {
     case Family::Ambiguous: return MessageText::tr("Ambiguous");
@@ -90,7 +87,7 @@ QString certaintyText(const Frame& frame, const Classified& what) {
         "Presumed: neither end has been heard to be an Akron device, but type, length and "
         "direction fit.");
   return MessageText::tr("Presumed: node %1 has not been heard to be an Akron device, but the message fits.")
-      .arg(hexNode(frame.identifier()));
+      .arg(hexText(CobId::of(frame.identifier()).node.value, 2));
 }
 
 QString malformedText(const Classified& what, unsigned length) {

@@ -18,24 +18,24 @@ struct Page {
 };
 
 // One place for both axes: they differ in where they stand in the message only.
-PageAxis axisOf(const Device& d, std::size_t axis, const PositionReading& reading,
-                const Timed<SoftLimits>& limits, bool areLimitsStale, Instant now) {
+PageAxis axisOf(const Device& d, std::size_t axis, const PositionReading& reading, const auto& limits,
+                bool areLimitsStale, Instant now) {
   PageAxis page;
   page.isStale = d.isStale(Periodic::Position);
   if (d.position.isKnown()) {
     page.reading = reading;
     page.age = now - d.position.at;
-    page.plusStop = d.position.value.plusStop[axis];
-    page.minusStop = d.position.value.minusStop[axis];
+    page.plusStop = d.position.value().plusStop[axis];
+    page.minusStop = d.position.value().minusStop[axis];
   }
-  if (limits.isKnown()) page.limits = limits.value;
+  if (limits.isKnown()) page.limits = limits.value();
   page.areLimitsStale = areLimitsStale;
   return page;
 }
 
 PageDial dialOf(const State& state, const Device& d, Instant now) {
   PageDial dial;
-  const PositionLimitStatus& position = d.position.value;
+  const PositionLimitStatus position = d.position.value();
   dial.rotation = axisOf(d, 0, position.rotation, d.rotationLimits, d.isStale(Periodic::RotationLimits), now);
   dial.elevation =
       axisOf(d, 1, position.elevation, d.elevationLimits, d.isStale(Periodic::ElevationLimits), now);
@@ -43,8 +43,8 @@ PageDial dialOf(const State& state, const Device& d, Instant now) {
   dial.rotation.command = commands.rotation;
   dial.elevation.command = commands.elevation;
   if (d.outputs.isKnown() && !d.isStale(Periodic::Outputs)) {
-    dial.enable = d.outputs.value.enable;
-    dial.stowed = d.outputs.value.stowed;
+    dial.enable = d.outputs.value().enable;
+    dial.stowed = d.outputs.value().stowed;
   }
   return dial;
 }
@@ -83,7 +83,7 @@ MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key) {
   if (!row) return page;
   page.isFound = true;
   page.key = row->key;
-  page.title = deviceText(row->key);
+  page.title = deviceText(*row);
   page.type = typeText(*row);
   page.address = placeText(*row);
   page.channel = channelText(view, row->channel);

@@ -26,7 +26,7 @@ PageCommands commandsTo(const State& state, const Device& monitor) {
     const bool isFresh =
         monitor.commanded.isKnown() && state.cursor().time - monitor.commanded.at < kInputTimeout;
     if (isFresh) {
-      take(commands, monitor.commanded.value,
+      take(commands, monitor.commanded.value(),
            QCoreApplication::translate("Command", "Gateway joystick", "commands by way of the CAN gateway"));
     }
     return commands;
@@ -35,7 +35,7 @@ PageCommands commandsTo(const State& state, const Device& monitor) {
   for (std::uint8_t a = kFirstJoystick.value; a <= kLastJoystick.value; ++a) {
     const Joystick* stick = joysticks.find(Address{a});
     if (stick != nullptr && stick->isActive())
-      take(commands, stick->basic.value, joystickName(stick->source));
+      take(commands, stick->basic.value(), joystickName(stick->source));
   }
   return commands;
 }

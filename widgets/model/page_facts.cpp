@@ -25,8 +25,8 @@ PageFact notAnswered(const QString& label) {
   return {label, Facts::tr("no answer heard"), FactTone::Stale, {}};
 }
 
-template <typename T>
-PageFact answered(const QString& label, const Timed<T>& answer, Instant now, const QString& value,
+// `answer` is a Timed or a Reported of the state.
+PageFact answered(const QString& label, const auto& answer, Instant now, const QString& value,
                   FactTone tone = FactTone::Plain) {
   return answer.isKnown() ? PageFact{label, value, tone, now - answer.at} : notAnswered(label);
 }
@@ -51,7 +51,7 @@ QString heartbeatText(std::uint8_t state) {
 
 PageFactGroup faultsOf(const Device& d, Instant now) {
   PageFactGroup group{QStringLiteral("faults"), Facts::tr("Faults"), {}};
-  const FaultStatus& faults = d.faults.value;
+  const FaultStatus faults = d.faults.value();
   const QStringList lines = faultLines(faults.map);
   group.facts.push_back(answered(Facts::tr("Fault bits"), d.faults, now,
                                  lines.isEmpty() ? Facts::tr("none set") : lines.join(QLatin1Char('\n')),
@@ -82,17 +82,17 @@ PageFactGroup versionsOf(const Device& d, Instant now) {
         answered(Facts::tr("Part number"), d.partNumber, now, partText(d.partNumber.value)));
     return group;
   }
-  const FirmwareVersions& f = d.firmware.value;
+  const FirmwareVersions f = d.firmware.value();
   group.facts.push_back(
       answered(Facts::tr("Firmware"), d.firmware, now,
                Facts::tr("system %1, bootloader %2, fixed boot %3")
                    .arg(versionText(f.system), versionText(f.bootloader), versionText(f.fixedBoot))));
-  const PcodeVersion& p = d.pcode.value;
+  const PcodeVersion p = d.pcode.value();
   group.facts.push_back(
       answered(Facts::tr("pCode"), d.pcode, now,
                Facts::tr("version %1\nstyle %2\nsubtype %3")
                    .arg(versionText(p.version), styleText(p.style), subtypeText(p.subtype))));
-  const ConfigVersion& c = d.config.value;
+  const ConfigVersion c = d.config.value();
   group.facts.push_back(
       answered(Facts::tr("Configuration"), d.config, now,
                Facts::tr("version %1\npart %2").arg(versionText(c.version), partText(c.type))));
@@ -141,7 +141,7 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
   facts.push_back(plain(Facts::tr("Time-outs"), countText(stick.timeouts),
                         stick.timeouts != 0 ? FactTone::Attend : FactTone::Plain));
   if (stick.extended.isKnown()) {
-    const ExtendedJoystick& e = stick.extended.value;
+    const ExtendedJoystick e = stick.extended.value();
     const QString right = Facts::tr("right"), left = Facts::tr("left");
     const QString forward = Facts::tr("forward"), back = Facts::tr("back");
     facts.push_back({Facts::tr("Grip"),

@@ -55,8 +55,8 @@ PageLampGroup statusOf(const Device& d, Instant now) {
   group.isStale = d.isStale(Periodic::Position);
   std::optional<Status2> error, calibrated;
   if (d.position.isKnown()) {
-    error = d.position.value.operationalError;
-    calibrated = d.position.value.calibrated;
+    error = d.position.value().operationalError;
+    calibrated = d.position.value().calibrated;
   }
   group.lamps = {{Lamps::tr("Operational error"), {}, error, LampTone::Stop},
                  {Lamps::tr("Calibrated"), {}, calibrated, LampTone::Fine}};
@@ -64,7 +64,7 @@ PageLampGroup statusOf(const Device& d, Instant now) {
 }
 
 PageLampGroup outputsOf(const Device& d, Instant now) {
-  const DigitalOutputs& o = d.outputs.value;
+  const DigitalOutputs o = d.outputs.value();
   FlagGroup group(QStringLiteral("outputs"), Lamps::tr("Outputs"), d.outputs.at, d.isStale(Periodic::Outputs),
                   now);
   group.add(Lamps::tr("Enabled"), o.enable, LampTone::Fine, Lamps::tr("Enabled: motion allowed"))
@@ -88,7 +88,7 @@ PageLampGroup outputsOf(const Device& d, Instant now) {
 }
 
 PageLampGroup riserOf(const Device& d, Instant now) {
-  const MiniOutputs& o = d.miniOutputs.value;
+  const MiniOutputs o = d.miniOutputs.value();
   return FlagGroup(QStringLiteral("riser"), Lamps::tr("Riser"), d.miniOutputs.at,
                    d.isStale(Periodic::MiniOutputs), now)
       .add(Lamps::tr("Riser extended"), o.riserExtended)
@@ -99,7 +99,7 @@ PageLampGroup riserOf(const Device& d, Instant now) {
 }
 
 PageLampGroup inputsOf(const Device& d, Instant now) {
-  const DigitalInputs& i = d.inputs.value;
+  const DigitalInputs i = d.inputs.value();
   return FlagGroup(QStringLiteral("inputs"), Lamps::tr("Inputs"), d.inputs.at, d.isStale(Periodic::Inputs),
                    now)
       .add(Lamps::tr("Allowed in collision zone"), i.allowedInCollisionZone)
@@ -109,7 +109,7 @@ PageLampGroup inputsOf(const Device& d, Instant now) {
 }
 
 PageLampGroup permissiveOf(const Device& d, Instant now) {
-  const Permissive& p = d.permissive.value;
+  const Permissive p = d.permissive.value();
   FlagGroup group(QStringLiteral("permissive"), Lamps::tr("Permissive"), d.permissive.at,
                   d.isStale(Periodic::Permissive), now);
   group.add(Lamps::tr("Left"), p.axis1Minus, LampTone::Fine, Lamps::tr("May rotate left"))
@@ -139,8 +139,8 @@ PageStops stopsOf(const Device& d, Instant now) {
       if (d.position.isKnown()) state = states[static_cast<std::size_t>(axis - 1)];
       return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), state, LampTone::Stop};
     };
-    stops.axes.push_back({text.name, text.remark, lamp(text.minus, d.position.value.minusStop),
-                          lamp(text.plus, d.position.value.plusStop)});
+    stops.axes.push_back({text.name, text.remark, lamp(text.minus, d.position.value().minusStop),
+                          lamp(text.plus, d.position.value().plusStop)});
   }
   return stops;
 }
@@ -152,7 +152,7 @@ std::vector<PageLampGroup> lampsOf(const Device& d, Instant now) {
   if (monitor) groups.push_back(outputsOf(d, now));
   if (d.miniOutputs.isKnown() || typeOf(d).pinDigits() == 1033u) groups.push_back(riserOf(d, now));
   if (d.inputs.isKnown()) groups.push_back(inputsOf(d, now));
-  const bool isRequired = d.outputs.isKnown() && d.outputs.value.soeMode;
+  const bool isRequired = d.outputs.isKnown() && d.outputs.value().soeMode;
   if (d.permissive.isKnown() || isRequired) groups.push_back(permissiveOf(d, now));
   return groups;
 }
@@ -163,9 +163,9 @@ std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now) {
   group.title = Lamps::tr("Switches");
   group.age = ageAt(stick.basic.at, now);
   group.isStale = stick.timedOut;
-  for (std::size_t i = 0; i < stick.basic.value.switches.size(); ++i) {
+  for (std::size_t i = 0; i < stick.basic.value().switches.size(); ++i) {
     std::optional<Status2> state;
-    if (stick.basic.isKnown()) state = stick.basic.value.switches[i];
+    if (stick.basic.isKnown()) state = stick.basic.value().switches[i];
     const int number = static_cast<int>(i) + 1;
     group.lamps.push_back(
         {Lamps::tr("%1 %2", "number and name of a switch").arg(number).arg(switchName(number)),

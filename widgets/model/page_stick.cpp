@@ -39,7 +39,7 @@ PageStick stickOf(const Joystick& stick, Instant now) {
     page.xText = page.yText = Stick::tr("no data");
     return page;
   }
-  const BasicJoystick& message = stick.basic.value;
+  const BasicJoystick message = stick.basic.value();
   page.x = fraction(message.x);
   page.y = fraction(message.y);
   page.xText = deflectionText(message.x, Stick::tr("right"), Stick::tr("left"));

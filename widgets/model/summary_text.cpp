@@ -9,6 +9,7 @@
 #include "model/field_text.h"
 #include "model/message_text.h"
 #include "protocol/decode.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {
@@ -212,8 +213,8 @@ class Summary {
       return true;
     }
     if (field.key == "abort_text" && value.isNull()) {
-      const auto code = static_cast<std::int64_t>(readBits(m_frame.data, field.bits));
-      say(Rank::Error, SummaryText::tr("abort code %1").arg(code, 8, 16, QLatin1Char('0')));
+      const QString code = hexText(readBits(m_frame.data, field.bits), 8);
+      say(Rank::Error, SummaryText::tr("abort code %1").arg(code));
       return true;
     }
     if (field.key == "device_type") {
@@ -223,8 +224,9 @@ class Summary {
     }
     if (m_message.id == MessageId::NmtCommand) {
       const QString name = numberName(m_message, field, value.number());
-      if (name.isEmpty()) return false;
-      say(Rank::Value, name);
+      const bool isNode = field.key == "node";
+      if (name.isEmpty() && !isNode) return false;
+      say(Rank::Value, name.isEmpty() ? SummaryText::tr("node %1").arg(words(field, value)) : name);
       return true;
     }
     if (m_message.family == Family::Copley && field.key == "error_code") {

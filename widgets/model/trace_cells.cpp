@@ -12,6 +12,7 @@
 #include "protocol/decode.h"
 #include "report/json.h"
 #include "report/trace_text.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {
@@ -23,10 +24,6 @@ struct TraceCells {
 constexpr QChar kDash(0x2013);
 constexpr QChar kArrow(0x2192);
 
-QString hex(unsigned number, int digits) {
-  return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
-}
-
 QString secondsText(std::int64_t ns) {
   std::string text;
   appendJsonSeconds(text, ns);
@@ -37,7 +34,13 @@ QString secondsText(std::int64_t ns) {
 
 QString stampText(const Frame& frame) { return frame.hasStamp() ? secondsText(frame.stamp) : QString(kDash); }
 
-QString deltaText(std::optional<Duration> delta) { return delta ? secondsText(delta->count()) : QString(); }
+QString deltaText(std::optional<Duration> delta) {
+  if (!delta) return {};
+  QString text = secondsText(delta->count());
+  // Of a long pause microseconds are not worth a cut-off number.
+  if (*delta >= 1000s) text.chop(3);
+  return text;
+}
 
 QString identifierText(const Frame& frame) {
   std::string text;
@@ -47,18 +50,18 @@ QString identifierText(const Frame& frame) {
 
 QString pgnText(const Frame& frame) {
   if (!frame.isExtended() || frame.isError()) return {};
-  return hex(J1939Id::of(frame.identifier()).pgn, 4);
+  return hexText(J1939Id::of(frame.identifier()).pgn, 4);
 }
 
 QString endsText(const Frame& frame) {
   if (frame.isError()) return {};
   if (frame.isExtended()) {
     const J1939Id id = J1939Id::of(frame.identifier());
-    const QString source = hex(id.source.value, 2);
-    return id.hasDestination() ? source + kArrow + hex(id.destination.value, 2) : source;
+    const QString source = hexText(id.source.value, 2);
+    return id.hasDestination() ? source + kArrow + hexText(id.destination.value, 2) : source;
   }
   const CobId cob = CobId::of(frame.identifier());
-  return cob.hasNode() ? TraceCells::tr("node %1").arg(hex(cob.node.value, 2)) : QString();
+  return cob.hasNode() ? TraceCells::tr("node %1").arg(hexText(cob.node.value, 2)) : QString();
 }
 
 QString bytesText(const Frame& frame) {
@@ -66,7 +69,7 @@ QString bytesText(const Frame& frame) {
   QString text;
   for (const std::uint8_t byte : frame.bytes()) {
     if (!text.isEmpty()) text += QLatin1Char(' ');
-    text += hex(byte, 2);
+    text += hexText(byte, 2);
   }
   return text;
 }

@@ -11,7 +11,7 @@ namespace deckpipe {
 
 // "1745600961.335462", a dash where the log has no time.
 QString stampText(const Frame& frame);
-// "0.000123"; empty for the first row.
+// "0.000123", "8999.100"; empty for the first row.
 QString deltaText(std::optional<Duration> delta);
 // "18EFFF80", "5A4".
 QString identifierText(const Frame& frame);

@@ -63,7 +63,7 @@ class TraceModel : public QAbstractTableModel {
   void setWindow(std::uint64_t first, int rows);
   std::uint64_t windowFirst() const { return m_first; }
 
-  // Any row of the log: what a list of marks says, and the row as a sentence for who cannot see it.
+  // What is out of the ordinary with a row, and a list of it in words.
   Marks marks(const TraceRow& row) const;
   static QString marksText(Marks marks);
 

@@ -41,6 +41,10 @@ std::vector<ContrastPair> contrastPairs(const Colours& c) {
   for (const auto& [name, tone] : tones)
     pairs.push_back({std::string("on ") + name, tone.onFill, tone.fill, kTextContrast});
   pairs.push_back({"stale text on stale fill", c.stale.onFill, c.stale.fill, kTextContrast});
+  // The timeline after its cursor.
+  pairs.push_back({"density on stale fill", c.textSecondary, c.stale.fill, kGraphicsContrast});
+  pairs.push_back({"attend on stale fill", c.attend.ink, c.stale.fill, kGraphicsContrast});
+  pairs.push_back({"accent on stale fill", c.accent.ink, c.stale.fill, kGraphicsContrast});
   return pairs;
 }
 

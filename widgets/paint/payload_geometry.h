@@ -19,7 +19,7 @@ struct PayloadGeometry {
   static constexpr double kRight = 48;  // the bytes in hex
 
   double cellWidth = 28;
-  double cellHeight = 24;
+  double cellHeight = 21;
 
   // Cells as large as fit, within reason.
   static PayloadGeometry fitting(QSizeF size);

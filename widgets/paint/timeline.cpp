@@ -9,6 +9,8 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "paint/plain_tip.h"
+
 namespace deckpipe {
 namespace {
 
@@ -86,7 +88,7 @@ bool Timeline::event(QEvent* event) {
   if (lines.isEmpty()) {
     QToolTip::hideText();
   } else {
-    QToolTip::showText(help->globalPos(), lines.join(QLatin1Char('\n')), this);
+    QToolTip::showText(help->globalPos(), plainTip(lines.join(QLatin1Char('\n'))), this);
   }
   return true;
 }
@@ -143,7 +145,7 @@ void Timeline::paintDensity(QPainter& p, const TimelineGeometry& g, const QRectF
   p.setClipRect(QRectF(strip.topLeft(), QPointF(cursor, strip.bottom())));
   p.fillPath(shape, c.travel);
   p.setClipRect(QRectF(QPointF(cursor, strip.top()), strip.bottomRight()));
-  p.setPen(QPen(c.outline, c.stroke));
+  p.setPen(QPen(c.textSecondary, 1));
   p.setBrush(Qt::NoBrush);
   p.drawPath(shape);
   p.restore();

@@ -3,42 +3,58 @@
 
 #include <QFontDatabase>
 #include <QFontInfo>
+#include <QPainter>
 
 #include "model/decode_model.h"
+#include "panel/flat_header.h"
 
 namespace deckpipe {
+namespace {
+
+DecodeRow::Line lineOf(const QModelIndex& index) {
+  return static_cast<DecodeRow::Line>(index.data(DecodeModel::KindRole).toInt());
+}
+
+QFont fontOf(const QFont& base, const QModelIndex& index) {
+  QFont font = base;
+  if (index.column() == DecodeModel::Raw) {
+    font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    font.setPixelSize(QFontInfo(base).pixelSize());
+  } else if (index.column() == DecodeModel::Value && lineOf(index) == DecodeRow::Line::Title) {
+    font.setBold(true);
+  }
+  return font;
+}
+
+}  // namespace
 
 DecodeDelegate::DecodeDelegate(QObject* parent)
     : QStyledItemDelegate(parent), m_colours(coloursOf(Theme::Light)) {}
 
-void DecodeDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
-  QStyledItemDelegate::initStyleOption(option, index);
-  const auto line = static_cast<DecodeRow::Line>(index.data(DecodeModel::KindRole).toInt());
-  // The current cell is the row: a second frame within the selection says nothing.
-  option->state &= ~QStyle::State_HasFocus;
-  QColor ink = m_colours.text;
-  if (index.data(DecodeModel::QuietRole).toBool()) ink = m_colours.stale.ink;
-  switch (index.column()) {
-    case DecodeModel::Name:
-      if (line != DecodeRow::Line::Field) ink = m_colours.textSecondary;
-      break;
-    case DecodeModel::Raw: {
-      const int pixels = QFontInfo(option->font).pixelSize();
-      option->font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-      option->font.setPixelSize(pixels);
-      option->fontMetrics = QFontMetrics(option->font);
-      ink = m_colours.textSecondary;
-      break;
-    }
-    case DecodeModel::Place: ink = m_colours.textSecondary; break;
-    default: break;
-  }
-  if (index.column() == DecodeModel::Value && line == DecodeRow::Line::Title) option->font.setBold(true);
-  if (line == DecodeRow::Line::Certainty) {
-    ink = m_colours.attend.ink;
-    if (index.column() == DecodeModel::Value) option->features |= QStyleOptionViewItem::WrapText;
-  }
-  option->palette.setColor(QPalette::Text, ink);
+QColor DecodeDelegate::ink(const QModelIndex& index) const {
+  if (lineOf(index) == DecodeRow::Line::Certainty) return m_colours.attend.ink;
+  const bool isValue = index.column() == DecodeModel::Name || index.column() == DecodeModel::Value;
+  if (!isValue) return m_colours.textSecondary;
+  if (index.data(DecodeModel::QuietRole).toBool()) return m_colours.stale.ink;
+  const bool isField = lineOf(index) == DecodeRow::Line::Field;
+  return index.column() == DecodeModel::Name && !isField ? m_colours.textSecondary : m_colours.text;
+}
+
+void DecodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                           const QModelIndex& index) const {
+  const bool isSelected = (option.state & QStyle::State_Selected) != 0;
+  const QColor ground = index.row() % 2 != 0 ? m_colours.surfaceAlternate : m_colours.surface;
+  painter->fillRect(option.rect, isSelected ? m_colours.accent.fill : ground);
+  const QFont font = fontOf(option.font, index);
+  const QRect area = option.rect.adjusted(FlatHeader::kPadding, 0, -FlatHeader::kPadding, 0);
+  const QString text = index.data().toString();
+  const QFontMetrics metrics(font);
+  const bool isSentence = lineOf(index) == DecodeRow::Line::Certainty;
+  painter->setFont(font);
+  painter->setPen(isSelected ? m_colours.accent.onFill : ink(index));
+  painter->drawText(area,
+                    Qt::AlignLeft | Qt::AlignVCenter | (isSentence ? Qt::TextWordWrap : Qt::TextSingleLine),
+                    isSentence ? text : metrics.elidedText(text, Qt::ElideRight, area.width()));
 }
 
 }  // namespace deckpipe

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How rows of the decode detail are drawn: what is off or has no value lighter, the message's name bold, bits
-// in figures that stand under one another, a doubt with its sign.
+// in figures that stand under one another, a doubt in the colour of what wants attention.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -16,10 +16,11 @@ class DecodeDelegate : public QStyledItemDelegate {
   explicit DecodeDelegate(QObject* parent = nullptr);
   void setColours(const Colours& colours) { m_colours = colours; }
 
- protected:
-  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:
+  QColor ink(const QModelIndex& index) const;
+
   Colours m_colours;
 };
 

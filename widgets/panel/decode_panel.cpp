@@ -2,19 +2,22 @@
 #include "panel/decode_panel.h"
 
 #include <QBoxLayout>
+#include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
 #include <QTableView>
+#include <algorithm>
 
 #include "paint/payload_bits.h"
 #include "panel/decode_delegate.h"
+#include "panel/flat_header.h"
 
 namespace deckpipe {
 namespace {
 
 constexpr int kWide = 820;  // from here on bits and fields stand side by side
 constexpr int kRow = 24;
-constexpr int kHeader = 32;
+constexpr int kLeastValue = 120, kMostValue = 320;
 
 }  // namespace
 
@@ -32,16 +35,17 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent), m_colours(coloursOf
   m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_list->setTabKeyNavigation(false);
   m_list->setShowGrid(false);
-  m_list->setAlternatingRowColors(true);
+  m_list->viewport()->installEventFilter(this);
   m_list->setFrameShape(QFrame::NoFrame);
+  m_list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   m_list->verticalHeader()->hide();
   m_list->verticalHeader()->setDefaultSectionSize(kRow);
   m_list->verticalHeader()->setMinimumSectionSize(kRow);
-  m_list->horizontalHeader()->setObjectName(QStringLiteral("decodeHeader"));
-  m_list->horizontalHeader()->setHighlightSections(false);
-  m_list->horizontalHeader()->setFixedHeight(kHeader);
-  m_list->horizontalHeader()->setMinimumSectionSize(48);
+  m_header = new FlatHeader(m_list);
+  m_header->setObjectName(QStringLiteral("decodeHeader"));
+  m_header->setMinimumSectionSize(48);
+  m_list->setHorizontalHeader(m_header);
   m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
   m_layout->setContentsMargins(0, 0, 0, 0);
   m_layout->setSpacing(0);
@@ -59,15 +63,8 @@ void DecodePanel::setModel(DecodeModel* model) {
   m_model = model;
   m_list->setModel(model);
   if (m_model == nullptr) return;
-  QHeaderView* header = m_list->horizontalHeader();
-  header->setSectionResizeMode(QHeaderView::Interactive);
-  header->setSectionResizeMode(DecodeModel::Value, QHeaderView::Stretch);
-  const QFontMetrics metrics(font());
-  header->resizeSection(DecodeModel::Name,
-                        metrics.horizontalAdvance(QStringLiteral("Rotation right (+), more")));
-  header->resizeSection(DecodeModel::Raw,
-                        metrics.horizontalAdvance(QStringLiteral("0000 0000 0000 0000 00")));
-  header->resizeSection(DecodeModel::Place, metrics.horizontalAdvance(QStringLiteral("B2.8–B3.5 000")));
+  m_header->setSectionResizeMode(QHeaderView::Interactive);
+  shareWidth();
   connect(m_model, &DecodeModel::frameChanged, this, &DecodePanel::showFrame);
   connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::showBits);
   showFrame();
@@ -77,6 +74,7 @@ void DecodePanel::setColours(const Colours& colours) {
   m_colours = colours;
   m_payload->setColours(colours);
   m_delegate->setColours(colours);
+  m_header->setColours(colours);
   m_list->viewport()->update();
   update();
 }
@@ -116,9 +114,43 @@ void DecodePanel::pick(std::uint64_t bit) {
   if (row >= 0) m_list->setCurrentIndex(m_model->index(row, 0));
 }
 
+// Values get what is left, but no more than they need: what they are made of should stand beside them. Where
+// there is little room the raw bits go first, for they are drawn above.
+void DecodePanel::shareWidth() {
+  if (m_model == nullptr) return;
+  const auto widthOf = [this](const QString& text) {
+    return fontMetrics().horizontalAdvance(text) + 2 * FlatHeader::kPadding + 4;
+  };
+  const int all = m_list->viewport()->width();
+  const int name = widthOf(QStringLiteral("Axis 5 (+) hard stop"));
+  const int place = widthOf(QStringLiteral("B1.8–7, B2"));
+  int raw = widthOf(QStringLiteral("0000 0000 0000 0000 0"));
+  const bool hasRaw = all >= name + raw + place + kLeastValue;
+  m_list->setColumnHidden(DecodeModel::Raw, !hasRaw);
+  if (!hasRaw) raw = 0;
+  const int value = std::clamp(all - name - raw - place, kLeastValue, kMostValue);
+  m_header->resizeSection(DecodeModel::Name, name);
+  m_header->resizeSection(DecodeModel::Value, value);
+  if (hasRaw) m_header->resizeSection(DecodeModel::Raw, raw);
+  m_header->resizeSection(DecodeModel::Place, std::max(place, all - name - value - raw));
+}
+
 void DecodePanel::resizeEvent(QResizeEvent* event) {
   m_layout->setDirection(width() >= kWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   QWidget::resizeEvent(event);
+}
+
+bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_list->viewport() && event->type() == QEvent::Resize) shareWidth();
+  if (watched == m_list->viewport() && event->type() == QEvent::Paint &&
+      (m_model == nullptr || m_model->rowCount() == 0)) {
+    QPainter p(m_list->viewport());
+    p.fillRect(m_list->viewport()->rect(), m_colours.surface);
+    p.setPen(m_colours.textSecondary);
+    p.drawText(m_list->viewport()->rect(), Qt::AlignCenter, tr("No frame selected"));
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void DecodePanel::paintEvent(QPaintEvent*) {

@@ -15,6 +15,7 @@ class QTableView;
 namespace deckpipe {
 
 class DecodeDelegate;
+class FlatHeader;
 class PayloadBits;
 
 class DecodePanel : public QWidget {
@@ -34,17 +35,20 @@ class DecodePanel : public QWidget {
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void showFrame();
   void showBits();
   void pick(std::uint64_t bit);
+  void shareWidth();
 
   Colours m_colours;
   DecodeModel* m_model = nullptr;
   QBoxLayout* m_layout;
   PayloadBits* m_payload;
   QTableView* m_list;
+  FlatHeader* m_header;
   DecodeDelegate* m_delegate;
 };
 

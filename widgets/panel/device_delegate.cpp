@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/device_delegate.h"
 
-#include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "model/device_order.h"
 #include "paint/figures.h"
 #include "panel/health_look.h"
+#include "panel/secondary_font.h"
 
 namespace deckpipe {
 namespace {
@@ -19,13 +19,6 @@ constexpr double kPad = 8;
 constexpr double kGlyph = 14;
 
 }  // namespace
-
-QFont secondaryFont(const QFont& font) {
-  QFont smaller = font;
-  smaller.setPixelSize(std::max(11, static_cast<int>(std::lround(QFontInfo(font).pixelSize() * 0.88))));
-  smaller.setWeight(QFont::Normal);
-  return smaller;
-}
 
 DeviceDelegate::DeviceDelegate(QObject* parent)
     : QStyledItemDelegate(parent), m_colours(coloursOf(Theme::Light)) {}

@@ -32,7 +32,4 @@ class DeviceDelegate : public QStyledItemDelegate {
   Colours m_colours;
 };
 
-// The type under the PIN, the words beside values: smaller than the application's font, never below 11 px.
-QFont secondaryFont(const QFont& font);
-
 }  // namespace deckpipe

@@ -2,7 +2,6 @@
 #include "panel/device_list.h"
 
 #include <QFontMetrics>
-#include <QHeaderView>
 #include <QPainter>
 #include <QResizeEvent>
 #include <algorithm>
@@ -10,6 +9,8 @@
 #include "model/device_model.h"
 #include "model/device_order.h"
 #include "panel/device_delegate.h"
+#include "panel/device_header.h"
+#include "panel/secondary_font.h"
 
 namespace deckpipe {
 namespace {
@@ -19,7 +20,10 @@ constexpr int kPad = 8;
 }  // namespace
 
 DeviceList::DeviceList(QWidget* parent)
-    : QTreeView(parent), m_delegate(new DeviceDelegate(this)), m_colours(coloursOf(Theme::Light)) {
+    : QTreeView(parent),
+      m_delegate(new DeviceDelegate(this)),
+      m_header(new DeviceHeader(this)),
+      m_colours(coloursOf(Theme::Light)) {
   setObjectName(QStringLiteral("deviceList"));
   setAccessibleName(tr("Devices"));
   setItemDelegate(m_delegate);
@@ -30,20 +34,14 @@ DeviceList::DeviceList(QWidget* parent)
   setSelectionBehavior(SelectRows);
   setSelectionMode(SingleSelection);
   setEditTriggers(NoEditTriggers);
-  setAllColumnsShowFocus(true);
+  setAllColumnsShowFocus(false);  // drawRow() frames the row
   setVerticalScrollMode(ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(NoFrame);
-  QHeaderView* h = header();
-  h->setObjectName(QStringLiteral("deviceListHeader"));
-  h->setSectionsMovable(false);
-  h->setSectionsClickable(true);
-  h->setStretchLastSection(false);
-  h->setSortIndicatorClearable(true);
-  h->setSortIndicatorShown(true);
-  h->setSortIndicator(-1, Qt::AscendingOrder);
-  h->setFixedHeight(32);
-  h->setMinimumSectionSize(32);
+  setHeader(m_header);
+  // setHeader() takes these back where the view does not sort by itself; DevicePanel sorts through the proxy.
+  m_header->setSectionsClickable(true);
+  m_header->setSortIndicatorShown(true);
 }
 
 void DeviceList::setModel(QAbstractItemModel* model) {
@@ -57,6 +55,7 @@ void DeviceList::setModel(QAbstractItemModel* model) {
 void DeviceList::setColours(const Colours& colours) {
   m_colours = colours;
   m_delegate->setColours(colours);
+  m_header->setColours(colours);
   viewport()->update();
 }
 
@@ -99,6 +98,11 @@ void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
   painter->save();
   painter->setPen(QPen(m_colours.stale.fill, 1));
   painter->drawLine(row.rect.bottomLeft(), row.rect.bottomRight());
+  if (hasFocus() && index.row() == currentIndex().row()) {
+    const bool isSelected = selectionModel()->isSelected(index);
+    painter->setPen(QPen(isSelected ? m_colours.accent.onFill : m_colours.accent.ink, 1));
+    painter->drawRect(QRectF(row.rect).adjusted(2.5, 2.5, -2.5, -2.5));
+  }
   painter->restore();
 }
 

@@ -10,6 +10,7 @@
 namespace deckpipe {
 
 class DeviceDelegate;
+class DeviceHeader;
 
 class DeviceList : public QTreeView {
   Q_OBJECT
@@ -28,6 +29,7 @@ class DeviceList : public QTreeView {
   void layOutColumns();
 
   DeviceDelegate* m_delegate;
+  DeviceHeader* m_header;
   Colours m_colours;
 };
 

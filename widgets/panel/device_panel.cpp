@@ -9,6 +9,7 @@
 #include "model/device_model.h"
 #include "model/device_order.h"
 #include "panel/device_list.h"
+#include "panel/label_ink.h"
 
 namespace deckpipe {
 
@@ -36,11 +37,11 @@ DevicePanel::DevicePanel(QWidget* parent)
   setFocusProxy(m_list);
 
   connect(m_list->header(), &QHeaderView::sortIndicatorChanged, m_order, &DeviceOrder::orderBy);
-  connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (!m_isUpdating && current.isValid())
-              choose(current.data(DeviceModel::KeyRole).value<DeviceKey>());
-          });
+  // The selection, not the current row: a list that gets the focus makes its first row current by itself.
+  connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    const QModelIndexList rows = m_list->selectionModel()->selectedRows();
+    if (!m_isUpdating && !rows.isEmpty()) choose(rows.front().data(DeviceModel::KeyRole).value<DeviceKey>());
+  });
   connect(m_model, &DeviceModel::keyChanged, this, [this](const DeviceKey& before, const DeviceKey& after) {
     if (before == m_selected) choose(after);
   });
@@ -83,6 +84,7 @@ void DevicePanel::showSelection() {
 
 void DevicePanel::setColours(const Colours& colours) {
   setPalette(qtPalette(colours));
+  setInk(*m_empty, colours.textSecondary);
   m_list->setColours(colours);
 }
 

@@ -2,10 +2,10 @@
 #include "panel/fact_list.h"
 
 #include <QGridLayout>
-#include <QLabel>
+#include <algorithm>
 
-#include "panel/device_delegate.h"
 #include "panel/glyph_label.h"
+#include "panel/label_ink.h"
 #include "panel/section_title.h"
 #include "text/age_text.h"
 
@@ -34,17 +34,6 @@ QColor inkOf(const Colours& c, FactTone tone) {
   return c.text;
 }
 
-void setInk(QLabel& label, const QColor& ink) {
-  QPalette palette = label.palette();
-  if (palette.color(QPalette::WindowText) == ink) return;
-  palette.setColor(QPalette::WindowText, ink);
-  label.setPalette(palette);
-}
-
-void setText(QLabel& label, const QString& text) {
-  if (label.text() != text) label.setText(text);
-}
-
 }  // namespace
 
 FactList::FactList(QWidget* parent)
@@ -62,13 +51,11 @@ FactList::FactList(QWidget* parent)
 void FactList::addLine() {
   const int row = static_cast<int>(m_lines.size()) + 1;
   Line line{new GlyphLabel(this), new QLabel(this), new QLabel(this), new QLabel(this)};
-  const QFont small = secondaryFont(font());
-  line.label->setFont(small);
-  line.age->setFont(small);
   line.value->setWordWrap(true);
   line.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   // Wide enough for every age, so that a running one moves nothing.
-  line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("< 99 min")));
+  line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("99 min")));
+  line.age->setAlignment(Qt::AlignRight);
   m_grid->addWidget(line.sign, row, 0, Qt::AlignTop);
   m_grid->addWidget(line.label, row, 1, Qt::AlignTop | Qt::AlignLeft);
   m_grid->addWidget(line.value, row, 2, Qt::AlignTop);
@@ -89,15 +76,21 @@ void FactList::setGroup(const PageFactGroup& group) {
     addLine();
     m_lines.back().value->setObjectName(QStringLiteral("%1Fact%2").arg(group.key).arg(m_lines.size()));
   }
+  const bool hasAges = std::ranges::any_of(group.facts, [](const PageFact& f) { return f.age.has_value(); });
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
     const Line& line = m_lines[i];
     const bool isUsed = i < group.facts.size();
-    for (QWidget* w : {static_cast<QWidget*>(line.sign), static_cast<QWidget*>(line.label),
-                       static_cast<QWidget*>(line.value), static_cast<QWidget*>(line.age)})
-      w->setVisible(isUsed);
+    line.sign->setVisible(isUsed);
+    line.label->setVisible(isUsed);
+    line.value->setVisible(isUsed);
+    line.age->setVisible(isUsed && hasAges);
     if (isUsed) show(line, group.facts[i]);
   }
+  // The page may lay itself out before this list's own layout gets to know of its labels.
+  const bool hasOtherLines =
+      !std::ranges::equal(group.facts, m_group.facts, {}, &PageFact::value, &PageFact::value);
   m_group = group;
+  if (hasOtherLines) updateGeometry();
 }
 
 void FactList::show(const Line& line, const PageFact& fact) {

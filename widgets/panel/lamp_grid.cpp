@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kGap = 16;  // between columns
 constexpr int kNarrowest = 168;
+constexpr int kUsual = 208;  // the same for neighbouring groups, so that their words line up
 
 StatusLamp::State stateOf(const std::optional<Status2>& status) {
   if (!status) return StatusLamp::State::Unknown;
@@ -109,14 +110,18 @@ void LampGrid::resizeEvent(QResizeEvent*) { layOut(); }
 void LampGrid::layOut() {
   const int perRow = columns(width());
   const int top = m_title->sizeHint().height();
-  const int lampWidth = (width() - (perRow - 1) * kGap) / perRow;
+  const int pitch = (width() + kGap) / perRow;
+  // A word far from its label is hard to follow.
+  int widest = kUsual;
+  for (const StatusLamp* lamp : m_lamps) widest = std::max(widest, lamp->sizeHint().width());
+  const int lampWidth = std::min(pitch - kGap, widest);
   m_title->setGeometry(0, 0, width(), top);
   // Down the columns: what belongs together stays together.
   const int count = static_cast<int>(m_lamps.size());
   const int rows = (count + perRow - 1) / perRow;
   for (int i = 0; i < count; ++i) {
-    m_lamps[static_cast<std::size_t>(i)]->setGeometry(i / rows * (lampWidth + kGap),
-                                                      top + i % rows * lampHeight(), lampWidth, lampHeight());
+    m_lamps[static_cast<std::size_t>(i)]->setGeometry(i / rows * pitch, top + i % rows * lampHeight(),
+                                                      lampWidth, lampHeight());
   }
 }
 

@@ -20,8 +20,7 @@ QString noteText(const LogDocument& log, const Note& note) {
   const auto withReason = [&said](const QString& text) {
     return said.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, said);
   };
-  const QString address =
-      QString::number(note.address.value, 16).toUpper().rightJustified(2, QLatin1Char('0'));
+  const QString address = hexText(note.address.value, 2);
   switch (note.kind) {
     case NoteKind::LinkUp: return LogMarksText::tr("%1 up").arg(channel);
     case NoteKind::LinkDown: return withReason(LogMarksText::tr("%1 down").arg(channel));

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/monitor_page.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "paint/dial.h"
 #include "panel/dial_adapter.h"
 #include "panel/fact_list.h"
+#include "panel/label_ink.h"
 #include "panel/lamp_grid.h"
+#include "panel/page_content.h"
 #include "panel/page_header.h"
 #include "panel/stick_box.h"
 #include "panel/stops_grid.h"
 
 namespace deckpipe {
 namespace {
-
-constexpr int kMargin = 16;
-constexpr int kNarrow = 760;  // below this, one column
 
 // Lamps that say why a monitor moves or does not stand beside its dial, a joystick's beside its stick.
 bool standsBeside(const PageLampGroup& group) {
@@ -34,46 +34,25 @@ MonitorPage::MonitorPage(QWidget* parent)
       m_header(new PageHeader(this)),
       m_message(new QLabel(this)),
       m_scroll(new QScrollArea(this)),
-      m_dial(new Dial),
-      m_stick(new StickBox),
-      m_stops(new StopsGrid) {
+      m_content(new PageContent),
+      m_dial(new Dial(m_content)),
+      m_stick(new StickBox(m_content)),
+      m_stops(new StopsGrid(m_content)) {
   setObjectName(QStringLiteral("monitorPage"));
   setAccessibleName(tr("Device page"));
   m_message->setObjectName(QStringLiteral("pageMessage"));
   m_message->setAlignment(Qt::AlignCenter);
   m_message->setWordWrap(true);
   m_message->setMargin(24);
+  m_message->setAutoFillBackground(true);
+  m_message->setBackgroundRole(QPalette::Base);
   m_scroll->setObjectName(QStringLiteral("pageScroll"));
   m_scroll->setAccessibleName(tr("Values of the device"));
   m_scroll->setWidgetResizable(true);
   m_scroll->setFrameShape(QFrame::NoFrame);
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-
-  auto* content = new QWidget;
-  content->setObjectName(QStringLiteral("pageContent"));
-  content->setAutoFillBackground(true);
-  content->setBackgroundRole(QPalette::Base);
-  auto* all = new QVBoxLayout(content);
-  all->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-  all->setSpacing(kMargin);
-  m_top = new QBoxLayout(QBoxLayout::LeftToRight);
-  m_top->setSpacing(24);
-  m_side = new QVBoxLayout;
-  m_side->setSpacing(kMargin);
-  m_side->addWidget(m_stops);
-  m_side->addStretch(1);
-  m_top->addWidget(m_dial, 3);
-  m_top->addWidget(m_stick, 2);
-  m_top->addLayout(m_side, 2);
-  m_below = new QVBoxLayout;
-  m_below->setSpacing(kMargin);
-  m_factRow = new QBoxLayout(QBoxLayout::LeftToRight);
-  m_factRow->setSpacing(32);
-  all->addLayout(m_top, 1);
-  all->addLayout(m_below);
-  all->addLayout(m_factRow);
-  m_scroll->setWidget(content);
-  m_dial->setMinimumHeight(264);
+  m_scroll->setWidget(m_content);
+  m_scroll->viewport()->installEventFilter(this);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -89,7 +68,7 @@ void MonitorPage::setDevice(const DeviceKey& key) {
   if (key == m_key) return;
   m_key = key;
   refresh();
-  m_scroll->ensureVisible(0, 0);
+  m_scroll->verticalScrollBar()->setValue(0);
 }
 
 void MonitorPage::setView(const LogView& view) {
@@ -99,87 +78,76 @@ void MonitorPage::setView(const LogView& view) {
 
 void MonitorPage::refresh() {
   MonitorPageValues values = monitorPageOf(m_view, m_key);
-  if (values == m_values) return;
+  // Without a device the message depends on who else is there.
+  if (values == m_values && values.isFound) return;
   m_values = std::move(values);
   showValues();
 }
 
 void MonitorPage::showValues() {
   const bool isFound = m_values.isFound;
+  if (isFound) {
+    m_header->setPage(m_values);
+    showParts();
+  } else {
+    setText(*m_message, missingText());
+  }
+  m_message->setVisible(!isFound);
   m_header->setVisible(isFound);
   m_scroll->setVisible(isFound);
-  m_message->setVisible(!isFound);
-  if (!isFound) {
-    m_message->setText(m_key.isNull()
-                           ? tr("Choose a device on the left.")
-                           : tr("%1 is not heard up to this place of the log.").arg(deviceText(m_key)));
-    return;
-  }
-  m_header->setPage(m_values);
-  m_dial->setVisible(m_values.dial.has_value());
-  if (m_values.dial) m_dial->setValues(dialValuesOf(*m_values.dial));
-  m_stick->setVisible(m_values.stick.has_value());
-  if (m_values.stick) m_stick->setStick(*m_values.stick);
-  m_stops->setVisible(!m_values.stops.axes.empty());
-  m_stops->setStops(m_values.stops);
-  showLamps();
-  showFacts();
-  layOut();
 }
 
-void MonitorPage::showLamps() {
-  const bool hasTop = m_values.dial || m_values.stick;
-  while (m_lamps.size() < m_values.lamps.size()) {
-    m_lamps.push_back(new LampGrid);
-    m_lamps.back()->setColours(m_colours);
-    m_below->addWidget(m_lamps.back());
+QString MonitorPage::missingText() const {
+  if (!m_key.isNull()) return tr("%1 was not heard up to this place of the log.").arg(keyText(m_key));
+  const bool isAnyone = m_view.state != nullptr && !deviceRows(*m_view.state).empty();
+  return isAnyone ? tr("Choose a device on the left.") : tr("Devices are shown here once they are heard.");
+}
+
+void MonitorPage::showParts() {
+  PageContent::Parts parts;
+  if (m_values.dial) {
+    m_dial->setValues(dialValuesOf(*m_values.dial));
+    parts.dial = m_dial;
   }
-  for (std::size_t i = 0; i < m_lamps.size(); ++i) {
-    LampGrid* grid = m_lamps[i];
-    const bool isUsed = i < m_values.lamps.size();
-    if (isUsed) {
-      const PageLampGroup& group = m_values.lamps[i];
-      const bool beside = hasTop && standsBeside(group);
-      const bool isThere = (m_side->indexOf(grid) >= 0) == beside;
-      if (!isThere) {
-        m_side->removeWidget(grid);
-        m_below->removeWidget(grid);
-        if (beside) {
-          m_side->insertWidget(m_side->count() - 1, grid);  // before the stretch
-        } else {
-          m_below->addWidget(grid);
-        }
-      }
-      grid->setGroup(group);
+  if (m_values.stick) {
+    m_stick->setStick(*m_values.stick);
+    // A monitor that sends joystick messages, if there is one, shows its stick below.
+    (parts.dial == nullptr ? parts.stick : parts.below.emplace_back()) = m_stick;
+  }
+  if (!m_values.stops.axes.empty()) {
+    m_stops->setStops(m_values.stops);
+    parts.beside.push_back(m_stops);
+  }
+  const bool hasMain = m_values.dial || m_values.stick;
+  for (std::size_t i = 0; i < m_values.lamps.size(); ++i) {
+    if (i == m_lamps.size()) {
+      m_lamps.push_back(new LampGrid(m_content));
+      m_lamps.back()->setColours(m_colours);
     }
-    grid->setVisible(isUsed);
+    m_lamps[i]->setGroup(m_values.lamps[i]);
+    (hasMain && standsBeside(m_values.lamps[i]) ? parts.beside : parts.below).push_back(m_lamps[i]);
   }
+  for (std::size_t i = 0; i < m_values.facts.size(); ++i) {
+    if (i == m_facts.size()) {
+      m_facts.push_back(new FactList(m_content));
+      m_facts.back()->setColours(m_colours);
+    }
+    m_facts[i]->setGroup(m_values.facts[i]);
+    parts.facts.push_back(m_facts[i]);
+  }
+  m_content->setParts(parts);
 }
 
-void MonitorPage::showFacts() {
-  while (m_facts.size() < m_values.facts.size()) {
-    m_facts.push_back(new FactList);
-    m_facts.back()->setColours(m_colours);
-    m_factRow->addWidget(m_facts.back(), 1, Qt::AlignTop);
-  }
-  for (std::size_t i = 0; i < m_facts.size(); ++i) {
-    const bool isUsed = i < m_values.facts.size();
-    if (isUsed) m_facts[i]->setGroup(m_values.facts[i]);
-    m_facts[i]->setVisible(isUsed);
-  }
+bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
+    m_content->setRoom(m_scroll->viewport()->height());
+  return QWidget::eventFilter(watched, event);
 }
-
-void MonitorPage::layOut() {
-  const auto direction = width() < kNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
-  if (m_top->direction() != direction) m_top->setDirection(direction);
-  if (m_factRow->direction() != direction) m_factRow->setDirection(direction);
-}
-
-void MonitorPage::resizeEvent(QResizeEvent*) { layOut(); }
 
 void MonitorPage::setColours(const Colours& colours) {
   m_colours = colours;
   setPalette(qtPalette(colours));
+  setInk(*m_message, colours.textSecondary);
   m_header->setColours(colours);
   m_dial->setColours(colours);
   m_stick->setColours(colours);

@@ -11,16 +11,15 @@
 #include "model/monitor_page_of.h"
 #include "paint/palette.h"
 
-class QBoxLayout;
 class QLabel;
 class QScrollArea;
-class QVBoxLayout;
 
 namespace deckpipe {
 
 class Dial;
 class FactList;
 class LampGrid;
+class PageContent;
 class PageHeader;
 class StickBox;
 class StopsGrid;
@@ -43,14 +42,13 @@ class MonitorPage : public QWidget {
   QSize minimumSizeHint() const override { return {320, 200}; }
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void refresh();
   void showValues();
-  void showLamps();
-  void showFacts();
-  void layOut();
+  void showParts();
+  QString missingText() const;
 
   LogView m_view;
   DeviceKey m_key;
@@ -60,10 +58,7 @@ class MonitorPage : public QWidget {
   PageHeader* m_header;
   QLabel* m_message;  // instead of a page
   QScrollArea* m_scroll;
-  QBoxLayout* m_top;  // dial or stick, and what stands beside it
-  QVBoxLayout* m_side;
-  QVBoxLayout* m_below;
-  QBoxLayout* m_factRow;
+  PageContent* m_content;
   Dial* m_dial;
   StickBox* m_stick;
   StopsGrid* m_stops;

@@ -4,13 +4,14 @@
 #include <QFontInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
-#include "panel/device_delegate.h"
 #include "panel/glyph_label.h"
 #include "panel/health_look.h"
+#include "panel/label_ink.h"
+#include "panel/secondary_font.h"
 #include "text/age_text.h"
 
 namespace deckpipe {
@@ -21,16 +22,6 @@ QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
   label->setObjectName(QString::fromLatin1(name));
   label->setAccessibleName(spoken);
   return label;
-}
-
-void setText(QLabel& label, const QString& text) {
-  if (label.text() != text) label.setText(text);
-}
-
-void setInk(QLabel& label, const QColor& ink) {
-  QPalette palette = label.palette();
-  palette.setColor(QPalette::WindowText, ink);
-  label.setPalette(palette);
 }
 
 }  // namespace
@@ -54,6 +45,11 @@ PageHeader::PageHeader(QWidget* parent)
   QFont word = font();
   word.setWeight(QFont::DemiBold);
   m_word->setFont(word);
+  int widest = 0;
+  for (const HealthLevel level :
+       {HealthLevel::Fine, HealthLevel::Attend, HealthLevel::Fault, HealthLevel::Silent})
+    widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(level)));
+  m_word->setMinimumWidth(widest);  // no word moves the sign
   const QFont small = secondaryFont(font());
   for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
   m_age->setMinimumWidth(
@@ -107,7 +103,7 @@ void PageHeader::showHealth() {
   const QStringList reasons = healthReasons(m_health);
   QString first = reasons.isEmpty() ? QString() : reasons.front();
   if (reasons.size() > 1)
-    first += QLatin1Char(' ') + tr("%n more", nullptr, static_cast<int>(reasons.size()) - 1);
+    first += QLatin1Char(' ') + tr("And %n more.", nullptr, static_cast<int>(reasons.size()) - 1);
   setText(*m_reason, first);
   m_reason->setToolTip(reasons.join(QLatin1Char('\n')));
   m_word->setToolTip(m_reason->toolTip());

@@ -7,7 +7,7 @@
 
 #include "paint/figures.h"
 #include "paint/glyph.h"
-#include "panel/device_delegate.h"
+#include "panel/secondary_font.h"
 #include "text/age_text.h"
 
 namespace deckpipe {

@@ -2,9 +2,9 @@
 #include "panel/stick_box.h"
 
 #include <QGridLayout>
-#include <QLabel>
 
 #include "paint/stick_view.h"
+#include "panel/label_ink.h"
 #include "panel/section_title.h"
 
 namespace deckpipe {
@@ -19,6 +19,7 @@ StickBox::StickBox(QWidget* parent)
   setObjectName(QStringLiteral("stick"));
   setAccessibleName(tr("Stick"));
   m_title->setTitle(tr("Stick"));
+  setFixedWidth(240);
   m_x->setObjectName(QStringLiteral("stickX"));
   m_y->setObjectName(QStringLiteral("stickY"));
   auto* grid = new QGridLayout(this);
@@ -32,6 +33,7 @@ StickBox::StickBox(QWidget* parent)
     auto* axis = new QLabel(value == m_x ? tr("X") : tr("Y"), this);
     axis->setObjectName(value->objectName() + QStringLiteral("Name"));
     value->setMinimumWidth(value->fontMetrics().horizontalAdvance(tr("100.0 % forward")));
+    m_names.push_back(axis);
     grid->addWidget(axis, row, 0, Qt::AlignRight);
     grid->addWidget(value, row++, 1);
   }
@@ -52,18 +54,15 @@ void StickBox::setStick(const PageStick& stick) {
   show(*m_y, tr("Y"), stick.yText);
   m_view->setAccessibleDescription(tr("X %1, Y %2").arg(stick.xText, stick.yText));
   const QColor ink = stick.isStale ? m_colours.stale.ink : m_colours.text;
-  for (QLabel* label : {m_x, m_y}) {
-    QPalette palette = label->palette();
-    if (palette.color(QPalette::WindowText) == ink) continue;
-    palette.setColor(QPalette::WindowText, ink);
-    label->setPalette(palette);
-  }
+  setInk(*m_x, ink);
+  setInk(*m_y, ink);
 }
 
 void StickBox::setColours(const Colours& colours) {
   m_colours = colours;
   m_title->setColours(colours);
   m_view->setColours(colours);
+  for (QLabel* name : m_names) setInk(*name, colours.textSecondary);
 }
 
 }  // namespace deckpipe

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "model/monitor_page_values.h"
 #include "paint/palette.h"
@@ -27,6 +28,7 @@ class StickBox : public QWidget {
   Colours m_colours;
   SectionTitle* m_title;
   StickView* m_view;
+  std::vector<QLabel*> m_names;
   QLabel* m_x;
   QLabel* m_y;
 };

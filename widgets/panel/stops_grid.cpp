@@ -17,6 +17,7 @@ StopsGrid::StopsGrid(QWidget* parent)
       m_grid(new QGridLayout(this)) {
   setObjectName(QStringLiteral("stops"));
   setAccessibleName(tr("Hard stops"));
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_title->setTitle(tr("Hard stops"));
   m_grid->setContentsMargins(0, 0, 0, 0);
   m_grid->setHorizontalSpacing(8);

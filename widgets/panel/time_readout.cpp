@@ -35,7 +35,7 @@ QString elapsedText(Duration elapsed) {
 }
 
 QString stampTimeText(std::int64_t stampNs) {
-  if (stampNs < kYear2000) return QObject::tr("%1 s").arg(static_cast<double>(stampNs) / 1e9, 0, 'f', 3);
+  if (stampNs < kYear2000) return TimeReadout::tr("%1 s").arg(static_cast<double>(stampNs) / 1e9, 0, 'f', 3);
   return QDateTime::fromMSecsSinceEpoch(stampNs / 1'000'000).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
          milliseconds(stampNs);
 }
@@ -99,7 +99,7 @@ void TimeReadout::paintEvent(QPaintEvent*) {
   Figures figures;
   figures.number = m_elapsed;
   figures.numberFont = elapsedFont();
-  figures.numberColour = m_colours.text;
+  figures.numberColour = m_absolute == m_elapsed ? m_colours.textSecondary : m_colours.text;
   drawFigures(p, QRectF(0, 0, width() - 2, upper), figures);
   figures.number = m_absolute;
   figures.numberFont = font();

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "paint/glyph.h"
+#include "panel/flat_header.h"
 
 namespace deckpipe {
 namespace {
@@ -20,9 +21,19 @@ std::optional<Glyph> signOf(Marks marks) {
   if (marks.testFlag(TraceModel::Error)) return Glyph::Fault;
   if (marks.testFlag(TraceModel::Malformed)) return Glyph::Invalid;
   if (marks.testFlag(TraceModel::TimeJump)) return Glyph::Stale;
-  if (marks.testFlag(TraceModel::Ambiguous)) return Glyph::Unknown;
+  if (marks.testFlag(TraceModel::Ambiguous)) return Glyph::Attend;
   if (marks.testFlag(TraceModel::Own)) return Glyph::CommandPlus;
+  if (marks.testFlag(TraceModel::Presumed)) return Glyph::Unknown;
   return {};
+}
+
+QColor signInk(Glyph sign, const Colours& c) {
+  switch (sign) {
+    case Glyph::Fault: return c.fault.ink;
+    case Glyph::CommandPlus: return c.accent.ink;
+    case Glyph::Unknown: return c.textSecondary;
+    default: return c.attend.ink;
+  }
 }
 
 }  // namespace
@@ -51,6 +62,7 @@ TracePainter::TracePainter(QPainter& painter, const Colours& colours, const Trac
       m_fonts(fonts),
       m_textMetrics(fonts.text),
       m_figureMetrics(fonts.figures),
+      m_figureWidth(m_figureMetrics.horizontalAdvance(QLatin1Char('0'))),
       m_columns(std::move(columns)) {}
 
 void TracePainter::row(const QRect& rect, const QModelIndex& index, Look look) {
@@ -91,21 +103,19 @@ void TracePainter::gutter(const QRect& rect, Marks marks, bool isSelected) {
     m_painter.drawPolygon(QPolygonF{{x - 4, y - 6}, {x + 6, y}, {x - 4, y + 6}});
     m_painter.setRenderHint(QPainter::Antialiasing, false);
   } else if (marks.testFlag(TraceModel::AfterCursor)) {
-    QPen dots(isSelected ? c.accent.onFill : c.outline, 2 * c.stroke, Qt::SolidLine, Qt::FlatCap);
-    dots.setDashPattern({1, 2});
-    m_painter.setPen(dots);
-    m_painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom() + 1));
+    // As many dots a row, so that they run on through all rows.
+    constexpr int kDots = 4;
+    for (int dot = 0; dot < kDots; ++dot) {
+      const double y = area.top() + (dot + 0.5) * area.height() / kDots;
+      m_painter.fillRect(QRectF(x - c.stroke, y - c.stroke, 2 * c.stroke, 2 * c.stroke),
+                         isSelected ? c.accent.onFill : c.outline);
+    }
   }
   if (const auto sign = signOf(marks)) {
     const double side = std::min(14.0, area.height() - 4.0);
     const QRectF box(area.left() + kCursorZone + 2, area.center().y() + 0.5 - side / 2, side, side);
-    const bool isFault = *sign == Glyph::Fault;
-    const bool isOwn = *sign == Glyph::CommandPlus;
-    const QColor ink = isSelected ? c.accent.onFill
-                       : isFault  ? c.fault.ink
-                       : isOwn    ? c.accent.ink
-                                  : c.attend.ink;
-    drawGlyph(m_painter, box, *sign, ink, Qt::transparent, c.stroke);
+    drawGlyph(m_painter, box, *sign, isSelected ? c.accent.onFill : signInk(*sign, c), Qt::transparent,
+              c.stroke);
   }
 }
 
@@ -118,6 +128,7 @@ QColor TracePainter::ink(int column, Marks marks, bool isSelected) const {
   if (isWord && (marks.testFlag(TraceModel::Malformed) || marks.testFlag(TraceModel::Ambiguous)))
     return c.attend.ink;
   if (column == TraceModel::Delta && marks.testFlag(TraceModel::TimeJump)) return c.attend.ink;
+  if (column == TraceModel::Direction && marks.testFlag(TraceModel::Own)) return c.accent.ink;
   switch (column) {
     case TraceModel::Delta:
     case TraceModel::ChannelName:
@@ -128,22 +139,31 @@ QColor TracePainter::ink(int column, Marks marks, bool isSelected) const {
   }
 }
 
+// A trace is hundreds of short texts thirty times a second, so they are drawn at points, without the layout
+// that drawing into a rectangle takes, and figures are measured by their count.
 void TracePainter::cells(const QRect& rect, const QModelIndex& index, Marks marks, bool isSelected) {
   for (const TraceColumn& column : m_columns) {
-    const QRect cell(column.left + kPadding, rect.top(), column.width - 2 * kPadding, rect.height());
-    if (cell.right() < kGutter || cell.left() > rect.right() || cell.width() <= 0) continue;
+    const int left = column.left + FlatHeader::kPadding;
+    const int width = column.width - 2 * FlatHeader::kPadding;
+    if (left + width < kGutter || left > rect.right() || width <= 0) continue;
     const QModelIndex at = index.siblingAtColumn(column.column);
-    const QString text = at.data().toString();
+    QString text = at.data().toString();
     if (text.isEmpty()) continue;
     const bool isTabular = TraceFonts::isTabular(column.column);
     const QFontMetrics& metrics = isTabular ? m_figureMetrics : m_textMetrics;
+    const auto widthOf = [&](const QString& t) {
+      return isTabular ? static_cast<int>(t.size()) * m_figureWidth : metrics.horizontalAdvance(t);
+    };
+    int needed = widthOf(text);
+    if (needed > width) {
+      text = metrics.elidedText(text, Qt::ElideRight, width);
+      needed = widthOf(text);
+    }
+    const bool toRight = (at.data(Qt::TextAlignmentRole).value<Qt::Alignment>() & Qt::AlignRight) != 0;
+    const int baseline = rect.top() + (rect.height() - metrics.height()) / 2 + metrics.ascent();
     m_painter.setFont(isTabular ? m_fonts.figures : m_fonts.text);
     m_painter.setPen(ink(column.column, marks, isSelected));
-    const auto alignment = at.data(Qt::TextAlignmentRole).value<Qt::Alignment>();
-    const QString shown = metrics.horizontalAdvance(text) <= cell.width()
-                              ? text
-                              : metrics.elidedText(text, Qt::ElideRight, cell.width());
-    m_painter.drawText(cell, static_cast<int>(alignment) | Qt::TextSingleLine, shown);
+    m_painter.drawText(QPoint(toRight ? left + width - needed : left, baseline), text);
   }
 }
 

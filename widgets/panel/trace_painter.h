@@ -36,7 +36,6 @@ struct TraceFonts {
 class TracePainter {
  public:
   static constexpr int kGutter = 36;
-  static constexpr int kPadding = 6;  // at either side of a cell
 
   TracePainter(QPainter& painter, const Colours& colours, const TraceFonts& fonts,
                std::vector<TraceColumn> columns);
@@ -57,6 +56,7 @@ class TracePainter {
   const TraceFonts& m_fonts;
   const QFontMetrics m_textMetrics;
   const QFontMetrics m_figureMetrics;
+  const int m_figureWidth;
   const std::vector<TraceColumn> m_columns;
 };
 

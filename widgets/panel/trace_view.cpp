@@ -2,7 +2,6 @@
 #include "panel/trace_view.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -14,7 +13,6 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kHeaderHeight = 32;
 constexpr int kLeastRow = 22;
 constexpr int kLeastDecoded = 240;
 
@@ -30,7 +28,7 @@ QString widestText(int column) {
     case TraceModel::Ends: return QStringLiteral("node 24");
     case TraceModel::Length: return QStringLiteral("8");
     case TraceModel::Data: return QStringLiteral("00 00 00 00 00 00 00 00");
-    default: return QStringLiteral("Position / limit status (pres");
+    default: return QStringLiteral("Malformed: Position / limit st");
   }
 }
 
@@ -45,10 +43,11 @@ TraceView::TraceView(QWidget* parent)
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   viewport()->setObjectName(QStringLiteral("traceRows"));
   viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
-  m_header = new QHeaderView(Qt::Horizontal, this);
+  m_header = new FlatHeader(this);
   m_header->setObjectName(QStringLiteral("traceHeader"));
   m_header->setAccessibleName(tr("Columns of the trace"));
   m_header->setMinimumSectionSize(24);
+  m_header->setGutter(TracePainter::kGutter);
   m_header->setFocusPolicy(Qt::NoFocus);
   connect(m_header, &QHeaderView::sectionResized, this, [this](int column) {
     if (column != TraceModel::Decoded) stretchDecoded();
@@ -73,6 +72,7 @@ void TraceView::setModel(TraceModel* model) {
 
 void TraceView::setColours(const Colours& colours) {
   m_colours = colours;
+  m_header->setColours(colours);
   viewport()->update();
 }
 
@@ -133,7 +133,7 @@ void TraceView::updateFonts() {
   m_fonts = TraceFonts(font());
   const int text = std::max(QFontMetrics(m_fonts.text).height(), QFontMetrics(m_fonts.figures).height());
   m_rowHeight = std::max(kLeastRow, text + 6);
-  m_header->setFixedHeight(std::max(kHeaderHeight, text + 12));
+  m_header->setFixedHeight(std::max(FlatHeader::kLeastHeight, text + 12));
   layOut();
 }
 
@@ -151,13 +151,12 @@ void TraceView::resizeEvent(QResizeEvent* event) {
 void TraceView::layOut() {
   setViewportMargins(0, m_header->height(), 0, 0);
   const QRect area = viewport()->geometry();
-  m_header->setGeometry(area.left() + TracePainter::kGutter, area.top() - m_header->height(),
-                        std::max(0, area.width() - TracePainter::kGutter), m_header->height());
+  m_header->setGeometry(area.left(), area.top() - m_header->height(), area.width(), m_header->height());
   QScrollBar* bar = horizontalScrollBar();
   bar->setRange(0, std::max(0, m_header->length() + TracePainter::kGutter - area.width()));
   bar->setPageStep(area.width());
   bar->setSingleStep(32);
-  m_header->setOffset(bar->value());
+  m_header->scrollTo(bar->value());
   m_scroll.pageRows = static_cast<std::uint64_t>(std::max(1, area.height() / m_rowHeight));
   if (m_isFollowing) m_scroll.moveTo(m_scroll.lastTop());
   showScroll();
@@ -169,10 +168,9 @@ void TraceView::setDefaultWidths() {
   for (int column = 0; column < TraceModel::Decoded; ++column) {
     const QFontMetrics metrics(m_fonts.of(column));
     const QString title = m_model->headerData(column, Qt::Horizontal).toString();
-    // The header has margins of its own.
-    const int titleWidth = QFontMetrics(m_header->font()).horizontalAdvance(title) + 10;
-    m_header->resizeSection(column, std::max(titleWidth, metrics.horizontalAdvance(widestText(column)) +
-                                                             2 * TracePainter::kPadding));
+    const int widest = std::max(QFontMetrics(m_header->font()).horizontalAdvance(title),
+                                metrics.horizontalAdvance(widestText(column)));
+    m_header->resizeSection(column, widest + 2 * FlatHeader::kPadding + 2);
   }
   m_header->setSectionResizeMode(QHeaderView::Interactive);
   stretchDecoded();
@@ -200,8 +198,7 @@ std::vector<TraceColumn> TraceView::columns() const {
   std::vector<TraceColumn> columns;
   for (int column = 0; column < m_header->count(); ++column) {
     if (m_header->isSectionHidden(column)) continue;
-    columns.push_back({column, TracePainter::kGutter + m_header->sectionViewportPosition(column),
-                       m_header->sectionSize(column)});
+    columns.push_back({column, m_header->sectionViewportPosition(column), m_header->sectionSize(column)});
   }
   return columns;
 }

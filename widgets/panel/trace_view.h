@@ -18,10 +18,9 @@
 
 #include "model/trace_model.h"
 #include "paint/palette.h"
+#include "panel/flat_header.h"
 #include "panel/trace_painter.h"
 #include "panel/trace_scroll.h"
-
-class QHeaderView;
 
 namespace deckpipe {
 
@@ -46,7 +45,7 @@ class TraceView : public QAbstractScrollArea {
   std::uint64_t topRow() const { return m_scroll.top; }
   const TraceScroll& scroll() const { return m_scroll; }
   int rowHeight() const { return m_rowHeight; }
-  QHeaderView* header() const { return m_header; }
+  FlatHeader* header() const { return m_header; }
 
   // The selected rows in candump's log form; what Ctrl+C puts on the clipboard.
   QString copyText() const;
@@ -105,7 +104,7 @@ class TraceView : public QAbstractScrollArea {
   void showToolTip(const QPoint& at, const QPoint& global);
 
   TraceModel* m_model = nullptr;
-  QHeaderView* m_header = nullptr;
+  FlatHeader* m_header = nullptr;
   Colours m_colours;
   TraceFonts m_fonts;
   int m_rowHeight = 24;

@@ -2,7 +2,6 @@
 // What a person does to the trace: wheel, scroll bar, keys, mouse, tooltips, clipboard.
 #include <QApplication>
 #include <QClipboard>
-#include <QHeaderView>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -11,6 +10,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "paint/plain_tip.h"
 #include "panel/trace_view.h"
 
 namespace deckpipe {
@@ -41,7 +41,7 @@ void TraceView::barActed(int action) {
 
 void TraceView::scrollContentsBy(int dx, int) {
   if (dx != 0) {
-    m_header->setOffset(horizontalScrollBar()->value());
+    m_header->scrollTo(horizontalScrollBar()->value());
     viewport()->update();
   }
   const int value = verticalScrollBar()->value();
@@ -207,18 +207,18 @@ void TraceView::showToolTip(const QPoint& at, const QPoint& global) {
     if (at.x() < TracePainter::kGutter) {
       text = TraceModel::marksText(
           TraceModel::Marks::fromInt(indexOf(*row).data(TraceModel::MarksRole).toUInt()));
-    } else if (const int column = m_header->logicalIndexAt(at.x() - TracePainter::kGutter); column >= 0) {
+    } else if (const int column = m_header->logicalIndexAt(at.x()); column >= 0) {
       const QModelIndex index = indexOf(*row, column);
       text = index.data(Qt::ToolTipRole).toString();
       const QString shown = index.data().toString();
-      const int room = m_header->sectionSize(column) - 2 * TracePainter::kPadding;
+      const int room = m_header->sectionSize(column) - 2 * FlatHeader::kPadding;
       if (text.isEmpty() && QFontMetrics(m_fonts.of(column)).horizontalAdvance(shown) > room) text = shown;
     }
   }
   if (text.isEmpty()) {
     QToolTip::hideText();
   } else {
-    QToolTip::showText(global, text, viewport());
+    QToolTip::showText(global, plainTip(text), viewport());
   }
 }
 

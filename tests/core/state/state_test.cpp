@@ -208,7 +208,7 @@ TEST_F(StateOfOneChannel, KnowsGatewayNodesByNodeId) {
   EXPECT_EQ(monitor->position.value().elevation.tenths, -55);
   EXPECT_EQ(monitor->commanded.value().x.tenths, 500);
   hear("5A4", "4301500100200000");
-  EXPECT_EQ(monitor->faultMap.value, 1u << 21);
+  EXPECT_EQ(monitor->faults.value(), (FaultStatus{1u << 21, {}}));
   hear("5A4", "4B0150020B00");
   EXPECT_EQ(monitor->operationalErrorCode.value, 11);
   pass(3s);

@@ -144,7 +144,7 @@ TEST_F(DecodeModelTest, KeepsItsRowsWhileOneStepsThroughOneMessage) {
   model.setFrame(2);
   EXPECT_EQ(reset.count(), 0);
   EXPECT_EQ(another.count(), 1);
-  EXPECT_EQ(line("Rotation sensor"), "Rotation sensor | not fitted | 1111 1111 1111 | B2.8–B3.5");
+  EXPECT_EQ(line("Rotation sensor"), "Rotation sensor | no sensor fitted | 1111 1111 1111 | B2.8–B3.5");
   EXPECT_EQ(line("Rotation"), "Rotation | no value | 1111 1111 1111 | B2.8–B3.5");
   model.setFrame(0);
   EXPECT_EQ(reset.count(), 1);

@@ -65,11 +65,11 @@ TEST_F(DeviceTable, ShowsEveryKindOfDeviceInItsGroup) {
       {"I/O module", "18EFFFF0", "8501", "No PIN, address F0", "6039 CAN I/O module", "Other Akron devices"},
       {"node", "724", "05", "Node 24", "Type not known", "CANopen nodes"},
       {"gateway", "770", "05", "Node 70", "6051 CAN Gateway, by its default node", "CANopen nodes"},
-      {"joystick source", "0CFDD633", kRestingStick, "No PIN, address 33", "Joystick source", "Controls"},
-      {"foreign", "18EEFF21", "01002001000000FF", "No PIN, address 21", "Other maker, code 9", "Other nodes"},
+      {"joystick source", "0CFDD633", kRestingStick, "Address 33", "Joystick source", "Controls"},
+      {"foreign", "18EEFF21", "01002001000000FF", "Address 21", "Other maker, code 9", "Other nodes"},
       {"Akron by NAME", "18EEFF94", kNameOfA, "No PIN, address 94", "Akron device, not announced",
        "Other Akron devices"},
-      {"without NAME", "18FF0005", "00", "No PIN, address 05", "No NAME heard", "Other nodes"},
+      {"without NAME", "18FF0005", "00", "Address 05", "No NAME heard", "Other nodes"},
   };
   for (const Row& row : rows) m_bus.hear(row.id, row.data);
   show();
@@ -166,7 +166,7 @@ TEST_F(DeviceTable, SaysThatAnAddressWasLost) {
       << tooltip(0).toStdString();
   EXPECT_EQ(m_model.index(0, Model::AddressColumn).data(Qt::AccessibleTextRole).toString(),
             QStringLiteral("address lost"));
-  EXPECT_EQ(text(1, Model::DeviceColumn), QStringLiteral("No PIN, address 80"));
+  EXPECT_EQ(text(1, Model::DeviceColumn), QStringLiteral("Address 80"));
   EXPECT_TRUE(tooltip(1).contains(QStringLiteral("0 won, 1 lost"))) << tooltip(1).toStdString();
 }
 

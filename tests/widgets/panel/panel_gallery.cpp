@@ -89,6 +89,7 @@ struct Gallery {
     trace("trace_busy", busy, {});
     trace("trace_selected", busy, count / 2 + 2, count / 2 - 3);
     trace("trace_start", busy, 12, 3);
+    trace("trace_odd", test::logOfText(test::oddText()), 17, 8);
     trace("trace_empty", nullptr, {});
     trace("trace_foreign", foreign, 500);
     decode("decode_position", busy, 3, {520, 760}, "Rotation");

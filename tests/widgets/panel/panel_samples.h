@@ -47,6 +47,32 @@ inline std::string busyText(int rounds) {
   return text;
 }
 
+// Everything out of the ordinary within one page.
+inline std::string oddText() {
+  std::string text;
+  addLine(text, 0.0, "18EFFF80#011D940371000041");
+  addLine(text, 0.1, "18EFFF80#011D94");
+  addLine(text, 0.2, "18EF81A0#FE0102030405");
+  addLine(text, 0.3, "20000088#0000000000000000");
+  addLine(text, 0.4, "724#R", "can1");
+  addLine(text, -40, "724#7F", "can1");
+  addLine(text, 0.6, "18EFFF80#FF83150206021A0B");
+  addLine(text, 0.7, "18EFFF80#01FFFFFFF4800004");
+  addLine(text, 0.8, "18EFFF80#011D94");
+  addLine(text, 0.9, "18EFFF80#55AA");
+  addLine(text, 9000, "18EF80F2#FE48454C4C4F0D0A T");
+  addLine(text, 9000.1, "18EF0580#0280201003");
+  addLine(text, 9000.2, "18EF0580#0200000000000B T");
+  addLine(text, 9000.3, "1CEBFF00#01FFFFFFFFFFFFFF");
+  addLine(text, 9000.4, "123#");
+  addLine(text, 9000.5, "000#8124", "can1");
+  addLine(text, 9000.6, "5A4#8001500200000206", "can1");
+  addLine(text, 9000.7, "18EFFF80#83C051");
+  addLine(text, 9000.8, "18EFFF80#011D94");
+  addLine(text, 9000.9, "20000004#0000000000000000", "can1");
+  return text;
+}
+
 // Nothing of it is for this console.
 inline std::string foreignText(int rounds) {
   std::string text;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipe: the console.
+#include <QApplication>
+#include <QLoggingCategory>
+#include <QTimer>
+#include <cstdio>
+
+#include "main_window.h"
+#include "options.h"
+
+namespace {
+
+// For pictures of the running program, and for people who report what they saw.
+void grabLater(deckpipe::MainWindow& window, const deckpipe::Options& options) {
+  QTimer::singleShot(static_cast<int>(options.grabAfter * 1000), &window, [&window, file = options.grabFile] {
+    const bool saved = window.grab().save(file, "PNG");
+    if (!saved) std::fprintf(stderr, "deckpipe: %s: cannot be written\n", qPrintable(file));
+    QCoreApplication::exit(saved ? 0 : 1);
+  });
+}
+
+deckpipe::Theme themeNamed(const QString& name) {
+  if (name == QLatin1String("dark")) return deckpipe::Theme::Dark;
+  return name == QLatin1String("sunlight") ? deckpipe::Theme::Sunlight : deckpipe::Theme::Light;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setStyle(QStringLiteral("Fusion"));
+  QApplication::setOrganizationName(QStringLiteral("Deckpipe"));
+  QApplication::setApplicationName(QStringLiteral("deckpipe"));
+  QApplication::setApplicationVersion(QStringLiteral(DECKPIPE_VERSION));
+  // Qt tells on standard error what its adapters do; what matters of it comes back as reasons.
+  QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
+  deckpipe::Options options;
+  if (const auto status = deckpipe::parseOptions(QApplication::arguments(), options)) return *status;
+
+  deckpipe::Session session;
+  deckpipe::MainWindow window(session);
+  if (options.grabFile.isEmpty()) window.restoreLayout();
+  if (!options.theme.isEmpty()) window.setTheme(themeNamed(options.theme));
+  window.show();
+  if (!options.logFile.isEmpty()) session.openLog(options.logFile);
+  if (options.demo) session.openDemo();
+  if (options.link) session.openLink(*options.link);
+  if (!options.grabFile.isEmpty()) grabLater(window, options);
+  return QApplication::exec();
+}

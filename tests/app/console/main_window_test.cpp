@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window as a person meets it: a log opened, a device chosen, rows and the timeline worked with real
+// events.
+#include "console/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QFile>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "model/decode_model.h"
+#include "panel/device_panel.h"
+#include "panel/monitor_page.h"
+#include "panel/trace_view.h"
+#include "panel/transport_bar.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
+
+class Window : public testing::Test {
+ protected:
+  void SetUp() override {
+    m_window.resize(1366, 720);
+    m_window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&m_window));
+  }
+  void openLog(const QByteArray& text) {
+    const QString path = m_dir.filePath(QStringLiteral("truck.log"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    file.close();
+    m_session.openLog(path);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          const Snapshot& s = m_session.snapshot();
+          return s.source.progress == SourceStatus::Progress::Done &&
+                 s.view.state->cursor() == s.view.cursor && s.view.frameCount > 0;
+        },
+        kPatience));
+  }
+  template <typename T>
+  T* only() const {
+    return m_window.findChild<T*>();
+  }
+  QString text(const char* label) const { return m_window.findChild<QLabel*>(QLatin1String(label))->text(); }
+
+  QTemporaryDir m_dir;
+  Session m_session;
+  MainWindow m_window{m_session};
+};
+
+const QByteArray kTruck =
+    "(10.000000) can0 18EFFF80#FF83150206021A0B\n"
+    "(10.100000) can0 18EFFF80#011D940371000041\n"
+    "(10.200000) can0 18EFFF80#01000C0371000041\n";
+
+TEST_F(Window, SaysWhatToDoWhileNothingIsOpen) {
+  EXPECT_TRUE(m_window.findChild<QWidget*>(QStringLiteral("startPage"))->isVisible());
+  EXPECT_EQ(text("sourceStatus"), QStringLiteral("Nothing open"));
+}
+
+TEST_F(Window, ShowsTheFirstMonitorOfALogAtItsEnd) {
+  openLog(kTruck);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return only<MonitorPage>()->isVisible(); }, kPatience));
+  EXPECT_EQ(only<DevicePanel>()->selectedDevice(),
+            keyOf(*m_session.snapshot().view.state->devices().byPin(*Pin::parse("1032AE100801035"))));
+  EXPECT_EQ(text("frameCounts"), QStringLiteral("3 frames"));
+  EXPECT_EQ(m_window.windowTitle(), QStringLiteral("truck.log – Deckpipe"));
+}
+
+TEST_F(Window, PutsTheCursorWhereARowIsDoubleClicked) {
+  openLog(kTruck);
+  auto* trace = only<TraceView>();
+  const QPoint secondRow(300, trace->rowHeight() + trace->rowHeight() / 2);
+  QTest::mouseClick(trace->viewport(), Qt::LeftButton, {}, secondRow);
+  EXPECT_EQ(trace->currentFrame(), std::optional<std::uint64_t>(1));
+  EXPECT_EQ(only<DecodeModel>()->frame(), std::optional<std::uint64_t>(1));
+  QTest::mouseDClick(trace->viewport(), Qt::LeftButton, {}, secondRow);
+  EXPECT_EQ(m_session.snapshot().view.cursor.frames, 2u);
+  EXPECT_FALSE(m_session.snapshot().view.atEnd);
+}
+
+TEST_F(Window, PlaysFromTheTimelineWithSpace) {
+  openLog(kTruck);
+  QTest::keyClick(only<TransportBar>(), Qt::Key_Space);
+  EXPECT_TRUE(m_session.snapshot().playing);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().playing; }, kPatience));
+  EXPECT_EQ(m_session.snapshot().view.cursor.frames, 3u);
+}
+
+TEST_F(Window, ChangesItsThemeAtOnce) {
+  openLog(kTruck);
+  const QImage light = m_window.grab().toImage();
+  m_window.findChild<QAction*>(QStringLiteral("darkThemeAction"))->trigger();
+  EXPECT_EQ(m_window.theme(), Theme::Dark);
+  EXPECT_NE(m_window.grab().toImage(), light);
+  m_window.findChild<QAction*>(QStringLiteral("lightThemeAction"))->trigger();
+}
+
+TEST_F(Window, SaysWhyALogCannotBeRead) {
+  m_session.openLog(m_dir.filePath(QStringLiteral("absent.log")));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
+  EXPECT_TRUE(text("sourceStatus").contains(QStringLiteral("cannot be read")))
+      << qPrintable(text("sourceStatus"));
+}
+
+TEST_F(Window, ForgetsTheDevicesOfALogThatWasClosed) {
+  openLog(kTruck);
+  m_window.findChild<QAction*>(QStringLiteral("closeAction"))->trigger();
+  EXPECT_TRUE(m_window.findChild<QWidget*>(QStringLiteral("startPage"))->isVisible());
+  EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey{});
+  openLog("(1.000000) can0 123#11\n");
+  EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey{});
+}
+
+TEST_F(Window, ShowsTheDemoMoving) {
+  m_window.findChild<QAction*>(QStringLiteral("demoAction"))->trigger();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const Device* monitor =
+            m_session.snapshot().view.state->devices().byPin(*Pin::parse("1032AE100801035"));
+        return monitor != nullptr && monitor->position.isKnown() &&
+               only<DevicePanel>()->selectedDevice() == keyOf(*monitor);
+      },
+      kPatience));
+  EXPECT_TRUE(text("sourceStatus").contains(QStringLiteral("Simulated truck")));
+}
+
+}  // namespace
+}  // namespace deckpipe

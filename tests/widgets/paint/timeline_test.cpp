@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paint/timeline.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "base/time.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr Instant at(double seconds) { return {static_cast<std::int64_t>(seconds * 1e9)}; }
+
+TEST(TimelineGeometry, HasTheLogsEndsAtItsEnds) {
+  const TimelineGeometry g{1'020, at(100), at(200)};
+  EXPECT_EQ(g.xOf(at(100)), 10);
+  EXPECT_EQ(g.xOf(at(200)), 1'010);
+  EXPECT_EQ(g.xOf(at(150)), 510);
+  EXPECT_EQ(g.timeAt(10), at(100));
+  EXPECT_EQ(g.timeAt(1'010), at(200));
+  EXPECT_EQ(g.timeAt(-50), at(100));
+  EXPECT_EQ(g.timeAt(5'000), at(200));
+  EXPECT_EQ(g.timeAt(510), at(150));
+}
+
+TEST(TimelineGeometry, AnswersForOddSpansToo) {
+  const TimelineGeometry instant{500, at(7), at(7)};
+  EXPECT_EQ(instant.timeAt(250), at(7));
+  EXPECT_EQ(instant.xOf(at(7)), instant.right());
+  const TimelineGeometry hostile{500, {0}, {std::numeric_limits<std::int64_t>::max() - 1}};
+  EXPECT_EQ(hostile.xOf(kNotYet), hostile.left());
+  EXPECT_GT(hostile.timeAt(250).ns, 0);
+  const TimelineGeometry none{0, {}, {}};
+  EXPECT_EQ(none.timeAt(0), Instant{});
+  EXPECT_EQ((TimelineGeometry{500, at(2), at(1)}.clamped(at(9))), at(2));
+}
+
+struct TimelineTest : testing::Test {
+  Timeline timeline;
+  QSignalSpy seek{&timeline, &Timeline::seekRequested};
+  QSignalSpy end{&timeline, &Timeline::endRequested};
+
+  TimelineTest() {
+    timeline.resize(1'020, 48);
+    timeline.show();
+    TimelineValues values;
+    values.isEmpty = false;
+    values.begin = at(100);
+    values.end = at(200);
+    values.cursor = at(150);
+    timeline.setValues(values);
+  }
+  Instant last() const { return seek.isEmpty() ? Instant{-1} : seek.last()[0].value<Instant>(); }
+};
+
+TEST_F(TimelineTest, SeeksWhereOnePointsAndDrags) {
+  QTest::mousePress(&timeline, Qt::LeftButton, {}, {260, 20});
+  EXPECT_EQ(last(), at(125));
+  QTest::mouseMove(&timeline, {510, 20});
+  QTest::mouseRelease(&timeline, Qt::LeftButton, {}, {510, 20});
+  QTest::mousePress(&timeline, Qt::LeftButton, {}, {2, 20});
+  EXPECT_EQ(last(), at(100));
+  QTest::mousePress(&timeline, Qt::RightButton, {}, {600, 20});
+  EXPECT_EQ(last(), at(100));
+}
+
+TEST_F(TimelineTest, StepsBySecondsWithKeysAndStopsAtTheEnds) {
+  QTest::keyClick(&timeline, Qt::Key_Left);
+  EXPECT_EQ(last(), at(149));
+  QTest::keyClick(&timeline, Qt::Key_Right);
+  EXPECT_EQ(last(), at(151));
+  QTest::keyClick(&timeline, Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_EQ(last(), at(140));
+  QTest::keyClick(&timeline, Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_EQ(last(), at(160));
+  QTest::keyClick(&timeline, Qt::Key_Home);
+  EXPECT_EQ(last(), at(100));
+  QTest::keyClick(&timeline, Qt::Key_End);
+  EXPECT_EQ(end.count(), 1);
+  TimelineValues values = timeline.values();
+  values.cursor = at(199.5);
+  timeline.setValues(values);
+  QTest::keyClick(&timeline, Qt::Key_Right);
+  EXPECT_EQ(last(), at(200));
+  values.cursor = kNotYet;
+  timeline.setValues(values);
+  QTest::keyClick(&timeline, Qt::Key_Left);
+  EXPECT_EQ(last(), at(100));
+  QTest::keyClick(&timeline, Qt::Key_Right);
+  EXPECT_EQ(last(), at(101));
+}
+
+TEST_F(TimelineTest, AsksForNothingWithoutFrames) {
+  timeline.setValues({});
+  QTest::mouseClick(&timeline, Qt::LeftButton, {}, {300, 20});
+  for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End})
+    QTest::keyClick(&timeline, key);
+  EXPECT_EQ(seek.count(), 0);
+  EXPECT_EQ(end.count(), 0);
+  timeline.grab();
+}
+
+}  // namespace
+}  // namespace deckpipe

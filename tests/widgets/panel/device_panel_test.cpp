@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/device_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeView>
+
+#include "model/device_model.h"
+#include "widgets/panel/panel_scenes.h"
+
+namespace deckpipe {
+namespace {
+
+using namespace test;
+
+class DevicePanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    m_panel.resize(332, 600);
+    m_panel.show();
+    m_list = m_panel.findChild<QTreeView*>(QStringLiteral("deviceList"));
+    ASSERT_NE(m_list, nullptr);
+  }
+  void show() {
+    m_panel.setView(m_bus.view());
+    QCoreApplication::processEvents();
+  }
+  QPoint middleOf(const QString& device) const {
+    const QAbstractItemModel* model = m_list->model();
+    for (int row = 0; row < model->rowCount(); ++row) {
+      const QModelIndex index = model->index(row, 0);
+      // Below the heading that the first row of a group carries.
+      if (index.data().toString() == device) return m_list->visualRect(index).bottomLeft() + QPoint(20, -20);
+    }
+    ADD_FAILURE() << device.toStdString();
+    return {};
+  }
+  void click(const QString& device) {
+    QTest::mouseClick(m_list->viewport(), Qt::LeftButton, {}, middleOf(device));
+  }
+  QString selectedText() const {
+    const QModelIndexList rows = m_list->selectionModel()->selectedRows();
+    return rows.isEmpty() ? QString() : rows.front().data().toString();
+  }
+
+  Heard m_bus;
+  DevicePanel m_panel;
+  QTreeView* m_list = nullptr;
+  QSignalSpy m_chosen{&m_panel, &DevicePanel::deviceSelected};
+};
+
+TEST_F(DevicePanelTest, SaysWhatIsMissing) {
+  const auto* empty = m_panel.findChild<QLabel*>(QStringLiteral("noDevices"));
+  ASSERT_NE(empty, nullptr);
+  EXPECT_TRUE(empty->isVisible());
+  show();
+  EXPECT_TRUE(empty->text().startsWith(QStringLiteral("No device heard yet.")))
+      << empty->text().toStdString();
+  m_bus.hear("7DF", "0201");
+  show();
+  EXPECT_EQ(empty->text(), QStringLiteral("One frame heard, not from a known device."));
+  neighbours(m_bus);
+  show();
+  EXPECT_FALSE(empty->isVisible());
+  EXPECT_TRUE(m_list->isVisible());
+}
+
+TEST_F(DevicePanelTest, ChoosesByMouse) {
+  neighbours(m_bus.monitor());
+  show();
+  EXPECT_TRUE(m_chosen.isEmpty());
+  click(QString::fromLatin1(kPinA));
+  ASSERT_EQ(m_chosen.size(), 1);
+  EXPECT_EQ(m_chosen[0][0].value<DeviceKey>(), keyOfA());
+  click(QStringLiteral("Node 24"));
+  ASSERT_EQ(m_chosen.size(), 2);
+  EXPECT_EQ(m_panel.selectedDevice(), DeviceKey::at(Channel{0}, NodeId{0x24}));
+}
+
+TEST_F(DevicePanelTest, ChoosesByKeyboardAndNotByFocus) {
+  neighbours(m_bus.monitor());
+  show();
+  m_list->setFocus();
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(m_chosen.isEmpty()) << "to have the focus is not to be chosen";
+  QTest::keyClick(m_list, Qt::Key_Down);
+  ASSERT_EQ(m_chosen.size(), 1);
+  QTest::keyClick(m_list, Qt::Key_End);
+  ASSERT_EQ(m_chosen.size(), 2);
+  EXPECT_EQ(selectedText(), QStringLiteral("Address F9"));
+}
+
+TEST_F(DevicePanelTest, KeepsTheSelectionThroughAddressChangesAndUpdates) {
+  neighbours(m_bus.monitor());
+  show();
+  click(QString::fromLatin1(kPinA));
+  m_bus.pass(2s).hear("18EFFF84", kAnnouncesA).hear("18EFFF80", kAnnouncesB);
+  show();
+  EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
+  m_bus.hear("18EEFF84", kLowerForeignName).hear("18EFFF70", "0100");
+  show();
+  EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
+  EXPECT_EQ(m_chosen.size(), 1);
+}
+
+TEST_F(DevicePanelTest, FollowsADeviceThatSaysItsPin) {
+  m_bus.hear("18EFFF90", kPosition).hear("18EFFF80", kPosition);
+  show();
+  click(QStringLiteral("No PIN, address 80"));
+  m_bus.hear("18EFFF80", kAnnouncesA);
+  show();
+  ASSERT_EQ(m_chosen.size(), 2);
+  EXPECT_EQ(m_chosen[1][0].value<DeviceKey>(), keyOfA());
+  EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
+}
+
+TEST_F(DevicePanelTest, ChoosesNobodyElseWhereTheDeviceIsNotHeardYet) {
+  Heard early;
+  early.hear("18EFFF90", kPosition);
+  m_bus.hear("18EFFF90", kPosition).monitor();
+  show();
+  click(QString::fromLatin1(kPinA));
+  m_panel.setView(early.view());
+  EXPECT_EQ(selectedText(), QString());
+  EXPECT_EQ(m_panel.selectedDevice(), keyOfA());
+  show();
+  EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
+  EXPECT_EQ(m_chosen.size(), 1);
+}
+
+TEST_F(DevicePanelTest, SortsByItsHeaderAndBack) {
+  m_bus.hear("18EFFF95", kPosition).hear("18EFFF93", kPosition).hear("18EFFF94", kPosition);
+  show();
+  auto* header = m_list->findChild<QHeaderView*>(QStringLiteral("deviceListHeader"));
+  ASSERT_NE(header, nullptr);
+  EXPECT_GE(header->height(), 32);
+  const auto order = [&] {
+    QStringList text;
+    for (int row = 0; row < 3; ++row)
+      text << m_list->model()->index(row, DeviceModel::AddressColumn).data().toString();
+    return text.join(QLatin1Char(' '));
+  };
+  const auto clickHeader = [&] {
+    const int x = header->sectionViewportPosition(DeviceModel::AddressColumn) + 20;
+    QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, QPoint(x, 16));
+  };
+  EXPECT_EQ(order(), QStringLiteral("95 93 94"));
+  clickHeader();
+  EXPECT_EQ(order(), QStringLiteral("93 94 95"));
+  clickHeader();
+  EXPECT_EQ(order(), QStringLiteral("95 94 93"));
+  clickHeader();
+  EXPECT_EQ(order(), QStringLiteral("95 93 94"));
+}
+
+TEST_F(DevicePanelTest, HasRowsForGlovesAndNamesForReaders) {
+  neighbours(m_bus.monitor());
+  show();
+  const QAbstractItemModel* model = m_list->model();
+  for (int row = 0; row < model->rowCount(); ++row)
+    EXPECT_GE(m_list->visualRect(model->index(row, 0)).height(), 44) << row;
+  EXPECT_EQ(model->index(0, 0).data(Qt::AccessibleTextRole).toString(),
+            QStringLiteral("1032AE100801035, 6032 Universal II, Monitors"));
+  for (const QWidget* w : m_panel.findChildren<QWidget*>()) {
+    if (w->metaObject()->className() == QByteArray("QWidget") ||
+        w->objectName().startsWith(QStringLiteral("qt_")) || w->inherits("QScrollBar"))
+      continue;
+    EXPECT_FALSE(w->objectName().isEmpty()) << w->metaObject()->className();
+  }
+  EXPECT_FALSE(m_list->accessibleName().isEmpty());
+}
+
+TEST_F(DevicePanelTest, NeedsNoMoreThanItsWidth) {
+  neighbours(m_bus.monitor());
+  show();
+  const auto* header = m_list->findChild<QHeaderView*>(QStringLiteral("deviceListHeader"));
+  EXPECT_LE(header->length(), m_list->viewport()->width());
+  const int pin = m_list->fontMetrics().horizontalAdvance(QString::fromLatin1(kPinA)) + 16;
+  EXPECT_GE(header->sectionSize(DeviceModel::DeviceColumn), pin) << "a PIN is never cut";
+}
+
+}  // namespace
+}  // namespace deckpipe

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/monitor_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTest>
+
+#include "paint/dial.h"
+#include "paint/figures.h"
+#include "paint/status_lamp.h"
+#include "text/age_text.h"
+#include "widgets/panel/panel_scenes.h"
+
+namespace deckpipe {
+namespace {
+
+using namespace test;
+
+// One layout asks for the next; an event loop would come round as often.
+void settle() {
+  for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+}
+
+class PageTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    m_page.resize(1030, 500);
+    m_page.setAnimated(false);
+    m_page.show();
+  }
+  void show(const DeviceKey& key = keyOfA()) {
+    m_page.setDevice(key);
+    m_page.setView(m_bus.view());
+    settle();
+  }
+  template <typename W>
+  W* find(const char* name) const {
+    return m_page.findChild<W*>(QString::fromLatin1(name));
+  }
+  bool isShown(const char* name) const {
+    const auto* w = find<QWidget>(name);
+    return w != nullptr && w->isVisible();
+  }
+  QString text(const char* name) const {
+    const auto* label = find<QLabel>(name);
+    return label == nullptr ? QStringLiteral("no such label") : label->text();
+  }
+  StatusLamp* lamp(const char* name) const { return find<StatusLamp>(name); }
+
+  Heard m_bus;
+  MonitorPage m_page;
+};
+
+TEST_F(PageTest, SaysWhatToDoWhereThereIsNothingToShow) {
+  show({});
+  EXPECT_TRUE(isShown("pageMessage"));
+  EXPECT_FALSE(isShown("pageHeader"));
+  EXPECT_EQ(text("pageMessage"), QStringLiteral("Devices are shown here once they are heard."));
+  m_bus.monitor();
+  show({});
+  EXPECT_EQ(text("pageMessage"), QStringLiteral("Choose a device on the left."));
+  show(DeviceKey::of(*Pin::parse("1042XY123456789")));
+  EXPECT_EQ(text("pageMessage"),
+            QStringLiteral("1042XY123456789 was not heard up to this place of the log."));
+  show();
+  EXPECT_FALSE(isShown("pageMessage"));
+  EXPECT_TRUE(isShown("pageHeader"));
+}
+
+TEST_F(PageTest, ShowsAMonitor) {
+  m_bus.monitor().hear("0CFDD633", kStickRightBack);
+  show();
+  EXPECT_EQ(text("pageTitle"), QString::fromLatin1(kPinA));
+  EXPECT_EQ(text("pageType"), QStringLiteral("6032 Universal II"));
+  EXPECT_EQ(text("pageAddress"), QStringLiteral("address 80 hex"));
+  EXPECT_EQ(text("pageHealth"), QStringLiteral("fine"));
+  const auto* dial = find<Dial>("dial");
+  ASSERT_NE(dial, nullptr);
+  EXPECT_TRUE(dial->isVisible());
+  EXPECT_NEAR(dial->values().rotation.degrees, 47.3, 1e-9);
+  EXPECT_NEAR(dial->values().elevation.degrees, -5.5, 1e-9);
+  EXPECT_EQ(dial->values().rotation.limitLow, -30.0);
+  EXPECT_EQ(dial->values().elevation.limitHigh, 90.0);
+  ASSERT_TRUE(dial->values().elevation.command);
+  EXPECT_NEAR(dial->values().elevation.command->speed, 0.4, 1e-9);
+  EXPECT_EQ(dial->values().enable, DialValues::Flag::On);
+  EXPECT_EQ(text("stopAxis3"), QStringLiteral("Pattern"));
+  EXPECT_EQ(lamp("stopPlus5")->state(), StatusLamp::State::On);
+  EXPECT_EQ(lamp("stopPlus5")->accessibleName(), QStringLiteral("Discharge valve, Open stop"));
+  EXPECT_EQ(lamp("outputsLamp1")->state(), StatusLamp::State::On);
+  EXPECT_TRUE(isShown("faultsFacts"));
+  EXPECT_TRUE(isShown("versionsFacts"));
+}
+
+TEST_F(PageTest, GreysWhatIsOverdueWhileTimePasses) {
+  m_bus.monitor();
+  show();
+  EXPECT_FALSE(lamp("stopPlus1")->isStale());
+  m_bus.pass(300ms);
+  show();
+  EXPECT_TRUE(lamp("stopPlus1")->isStale());
+  EXPECT_TRUE(lamp("outputsLamp1")->isStale());
+  EXPECT_TRUE(find<Dial>("dial")->values().rotation.stale);
+  EXPECT_EQ(find<Dial>("dial")->values().enable, DialValues::Flag::Unknown);
+  EXPECT_EQ(text("pageHealth"), QStringLiteral("attend"));
+  m_bus.monitor();
+  show();
+  EXPECT_FALSE(lamp("stopPlus1")->isStale());
+  EXPECT_EQ(text("pageHealth"), QStringLiteral("fine"));
+}
+
+struct KindCase {
+  const char* scene;
+  bool dial, stick, stops;
+  const char* part;  // that this page has
+};
+class PageOfKind : public PageTest, public testing::WithParamInterface<KindCase> {};
+
+TEST_P(PageOfKind, HasTheParts) {
+  for (const PanelScene& scene : panelScenes()) {
+    if (scene.name != GetParam().scene) continue;
+    m_page.setDevice(scene.device);
+    m_page.setView(scene.view);
+    settle();
+    EXPECT_EQ(isShown("dial"), GetParam().dial);
+    EXPECT_EQ(isShown("stick"), GetParam().stick);
+    EXPECT_EQ(isShown("stops"), GetParam().stops);
+    EXPECT_TRUE(isShown(GetParam().part));
+    return;
+  }
+  FAIL() << "no such scene";
+}
+INSTANTIATE_TEST_SUITE_P(OfEachKind, PageOfKind,
+                         testing::Values(KindCase{"fresh", true, false, true, "outputsLamps"},
+                                         KindCase{"forestry", true, false, true, "outputsLamps"},
+                                         KindCase{"no_pin", true, false, true, "statusLamps"},
+                                         KindCase{"riser", false, false, false, "riserLamps"},
+                                         KindCase{"io_module", false, false, false, "inputsLamps"},
+                                         KindCase{"joystick", false, true, false, "switchesLamps"},
+                                         KindCase{"foreign", false, false, false, "addressFacts"},
+                                         KindCase{"heartbeat_only", false, false, false, "nodeFacts"},
+                                         KindCase{"gateway_monitor", true, false, true, "nodeFacts"}),
+                         [](const auto& row) { return std::string(row.param.scene); });
+
+// From each page to each other: no part of the one before is left over, and every text is there.
+TEST_F(PageTest, ChangesFromAnyDeviceToAnyOther) {
+  const std::vector<PanelScene> scenes = panelScenes();
+  for (const PanelScene& from : scenes) {
+    for (const PanelScene& to : scenes) {
+      m_page.setDevice(from.device);
+      m_page.setView(from.view);
+      m_page.setDevice(to.device);
+      m_page.setView(to.view);
+      const MonitorPageValues& v = m_page.values();
+      EXPECT_EQ(v, monitorPageOf(to.view, to.device));
+      EXPECT_EQ(isShown("dial"), v.isFound && v.dial.has_value()) << from.name << " to " << to.name;
+      for (const PageLampGroup& group : v.lamps) {
+        EXPECT_TRUE(isShown(qPrintable(group.key + QStringLiteral("Lamps"))))
+            << from.name << " to " << to.name;
+      }
+      int shown = 0;
+      for (const QWidget* w : m_page.findChildren<QWidget*>())
+        shown += w->objectName().endsWith(QStringLiteral("Lamps")) && w->isVisible();
+      EXPECT_EQ(shown, v.isFound ? static_cast<int>(v.lamps.size()) : 0) << from.name << " to " << to.name;
+    }
+  }
+}
+
+// Nothing stands on anything else, and nothing is squeezed below what it needs, at any width.
+TEST_F(PageTest, LaysOutWithoutOverlapAtAnySize) {
+  for (const QSize size :
+       {QSize(1030, 500), QSize(1030, 420), QSize(1584, 900), QSize(700, 600), QSize(400, 700)}) {
+    for (const PanelScene& scene : panelScenes()) {
+      m_page.resize(size);
+      m_page.setDevice(scene.device);
+      m_page.setView(scene.view);
+      settle();
+      if (!m_page.values().isFound) continue;
+      const auto* content = find<QWidget>("pageContent");
+      QList<QRect> taken;
+      for (const QWidget* w : content->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!w->isVisible()) continue;
+        for (const QRect& other : taken)
+          EXPECT_FALSE(other.intersects(w->geometry()))
+              << scene.name << ' ' << size.width() << ' ' << w->objectName().toStdString();
+        taken << w->geometry();
+        EXPECT_TRUE(content->rect().contains(w->geometry()))
+            << scene.name << ' ' << size.width() << ' ' << w->objectName().toStdString();
+      }
+      for (const QLabel* label : content->findChildren<QLabel*>()) {
+        if (!label->isVisible()) continue;
+        const int needed =
+            label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        EXPECT_GE(label->height(), needed)
+            << scene.name << ' ' << size.width() << ' ' << label->text().toStdString();
+      }
+      for (const StatusLamp* l : content->findChildren<StatusLamp*>()) {
+        if (l->isVisible()) {
+          EXPECT_GE(l->height(), 32) << scene.name << ' ' << l->objectName().toStdString();
+        }
+      }
+    }
+  }
+}
+
+TEST_F(PageTest, MovesNothingWhileValuesChangeTheirWidth) {
+  m_bus.monitor();
+  show();
+  const auto places = [&] {
+    QList<QRect> rects;
+    for (const QWidget* w : m_page.findChildren<QWidget*>()) {
+      if (w->isVisible() && !w->objectName().startsWith(QStringLiteral("qt_")))
+        rects << QRect(w->mapTo(&m_page, QPoint()), w->size());
+    }
+    return rects;
+  };
+  const QList<QRect> before = places();
+  m_bus.pass(90min);
+  m_bus.monitor("01FFF4FFF4AAAAAE", kOscillating).pass(400ms);
+  show();
+  EXPECT_EQ(places().size(), before.size());
+  const QList<QRect> after = places();
+  for (int i = 0; i < std::min(before.size(), after.size()); ++i)
+    EXPECT_EQ(before[i].topLeft(), after[i].topLeft()) << i;
+}
+
+TEST_F(PageTest, ShowsDialAndStopsWithoutScrollingOnASmallScreen) {
+  m_bus.monitor();
+  show();
+  const auto* scroll = find<QScrollArea>("pageScroll");
+  EXPECT_EQ(scroll->verticalScrollBar()->value(), 0);
+  for (const char* name : {"dial", "stops", "statusLamps"}) {
+    const auto* w = find<QWidget>(name);
+    EXPECT_LE(w->mapTo(scroll->viewport(), QPoint(0, w->height())).y(), scroll->viewport()->height()) << name;
+  }
+  EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0);
+}
+
+TEST_F(PageTest, HasNamesForReaders) {
+  for (const PanelScene& scene : panelScenes()) {
+    m_page.setDevice(scene.device);
+    m_page.setView(scene.view);
+    for (const StatusLamp* l : m_page.findChildren<StatusLamp*>()) {
+      EXPECT_FALSE(l->accessibleName().isEmpty()) << scene.name;
+      EXPECT_FALSE(l->objectName().isEmpty()) << scene.name;
+    }
+  }
+}
+
+// Two rooms that share nothing write ages; they write them alike.
+TEST(Ages, AreWrittenAlikeByTheDialAndByThePanels) {
+  for (const Duration age :
+       {Duration(-1s), Duration(0s), Duration(100ms), Duration(9949ms), Duration(9950ms), Duration(99s),
+        Duration(100s), Duration(99min), Duration(100min), Duration(47h), Duration(48h), Duration(1000h)})
+    EXPECT_EQ(ageText(age), briefAge(age)) << age.count();
+}
+
+}  // namespace
+}  // namespace deckpipe

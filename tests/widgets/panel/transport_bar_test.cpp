@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/transport_bar.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QTest>
+#include <cstdlib>
+#include <ctime>
+
+#include "paint/timeline.h"
+#include "panel/time_readout.h"
+#include "panel/transport_button.h"
+#include "support/frames.h"
+#include "support/logs.h"
+#include "widgets/panel/panel_samples.h"
+
+namespace deckpipe {
+namespace {
+
+struct TransportBarTest : testing::Test {
+  TransportBar bar;
+  QSignalSpy play{&bar, &TransportBar::playRequested};
+  QSignalSpy pause{&bar, &TransportBar::pauseRequested};
+  QSignalSpy seek{&bar, &TransportBar::seekRequested};
+  QSignalSpy step{&bar, &TransportBar::stepRequested};
+  QSignalSpy end{&bar, &TransportBar::endRequested};
+  QSignalSpy speed{&bar, &TransportBar::speedRequested};
+  std::shared_ptr<LogDocument> log = test::logOfText(test::busyText(100));
+
+  TransportBarTest() {
+    bar.resize(1366, bar.sizeHint().height());
+    bar.show();
+  }
+  template <typename T>
+  T* child(const char* name) const {
+    return bar.findChild<T*>(QString::fromLatin1(name));
+  }
+  Timeline* timeline() const { return child<Timeline>("timeline"); }
+};
+
+TEST_F(TransportBarTest, OffersNothingWithoutFrames) {
+  for (const auto& view : {LogView{}, test::viewOf(std::make_shared<LogDocument>())}) {
+    bar.setView(view, {});
+    for (const char* name : {"play", "stepBack", "stepForward", "toEnd"})
+      EXPECT_FALSE(child<QAbstractButton>(name)->isEnabled()) << name;
+    QTest::keyClick(timeline(), Qt::Key_Space);
+    QTest::keyClick(timeline(), Qt::Key_Right);
+    bar.grab();
+  }
+  EXPECT_EQ(play.count() + pause.count() + seek.count() + step.count() + end.count(), 0);
+}
+
+TEST_F(TransportBarTest, SpacePlaysAndPauses) {
+  bar.setView(test::viewOf(log, 50), {.isPlaying = false});
+  QTest::keyClick(timeline(), Qt::Key_Space);
+  EXPECT_EQ(play.count(), 1);
+  bar.setView(test::viewOf(log, 50), {.isPlaying = true});
+  QTest::keyClick(timeline(), Qt::Key_Space);
+  EXPECT_EQ(pause.count(), 1);
+  EXPECT_EQ(play.count(), 1);
+}
+
+TEST_F(TransportBarTest, ButtonsAskForWhatTheySay) {
+  bar.setView(test::viewOf(log, 50), {});
+  QTest::mouseClick(child<QAbstractButton>("play"), Qt::LeftButton);
+  QTest::mouseClick(child<QAbstractButton>("stepBack"), Qt::LeftButton);
+  QTest::mouseClick(child<QAbstractButton>("stepForward"), Qt::LeftButton);
+  QTest::mouseClick(child<QAbstractButton>("toEnd"), Qt::LeftButton);
+  EXPECT_EQ(play.count(), 1);
+  ASSERT_EQ(step.count(), 2);
+  EXPECT_EQ(step[0][0].toInt(), -1);
+  EXPECT_EQ(step[1][0].toInt(), 1);
+  EXPECT_EQ(end.count(), 1);
+}
+
+TEST_F(TransportBarTest, SeeksToTheInstantThatIsPointedAt) {
+  const LogView view = test::viewOf(log, 50);
+  bar.setView(view, {});
+  const TimelineGeometry g = timeline()->geometryNow();
+  QTest::mouseClick(timeline(), Qt::LeftButton, {}, {static_cast<int>(g.right()) + 1, 20});
+  EXPECT_EQ(seek.last()[0].value<Instant>(), view.end);
+  QTest::mouseClick(timeline(), Qt::LeftButton, {}, {2, 20});
+  EXPECT_EQ(seek.last()[0].value<Instant>(), view.begin);
+  const int x = 400;
+  QTest::mouseClick(timeline(), Qt::LeftButton, {}, {x, 20});
+  EXPECT_EQ(seek.last()[0].value<Instant>(), g.timeAt(x));
+  QTest::keyClick(timeline(), Qt::Key_Right);
+  EXPECT_EQ(seek.last()[0].value<Instant>(), view.cursor.time + 1s);
+}
+
+TEST_F(TransportBarTest, ShowsTheStateItIsGiven) {
+  auto* playButton = child<TransportButton>("play");
+  auto* toEnd = child<TransportButton>("toEnd");
+  auto* choice = child<QComboBox>("speed");
+  bar.setView(test::viewOf(log, 50), {.isPlaying = true, .speed = 4});
+  EXPECT_EQ(playButton->sign(), TransportButton::Sign::Pause);
+  EXPECT_EQ(playButton->accessibleName(), QStringLiteral("Pause"));
+  EXPECT_FALSE(toEnd->isOn());
+  EXPECT_EQ(choice->currentText().toStdString(), "4×");
+  EXPECT_EQ(speed.count(), 0) << "being told is not asking";
+  bar.setView(test::viewOf(log), {.isPlaying = false, .speed = 0.25});
+  EXPECT_EQ(playButton->accessibleName(), QStringLiteral("Play"));
+  EXPECT_TRUE(toEnd->isOn());
+  EXPECT_EQ(toEnd->text(), QStringLiteral("At the end"));
+  EXPECT_EQ(choice->currentText().toStdString(), "0.25×");
+  EXPECT_FALSE(child<QAbstractButton>("stepForward")->isEnabled());
+}
+
+TEST_F(TransportBarTest, AsksForTheSpeedThatIsChosen) {
+  bar.setView(test::viewOf(log, 50), {});
+  auto* choice = child<QComboBox>("speed");
+  choice->setFocus();
+  QTest::keyClick(choice, Qt::Key_Down);
+  ASSERT_EQ(speed.count(), 1);
+  EXPECT_EQ(speed[0][0].toDouble(), 2.0);
+}
+
+TEST_F(TransportBarTest, ChangesOfStateMoveNothing) {
+  bar.setView(test::viewOf(log), {.isPlaying = true});
+  const QRect strip = timeline()->geometry();
+  bar.setView(test::viewOf(log, 1), {.isPlaying = false, .speed = 16});
+  QCoreApplication::sendPostedEvents();
+  EXPECT_EQ(timeline()->geometry(), strip);
+  bar.setView({}, {});
+  QCoreApplication::sendPostedEvents();
+  EXPECT_EQ(timeline()->geometry(), strip);
+}
+
+TEST_F(TransportBarTest, ControlsAreLargeEnoughAndHaveNames) {
+  for (QWidget* widget : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    EXPECT_GE(widget->height(), 32) << widget->objectName().toStdString();
+    EXPECT_GE(widget->width(), 32) << widget->objectName().toStdString();
+    EXPECT_FALSE(widget->objectName().isEmpty());
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->objectName().toStdString();
+  }
+}
+
+TEST_F(TransportBarTest, FillsTheTimelineFromTheLog) {
+  log->notes.append({.frame = 30, .time = log->frames.timeAt(30), .text = "water on"});
+  log->notes.append({.frame = 60, .time = log->frames.timeAt(60), .kind = NoteKind::Dropped, .number = 12});
+  bar.setView(test::viewOf(log, 50), {});
+  const TimelineValues& values = timeline()->values();
+  EXPECT_FALSE(values.isEmpty);
+  EXPECT_EQ(values.end, log->frames.lastTime());
+  ASSERT_EQ(values.marks.size(), 3u);
+  EXPECT_EQ(values.marks[0].text, QStringLiteral("water on"));
+  EXPECT_EQ(values.marks[1].kind, TimelineMark::Kind::Attend);
+  EXPECT_EQ(values.marks[1].text, QStringLiteral("can0: 12 frames lost"));
+  EXPECT_EQ(values.marks[2].kind, TimelineMark::Kind::TimeJump);
+}
+
+TEST(LogMarks, CountsFramesInEqualPartsOfTheSpan) {
+  std::vector<Frame> frames;
+  for (const std::int64_t ms : {0, 1, 2, 3, 500, 990, 1000})
+    frames.push_back(test::frame("123", "", 0, ms * 1'000'000 + 1));
+  const LogView view = test::viewOf(test::logOf(frames));
+  LogMarks marks;
+  EXPECT_TRUE(marks.take(view, 4));
+  ASSERT_EQ(marks.density().size(), 4u);
+  EXPECT_EQ(marks.density()[0], 1.0f);
+  EXPECT_EQ(marks.density()[1], 0.0f);
+  EXPECT_EQ(marks.density()[2], 0.5f);
+  EXPECT_FLOAT_EQ(marks.density()[3], std::sqrt(0.5f));
+}
+
+TEST(LogMarks, LooksThroughALongLogAPieceAtATime) {
+  std::vector<Frame> frames(LogMarks::kFramesAtOnce + 10, test::frame("123", "", 0, 5'000'000));
+  frames.back().stamp = 1'000;
+  const LogView view = test::viewOf(test::logOf(frames));
+  LogMarks marks;
+  EXPECT_FALSE(marks.take(view, 100));
+  EXPECT_TRUE(marks.marks().empty());
+  EXPECT_TRUE(marks.take(view, 100));
+  EXPECT_EQ(marks.marks().size(), 1u);
+  EXPECT_TRUE(marks.take(LogView{}, 100));
+  EXPECT_TRUE(marks.marks().empty());
+}
+
+TEST(TimeReadout, WritesTimesInFiguresThatDoNotJump) {
+  EXPECT_EQ(elapsedText(Duration(0)).toStdString(), "0:00:00.000");
+  EXPECT_EQ(elapsedText(3723456789000ns).toStdString(), "1:02:03.456");
+  EXPECT_EQ(elapsedText(-5s).toStdString(), "0:00:00.000");
+  setenv("TZ", "UTC", 1);
+  tzset();
+  EXPECT_EQ(stampTimeText(1'700'000'000'123'456'789).toStdString(), "2023-11-14 22:13:20.123");
+  EXPECT_EQ(stampTimeText(12'345'600'000).toStdString(), "12.346 s");
+}
+
+TEST(TimeReadout, SaysWhatTheLogsOwnClockSaysAtTheCursor) {
+  auto log =
+      test::logOf({test::frame("123", "", 0, 2'000'000'000), test::frame("123", "", 0, 3'000'000'000)});
+  EXPECT_FALSE(stampAt({}));
+  EXPECT_FALSE(stampAt(test::viewOf(log, 0)));
+  EXPECT_EQ(stampAt(test::viewOf(log, 1)), 2'000'000'000);
+  LogView between = test::viewOf(log, 1);
+  between.cursor.time = between.cursor.time + 250ms;
+  EXPECT_EQ(stampAt(between), 2'250'000'000);
+}
+
+}  // namespace
+}  // namespace deckpipe

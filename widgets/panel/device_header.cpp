@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/device_header.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPolygonF>
+
+#include "model/device_model.h"
+#include "panel/secondary_font.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr double kPad = 8;
+constexpr double kArrow = 3.5;  // half its width
+
+}  // namespace
+
+DeviceHeader::DeviceHeader(QWidget* parent)
+    : QHeaderView(Qt::Horizontal, parent), m_colours(coloursOf(Theme::Light)) {
+  setObjectName(QStringLiteral("deviceListHeader"));
+  setAccessibleName(tr("Sort the devices by"));
+  setSectionsMovable(false);
+  setStretchLastSection(false);
+  setSortIndicatorClearable(true);
+  setSortIndicator(-1, Qt::AscendingOrder);
+  setMinimumSectionSize(32);
+  setFixedHeight(32);
+  setHighlightSections(false);
+}
+
+void DeviceHeader::setColours(const Colours& colours) {
+  m_colours = colours;
+  viewport()->update();
+}
+
+// What lies beside the sections, over the scroll bar.
+void DeviceHeader::paintEvent(QPaintEvent* event) {
+  QPainter(viewport()).fillRect(viewport()->rect(), m_colours.surface);
+  QHeaderView::paintEvent(event);
+}
+
+void DeviceHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+  QPainter& p = *painter;
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.fillRect(rect, m_colours.surface);
+  const QFont small = secondaryFont(font());
+  const QFontMetricsF metrics(small);
+  const QString text = model()->headerData(section, orientation()).toString();
+  const double width = metrics.horizontalAdvance(text);
+  const bool isSorted = sortIndicatorSection() == section;
+  double left = rect.left() + kPad;
+  if (section == DeviceModel::HealthColumn) {
+    left = rect.center().x() + 0.5 - width / 2;  // as its cells: centred
+  } else if (section != DeviceModel::DeviceColumn) {
+    left = rect.right() + 1 - kPad - width;
+  }
+  const double baseline = rect.center().y() + metrics.capHeight() / 2;
+  p.setFont(small);
+  p.setPen(isSorted ? m_colours.accent.ink : m_colours.textSecondary);
+  p.drawText(QPointF(left, baseline), text);
+  if (isSorted) {
+    // Under the word, where it takes no room from it.
+    const QPointF tip(left + width / 2, rect.bottom() - 3);
+    const double down = sortIndicatorOrder() == Qt::DescendingOrder ? 1 : -1;
+    p.setPen(Qt::NoPen);
+    p.setBrush(m_colours.accent.ink);
+    p.drawPolygon(QPolygonF{tip + QPointF(-kArrow, -2 * down), tip + QPointF(kArrow, -2 * down),
+                            tip + QPointF(0, 2.5 * down)});
+  }
+  p.setPen(QPen(m_colours.stale.fill, 1));
+  p.setRenderHint(QPainter::Antialiasing, false);
+  p.drawLine(rect.bottomLeft(), rect.bottomRight());
+  p.restore();
+}
+
+}  // namespace deckpipe

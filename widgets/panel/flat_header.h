@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The column titles of lists: flat, and aligned with the cells below them. For the trace and the decode
+// detail, whose cells have the same padding.
+#pragma once
+
+#include <QHeaderView>
+
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class FlatHeader : public QHeaderView {
+  Q_OBJECT
+
+ public:
+  static constexpr int kPadding = 6;  // at either side of titles and cells
+  static constexpr int kLeastHeight = 32;
+
+  explicit FlatHeader(QWidget* parent = nullptr);
+  void setColours(const Colours& colours);
+  // So much at the left belongs to no column; sections begin behind it and are scrolled under it.
+  void setGutter(int width);
+  void scrollTo(int offset) { setOffset(offset - m_gutter); }
+
+ protected:
+  void paintSection(QPainter* painter, const QRect& rect, int section) const override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Colours m_colours;
+  int m_gutter = 0;
+};
+
+}  // namespace deckpipe

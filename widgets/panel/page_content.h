@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the parts of a page stand: dial or stick with what belongs beside it, then further lamps, then facts
+// in columns; all under one another where it is narrow. Used by MonitorPage inside its scroll area.
+//
+// By hand, not by nested layouts: half of the parts have a height that depends on their width, and Qt's box
+// layouts, nested, take that from one part to give it to another.
+#pragma once
+
+#include <QRect>
+#include <QWidget>
+#include <vector>
+
+namespace deckpipe {
+
+class PageContent : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    QWidget* dial = nullptr;   // grows with the room there is
+    QWidget* stick = nullptr;  // has its own width
+    std::vector<QWidget*> beside, below, facts;
+    friend bool operator==(const Parts&, const Parts&) = default;
+  };
+
+  explicit PageContent(QWidget* parent = nullptr);
+
+  // Only these are visible.
+  void setParts(const Parts& parts);
+  // The height that can be seen at once: what the others leave of it is the dial's.
+  void setRoom(int height);
+
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {240, 160}; }
+
+ protected:
+  bool event(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Place {
+    QWidget* part;
+    QRect rect;
+  };
+  // All parts at a width; `height` becomes that of the whole.
+  std::vector<Place> places(int width, int& height) const;
+  void arrange();
+
+  Parts m_parts;
+  int m_room = 0;
+};
+
+}  // namespace deckpipe
