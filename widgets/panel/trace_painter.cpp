@@ -4,6 +4,7 @@
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QPainter>
+#include <cmath>
 #include <optional>
 
 #include "paint/glyph.h"
@@ -62,7 +63,7 @@ TracePainter::TracePainter(QPainter& painter, const Colours& colours, const Trac
       m_fonts(fonts),
       m_textMetrics(fonts.text),
       m_figureMetrics(fonts.figures),
-      m_figureWidth(m_figureMetrics.horizontalAdvance(QLatin1Char('0'))),
+      m_figureWidth(QFontMetricsF(fonts.figures).horizontalAdvance(QLatin1Char('0'))),
       m_columns(std::move(columns)) {}
 
 void TracePainter::row(const QRect& rect, const QModelIndex& index, Look look) {
@@ -152,7 +153,8 @@ void TracePainter::cells(const QRect& rect, const QModelIndex& index, Marks mark
     const bool isTabular = TraceFonts::isTabular(column.column);
     const QFontMetrics& metrics = isTabular ? m_figureMetrics : m_textMetrics;
     const auto widthOf = [&](const QString& t) {
-      return isTabular ? static_cast<int>(t.size()) * m_figureWidth : metrics.horizontalAdvance(t);
+      return isTabular ? static_cast<int>(std::ceil(static_cast<double>(t.size()) * m_figureWidth))
+                       : metrics.horizontalAdvance(t);
     };
     int needed = widthOf(text);
     if (needed > width) {

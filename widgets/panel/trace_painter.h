@@ -56,7 +56,7 @@ class TracePainter {
   const TraceFonts& m_fonts;
   const QFontMetrics m_textMetrics;
   const QFontMetrics m_figureMetrics;
-  const int m_figureWidth;
+  const double m_figureWidth;
   const std::vector<TraceColumn> m_columns;
 };
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/frames.h"
 
 namespace deckpipe {
@@ -85,6 +87,31 @@ TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceThatCannotClaim) {
   hear("18EEFFFE", kNameOfA);
   EXPECT_EQ(device(kPinA)->address, kNullAddress);
   EXPECT_EQ(node(0x80).claim, ClaimState::CannotClaim);
+}
+
+TEST_F(StateOfOneChannel, DoesNotGiveANewPinWhatAnotherDeviceSaidAtItsAddress) {
+  hear("18EEFF80", kNameOfA);
+  hear("18EFFF80", kPosition);
+  hear("18EEFF80", kLowerForeignName);
+  hear("18EFFF80", kAnnouncesB);
+  EXPECT_TRUE(at(0x80) == nullptr || !at(0x80)->position.isKnown());
+}
+
+TEST_F(StateOfOneChannel, EndsAtTheLastInstantThereIs) {
+  m_now = {std::numeric_limits<std::int64_t>::max() - 1};
+  hear("18EFFF80", kPosition);
+  hear("0CFDD633", "107D046400100000");
+  pass(1ns);
+  hear("18EFFF80", kPosition);
+  EXPECT_EQ(m_state.cursor().time, kNever);
+  EXPECT_FALSE(at(0x80)->isStale(Periodic::Position));
+}
+
+TEST_F(StateOfOneChannel, MakesNoDeviceOfWhatOnlyLooksLikeCanopen) {
+  hear("5A4", "41");
+  hear("736", "0102030405060708");
+  EXPECT_EQ(m_state.devices().byNode(kCan0, {0x24}), nullptr);
+  EXPECT_EQ(m_state.devices().byNode(kCan0, {0x36}), nullptr);
 }
 
 TEST_F(StateOfOneChannel, CallsAPeriodicValueStaleAfterThreePeriodsAndNotBefore) {
