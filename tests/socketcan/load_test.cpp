@@ -37,7 +37,7 @@ TEST(Load, NothingIsLostUnseenOnAVirtualInterface) {
   const std::uint64_t before = sentOn("vcan0");
   {
     const Program cangen(QStringLiteral("cangen vcan0 -g 0 -i -e"));
-    QTest::qWait(20'000);
+    QTest::qWait(60'000);
   }
   expectAllAccountedFor(console, "vcan0", before);
   EXPECT_GT(console.document().frames.count(), 10'000u);

@@ -64,7 +64,10 @@ TEST_F(Twin, DevicesAppearPositionsMoveAndOurLogIsCandumps) {
   }
   // An emulated controller on a slow machine does lose some: exactly those that the driver counted.
   shell(QStringLiteral("ip -s -s link show can0"));
-  EXPECT_EQ(console.session.snapshot().source.notKept, driverLost(QStringLiteral("can0")));
+  EXPECT_TRUE(console.waitUntil([&] {
+    return console.session.snapshot().source.notKept == driverLost(QStringLiteral("can0"));
+  })) << console.session.snapshot().source.notKept
+      << " counted, " << driverLost(QStringLiteral("can0")) << " lost by the driver";
 }
 
 // On the sender's own interface: the frames of another program are not ours, though they never were on a wire
