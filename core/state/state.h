@@ -47,6 +47,7 @@ struct ChannelState {
   std::uint64_t dropped = 0;  // said lost by notes
   Instant lastFrame = kNotYet;
   ChannelLink link = ChannelLink::Unknown;
+  Address ownAddress;  // of the console that recorded this; null while it held none
   friend bool operator==(const ChannelState&, const ChannelState&) = default;
 };
 
