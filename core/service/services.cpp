@@ -25,6 +25,7 @@ void Services::linkChanged(Instant now, const State& state, bool isUp) {
   m_pipes.endAll(now, live, m_out);
   m_claim.stop();
   m_out.frames.clear();
+  if (live.own != kNullAddress) m_out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "link lost");
 }
 
 void Services::unlock(Instant now, const Live& live) {
@@ -39,6 +40,7 @@ void Services::lock(Instant now, const Live& live) {
   m_pipes.endAll(now, live, m_out);
   m_claim.stop();
   m_out.frames.clear();
+  if (live.own != kNullAddress) m_out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "locked");
   m_out.note(NoteKind::Locked, live.channel, {}, 0);
 }
 
