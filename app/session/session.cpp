@@ -95,9 +95,8 @@ void Session::openDemo() {
   connect(m_bench, &BenchRunner::busReady, this, [this, own](const QString& interfaceName) {
     if (m_document == nullptr || own.lock() != m_document || m_live != nullptr) return;
     const Channel channel{m_document->frames.channel("can0")};
-    m_live = new LiveBus(m_document,
-                         {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel},
-                         m_claim);
+    m_live = new LiveBus(
+        m_document, {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel}, m_claim);
     startOnBusThread(m_live, [live = m_live] { live->start(); });
   });
   connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {

@@ -106,7 +106,8 @@ QString noteText(const LogDocument& log, const Note& note) {
     case NoteKind::DriveUnsaid: return EventText::tr("%1: address %2 is no drive").arg(channel, address);
     case NoteKind::OwnAddress: return ownAddressText(note, address);
     case NoteKind::Asked:
-      return EventText::tr("%1 asked of %2").arg(askText(static_cast<Ask>(note.number)), askedOf(note, address));
+      return EventText::tr("%1 asked of %2")
+          .arg(askText(static_cast<Ask>(note.number)), askedOf(note, address));
     case NoteKind::AskEnded:
       return EventText::tr("%1 of %2: %3")
           .arg(askText(static_cast<Ask>(note.number & 0xFF)), askedOf(note, address),
@@ -126,7 +127,8 @@ EventWeight weightOf(const Note& note) {
     case NoteKind::AskEnded:
       return static_cast<RequestEnd>(note.number >> 8) == RequestEnd::Answered ? EventWeight::Plain
                                                                                : EventWeight::Attend;
-    case NoteKind::OwnAddress: return note.text == "claimed" || note.text == "locked" ? EventWeight::Plain : EventWeight::Attend;
+    case NoteKind::OwnAddress:
+      return note.text == "claimed" || note.text == "locked" ? EventWeight::Plain : EventWeight::Attend;
     default: return EventWeight::Plain;
   }
 }
