@@ -16,7 +16,8 @@ Instant monotonicTime() {
 
 }  // namespace
 
-BenchRunner::BenchRunner(std::uint64_t seed) : m_bench(simulator::standardBench(seed)) {}
+BenchRunner::BenchRunner(std::uint64_t seed, unsigned monitors)
+    : m_bench(simulator::standardBench(seed, {}, monitors)) {}
 BenchRunner::~BenchRunner() { stop(); }
 
 void BenchRunner::startDemo() {

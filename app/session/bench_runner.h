@@ -19,7 +19,7 @@ namespace deckpipe {
 class BenchRunner : public QObject, private PortListener {
   Q_OBJECT
  public:
-  explicit BenchRunner(std::uint64_t seed = 1);
+  explicit BenchRunner(std::uint64_t seed = 1, unsigned monitors = 1);
   ~BenchRunner() override;
 
   // For setting up before it starts: what misbehaves, and when (relative to power-on, time 0).
