@@ -316,5 +316,53 @@ TEST_F(Pipe, ADeviceThatLosesItsAddressDropsThePipe) {
   EXPECT_LE(terminal.packets, before + 2);
 }
 
+// Whatever goes wrong, for many seeds: one packet of the device is on its way at a time, the next one comes
+// after an acknowledgement or a second later, and in the end the shell answers as ever.
+TEST(PipeUnderFaults, StaysPacedAndComesBack) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::mt19937 engine(seed);
+    const auto random = [&](unsigned most) { return static_cast<unsigned>(engine() % (most + 1)); };
+    MonitorRig rig;
+    Terminal terminal(rig, rig.monitor);
+    Misbehaviour how;
+    if (random(1) != 0) how.pipe.acksLost = {1, 2 + random(5)};
+    if (random(1) != 0) how.pipe.packetsLost = {1, 2 + random(9)};
+    if (random(1) != 0) how.pipe.packetsUnheard = {1, 2 + random(9)};
+    how.pipe.ackLate = Duration(1ms) * random(300);
+    how.pipe.ackTwice = random(2) == 0;
+    if (random(2) == 0) how.pipe.vanishAfter = 1 + random(60);
+    how.pipe.returnAfter = Duration(1ms) * (1 + random(3000));
+    how.elsewhere = random(1) != 0;
+    rig.monitor.misbehave(how);
+    for (int step = 0; step < 20; ++step) {
+      const char* lines[] = {"SEND 300\r", "FILE 50\r", "HELP\r\n", "A?\n", "\x03", "STAT\r"};
+      terminal.isWaiting = false;  // goes on without the acknowledgement, as a person may
+      terminal.acknowledges = random(9) != 0;
+      terminal.type(lines[random(5)]);
+      terminal.run(Duration(1ms) * random(400));
+    }
+    Instant sentAt = kNotYet;
+    bool isOnItsWay = false;
+    for (const Seen& seen : rig.log) {
+      const bool isPipe = seen.what.isDecoded() && (seen.what.message == MessageId::PipeData ||
+                                                    seen.what.message == MessageId::PipeAck);
+      if (seen.what.isDecoded() && seen.what.message == MessageId::Name) isOnItsWay = false;
+      if (!isPipe) continue;
+      if (seen.what.message == MessageId::PipeAck && seen.source() == Address{0xF9}) isOnItsWay = false;
+      if (seen.what.message != MessageId::PipeData || seen.source() == Address{0xF9}) continue;
+      EXPECT_TRUE(!isOnItsWay || seen.time - sentAt >= PipeEnd::kAckTimeout) << seed;
+      isOnItsWay = true;
+      sentAt = seen.time;
+    }
+    rig.monitor.misbehave({});
+    rig.run(PipeShell::kFileSilence + 5s);  // a file that was begun is given up, a lost device is back
+    Terminal after(rig, rig.monitor);
+    after.packet("\x03");
+    after.run(100ms);
+    after.ask("\r", 3s);  // what was lost is said, a line that was begun ends
+    EXPECT_EQ(after.ask("A?\r"), std::string(rig.monitor.isPowered() ? kBanner : "")) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace deckpipe::simulator::test
