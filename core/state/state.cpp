@@ -149,9 +149,13 @@ void State::apply(const Note& note) {
     case NoteKind::Dropped: channel.dropped += note.number; break;
     case NoteKind::DriveSaid: channel.roles.sayDrive(note.address, true); break;
     case NoteKind::DriveUnsaid: channel.roles.sayDrive(note.address, false); break;
+    case NoteKind::OwnAddress: channel.ownAddress = note.address; break;
     case NoteKind::Locked:
     case NoteKind::Unlocked:
-    case NoteKind::Mark: break;
+    case NoteKind::Mark:
+    case NoteKind::Asked:
+    case NoteKind::AskEnded:
+    case NoteKind::Pipe: break;
   }
 }
 
