@@ -58,16 +58,14 @@ void TraceModel::startFilter() {
   if (m_view.document && isFiltered()) m_sieve = std::make_unique<TraceSieve>(m_view.document, m_filter);
 }
 
-std::uint64_t TraceModel::filteredFrames() const {
-  return m_sieve ? std::min(m_sieve->rows().scanned(), m_view.frameCount) : m_view.frameCount;
-}
-
-bool TraceModel::isFiltering() const { return filteredFrames() < m_view.frameCount; }
-
-std::uint64_t TraceModel::countRows() const {
+// How many rows there are, and how far the filter has looked: of one and the same moment.
+std::uint64_t TraceModel::countRows() {
+  m_filteredFrames = m_view.frameCount;
   if (!m_view.document) return 0;
   const std::uint64_t frames = std::min(m_view.frameCount, m_view.document->frames.count());
-  return m_sieve ? m_sieve->rows().rowOf(frames) : frames;
+  if (!m_sieve) return frames;
+  m_filteredFrames = std::min(frames, m_sieve->rows().scanned());
+  return m_sieve->rows().rowOf(m_filteredFrames);
 }
 
 std::uint64_t TraceModel::rowOf(std::uint64_t frame) const {

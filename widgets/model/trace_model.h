@@ -74,8 +74,8 @@ class TraceModel : public QAbstractTableModel {
   bool isFiltered() const { return !m_filter.isEmpty(); }
   const TraceFilter& filter() const { return m_filter; }
   // Frames that the filter has looked at.
-  std::uint64_t filteredFrames() const;
-  bool isFiltering() const;
+  std::uint64_t filteredFrames() const { return m_filteredFrames; }
+  bool isFiltering() const { return m_filteredFrames < m_view.frameCount; }
 
   void setTimeMode(TimeMode mode);
   TimeMode timeMode() const { return m_timeMode; }
@@ -116,7 +116,7 @@ class TraceModel : public QAbstractTableModel {
   void take(std::uint64_t first, std::vector<TraceRow> rows);
   void sayMarksChanged(std::uint64_t passedBefore);
   void startFilter();
-  std::uint64_t countRows() const;
+  std::uint64_t countRows();
   std::uint64_t windowEnd() const;
   void countPassed();
 
@@ -124,7 +124,8 @@ class TraceModel : public QAbstractTableModel {
   TraceFilter m_filter;
   std::unique_ptr<TraceSieve> m_sieve;  // null where all frames are rows
   TimeMode m_timeMode = TimeMode::Absolute;
-  std::uint64_t m_count = 0;                  // of rows
+  std::uint64_t m_count = 0;  // of rows
+  std::uint64_t m_filteredFrames = 0;
   std::uint64_t m_passed = 0;                 // of them that have happened
   std::optional<std::uint64_t> m_lastPassed;  // the frame of the last of those
   std::size_t m_notes = 0;                    // of the log, when rows were last read

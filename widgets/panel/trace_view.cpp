@@ -211,6 +211,18 @@ void TraceView::stretchDecoded() {
   m_header->resizeSection(TraceModel::Decoded, std::max(kLeastDecoded, left));
 }
 
+void TraceView::setColumnShown(int column, bool isShown) {
+  m_header->setSectionHidden(column, !isShown);
+  stretchDecoded();
+  layOut();
+}
+
+void TraceView::resetColumns() {
+  for (int column = 0; column < m_header->count(); ++column) m_header->setSectionHidden(column, false);
+  setDefaultWidths();
+  layOut();
+}
+
 QByteArray TraceView::saveState() const { return m_header->saveState(); }
 
 bool TraceView::restoreState(const QByteArray& state) {
@@ -234,6 +246,11 @@ QModelIndex TraceView::indexOf(std::uint64_t row, int column) const {
   const std::uint64_t inWindow = row - m_model->windowFirst();
   if (inWindow >= static_cast<std::uint64_t>(m_model->rowCount())) return {};
   return m_model->index(static_cast<int>(inWindow), column);
+}
+
+QModelIndex TraceView::indexOfFrame(std::uint64_t frame, int column) const {
+  const QModelIndex index = m_model == nullptr ? QModelIndex() : indexOf(m_model->rowOf(frame), column);
+  return index.data(TraceModel::FrameRole).toULongLong() == frame ? index : QModelIndex();
 }
 
 void TraceView::paintEvent(QPaintEvent*) {

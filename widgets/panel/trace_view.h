@@ -66,6 +66,11 @@ class TraceView : public QAbstractScrollArea {
   };
   std::optional<Cell> cellAt(QPoint viewportPoint) const;
 
+  void copy();
+  QModelIndex indexOfFrame(std::uint64_t frame, int column) const;
+
+  void setColumnShown(int column, bool isShown);
+  void resetColumns();
   // Column widths, for the caller's settings.
   QByteArray saveState() const;
   bool restoreState(const QByteArray& state);
@@ -115,7 +120,6 @@ class TraceView : public QAbstractScrollArea {
   void selectAll();
   std::optional<std::uint64_t> rowAt(QPointF point) const;
   QModelIndex indexOf(std::uint64_t row, int column = 0) const;
-  void copy();
   void describe();
   void showToolTip(const QPoint& at, const QPoint& global);
 

@@ -228,9 +228,8 @@ void TraceView::copy() {
 }
 
 void TraceView::describe() {
-  const QModelIndex index = m_current ? indexOf(m_model->rowOf(*m_current)) : QModelIndex();
-  const bool isShown = index.isValid() && index.data(TraceModel::FrameRole).toULongLong() == m_current;
-  setAccessibleDescription(isShown ? index.data(Qt::AccessibleTextRole).toString() : QString());
+  const QModelIndex index = m_current ? indexOfFrame(*m_current, 0) : QModelIndex();
+  setAccessibleDescription(index.data(Qt::AccessibleTextRole).toString());
 }
 
 bool TraceView::viewportEvent(QEvent* event) {
