@@ -56,7 +56,15 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
 
 void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
   m_notKept += count;
-  if (reason == NotKept::Overflow) note(NoteKind::Dropped, count, {});
+  switch (reason) {
+    case NotKept::Overflow: note(NoteKind::Dropped, count, {}); break;
+    case NotKept::FlexibleDataRate:
+      for (std::uint32_t i = 0; i < count; ++i) {
+        m_document->unkept.add(m_document->frames.count(), Unkept::CanFd);
+      }
+      break;
+    case NotKept::Invalid: break;
+  }
 }
 
 void LiveBus::linkChanged(LinkState state, const std::string& reason) {

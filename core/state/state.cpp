@@ -32,6 +32,7 @@ void State::apply(const Frame& frame, Instant time) {
   channel.lastFrame = time;
   if (frame.isError()) {
     ++channel.errorFrames;
+    channel.controller = controllerStateOf(frame).value_or(channel.controller);
     return;
   }
   channel.bits += estimatedBits(frame);
@@ -140,7 +141,10 @@ void State::apply(const Note& note) {
   if (note.channel.value >= kMaxChannels) return;
   ChannelState& channel = m_channels[note.channel.value];
   switch (note.kind) {
-    case NoteKind::LinkUp: channel.link = ChannelLink::Up; break;
+    case NoteKind::LinkUp:
+      channel.link = ChannelLink::Up;
+      channel.controller = ControllerState::Unknown;
+      break;
     case NoteKind::LinkDown: channel.link = ChannelLink::Down; break;
     case NoteKind::Dropped: channel.dropped += note.number; break;
     case NoteKind::DriveSaid: channel.roles.sayDrive(note.address, true); break;

@@ -15,29 +15,13 @@ namespace {
 
 // Stamps below are no dates: adapters that count from their own start, trimmed logs.
 constexpr std::int64_t kYear2000 = 946'684'800'000'000'000;
-constexpr std::int64_t kSecond = 1'000'000'000;
-
-QString twoDigits(std::int64_t number) { return QString::number(number).rightJustified(2, QLatin1Char('0')); }
-
-QString milliseconds(std::int64_t ns) {
-  return QLocale().decimalPoint() +
-         QString::number(ns % kSecond / 1'000'000).rightJustified(3, QLatin1Char('0'));
-}
 
 }  // namespace
-
-QString elapsedText(Duration elapsed) {
-  const std::int64_t ns = std::max<std::int64_t>(0, elapsed.count());
-  const std::int64_t seconds = ns / kSecond;
-  return QStringLiteral("%1:%2:%3%4")
-      .arg(seconds / 3600)
-      .arg(twoDigits(seconds / 60 % 60), twoDigits(seconds % 60), milliseconds(ns));
-}
 
 QString stampTimeText(std::int64_t stampNs) {
   if (stampNs < kYear2000) return TimeReadout::tr("%1 s").arg(static_cast<double>(stampNs) / 1e9, 0, 'f', 3);
   return QDateTime::fromMSecsSinceEpoch(stampNs / 1'000'000).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
-         milliseconds(stampNs);
+         millisecondsText(stampNs);
 }
 
 std::optional<std::int64_t> stampAt(const LogView& view) {

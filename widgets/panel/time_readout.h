@@ -10,11 +10,10 @@
 #include "base/time.h"
 #include "paint/palette.h"
 #include "state/log_view.h"
+#include "text/elapsed_text.h"
 
 namespace deckpipe {
 
-// "0:01:23.456", hours without limit.
-QString elapsedText(Duration elapsed);
 // The time of day here, "2023-11-14 22:13:20.000"; seconds where the log counts from something else than
 // 1970.
 QString stampTimeText(std::int64_t stampNs);

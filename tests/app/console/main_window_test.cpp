@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window as a person meets it: a log opened, a device chosen, rows and the timeline worked with real
 // events.
-#include "console/main_window.h"
-
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QFile>
-#include <QLabel>
-#include <QStackedWidget>
-#include <QTemporaryDir>
-#include <QTest>
-
+#include "app/console/window_test.h"
 #include "model/decode_model.h"
 #include "panel/device_panel.h"
 #include "panel/monitor_page.h"
@@ -21,45 +11,10 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
+using test::kPatience;
+using test::kTruck;
 
-class Window : public testing::Test {
- protected:
-  void SetUp() override {
-    m_window.resize(1366, 720);
-    m_window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&m_window));
-  }
-  void openLog(const QByteArray& text) {
-    const QString path = m_dir.filePath(QStringLiteral("truck.log"));
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(text);
-    file.close();
-    m_session.openLog(path);
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-          const Snapshot& s = m_session.snapshot();
-          return s.source.progress == SourceStatus::Progress::Done &&
-                 s.view.state->cursor() == s.view.cursor && s.view.frameCount > 0;
-        },
-        kPatience));
-  }
-  template <typename T>
-  T* only() const {
-    return m_window.findChild<T*>();
-  }
-  QString text(const char* label) const { return m_window.findChild<QLabel*>(QLatin1String(label))->text(); }
-
-  QTemporaryDir m_dir;
-  Session m_session;
-  MainWindow m_window{m_session};
-};
-
-const QByteArray kTruck =
-    "(10.000000) can0 18EFFF80#FF83150206021A0B\n"
-    "(10.100000) can0 18EFFF80#011D940371000041\n"
-    "(10.200000) can0 18EFFF80#01000C0371000041\n";
+class Window : public test::WindowTest {};
 
 TEST_F(Window, SaysWhatToDoWhileNothingIsOpen) {
   EXPECT_TRUE(m_window.findChild<QWidget*>(QStringLiteral("startPage"))->isVisible());

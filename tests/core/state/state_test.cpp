@@ -279,6 +279,21 @@ TEST_F(StateOfOneChannel, TakesLinkDropsLockAndDrivesFromNotes) {
   EXPECT_EQ(m_state.channel(kCan0).link, ChannelLink::Down);
 }
 
+TEST_F(StateOfOneChannel, TakesTheControllersStateFromErrorFramesUntilTheLinkComesUpAnew) {
+  const auto error = [&](std::uint32_t id, std::string_view data) {
+    Frame told = frame("000", data);
+    told.id = kErrorBit | id;
+    m_state.apply(told, m_now);
+  };
+  error(0x04, "0010000000000000");
+  EXPECT_EQ(m_state.channel(kCan0).controller, ControllerState::ErrorPassive);
+  error(0x02, "0500000000000000");  // lost arbitration: says nothing of it
+  EXPECT_EQ(m_state.channel(kCan0).controller, ControllerState::ErrorPassive);
+  EXPECT_EQ(m_state.channel(kCan0).errorFrames, 2u);
+  m_state.apply({.frame = 2, .time = m_now, .kind = NoteKind::LinkUp});
+  EXPECT_EQ(m_state.channel(kCan0).controller, ControllerState::Unknown);
+}
+
 TEST_F(StateOfOneChannel, CountsFramesOfChannelsItDoesNotFollow) {
   m_state.apply(frame("18EFFF80", kPosition, kMaxChannels), m_now);
   EXPECT_EQ(m_state.untrackedFrames(), 1u);

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workspace.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QHideEvent>
+#include <QSettings>
+#include <QTabWidget>
+#include <utility>
+
+#include "model/decode_model.h"
+#include "model/device_rows.h"
+#include "model/trace_model.h"
+#include "panel/decode_panel.h"
+#include "panel/device_panel.h"
+#include "panel/event_panel.h"
+#include "panel/monitor_page.h"
+#include "panel/trace_view.h"
+
+namespace deckpipe {
+namespace {
+
+// Counted up when docks are added or renamed: an arrangement of another version is not taken.
+constexpr int kLayoutVersion = 1;
+constexpr int kDevicesWidth = 336, kDetailWidth = 420, kTraceHeight = 240;
+
+}  // namespace
+
+Workspace::Workspace(QWidget* parent)
+    : QMainWindow(parent), m_traceModel(new TraceModel(this)), m_decodeModel(new DecodeModel(this)) {
+  setObjectName(QStringLiteral("workspace"));
+  setWindowFlags(Qt::Widget);  // QMainWindow makes itself a window, whatever it is told
+  setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  // The device list keeps its height beside the page; trace and events have the whole width.
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+
+  m_devices = new DevicePanel(this);
+  m_page = new MonitorPage(this);
+  m_trace = new TraceView(this);
+  m_trace->setModel(m_traceModel);
+  m_decode = new DecodePanel(this);
+  m_decode->setModel(m_decodeModel);
+  m_events = new EventPanel(this);
+
+  m_centre = new QTabWidget(this);
+  m_centre->setObjectName(QStringLiteral("centreTabs"));
+  m_centre->setAccessibleName(tr("Pages"));
+  m_centre->setDocumentMode(true);
+  m_centre->setTabBarAutoHide(true);
+  m_centre->addTab(m_page, tr("Device"));
+  setCentralWidget(m_centre);
+  m_devicesDock = makeDock("devicesDock", tr("Devices"), m_devices);
+  m_traceDock = makeDock("traceDock", tr("Trace"), m_trace);
+  m_eventsDock = makeDock("eventsDock", tr("Events"), m_events);
+  m_decodeDock = makeDock("decodeDock", tr("Frame in detail"), m_decode);
+  arrange();
+
+  // Only a person closes a dock; that it is hidden while there is nothing to show is no wish of theirs.
+  m_decodeDock->installEventFilter(this);
+  connect(m_decodeDock->toggleViewAction(), &QAction::triggered, this,
+          [this](bool isOn) { m_decodeWanted = isOn; });
+  connect(m_devices, &DevicePanel::deviceSelected, m_page, &MonitorPage::setDevice);
+  connect(m_trace, &TraceView::currentFrameChanged, this, &Workspace::showFrame);
+  connect(m_trace, &TraceView::cursorRequested, this, &Workspace::frameRequested);
+  connect(m_events, &EventPanel::seekRequested, this, &Workspace::seekRequested);
+}
+
+QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget* content) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(QLatin1String(name));
+  dock->setWidget(content);
+  dock->toggleViewAction()->setObjectName(QLatin1String(name) + QStringLiteral("Action"));
+  return dock;
+}
+
+void Workspace::arrange() {
+  for (QDockWidget* dock : docks()) {
+    dock->setFloating(false);
+    removeDockWidget(dock);
+  }
+  addDockWidget(Qt::LeftDockWidgetArea, m_devicesDock);
+  addDockWidget(Qt::BottomDockWidgetArea, m_traceDock);
+  splitDockWidget(m_traceDock, m_decodeDock, Qt::Horizontal);
+  tabifyDockWidget(m_traceDock, m_eventsDock);
+  m_devicesDock->show();
+  m_eventsDock->show();
+  m_traceDock->show();
+  m_traceDock->raise();
+  m_decodeDock->setVisible(m_decodeModel->frame().has_value());
+  shareRoom();
+}
+
+// Sizes mean something to docks only once they are laid out.
+void Workspace::shareRoom() {
+  m_hasShared = isVisible();
+  if (!m_hasShared) return;
+  resizeDocks({m_devicesDock}, {kDevicesWidth}, Qt::Horizontal);
+  resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
+  resizeDocks({m_traceDock}, {kTraceHeight}, Qt::Vertical);
+}
+
+void Workspace::resetLayout() {
+  m_decodeWanted = true;
+  arrange();
+}
+
+void Workspace::setSnapshot(const Snapshot& snapshot) {
+  const LogView& view = snapshot.view;
+  if (m_shown != view.document.get()) {
+    m_shown = view.document.get();
+    m_devices->selectDevice({});
+    m_page->setDevice({});
+    m_trace->setCurrentFrame({});
+    showFrame({});
+  }
+  m_devices->setView(view);
+  chooseFirstMonitor(view);
+  m_page->setView(view);
+  m_page->setAnimated(view.atEnd || snapshot.playing);
+  m_traceModel->setView(view);
+  m_events->setView(view);
+  m_decodeModel->setView(view);
+}
+
+void Workspace::setColours(const Colours& colours) {
+  m_devices->setColours(colours);
+  m_page->setColours(colours);
+  m_trace->setColours(colours);
+  m_events->setColours(colours);
+  m_decode->setColours(colours);
+}
+
+// The detail takes room from the trace only while there is a frame to show.
+void Workspace::showFrame(std::optional<std::uint64_t> frame) {
+  m_decodeModel->setFrame(frame);
+  m_decodeDock->setVisible(m_decodeWanted && frame.has_value());
+}
+
+// Until a person chooses, the first monitor that is heard is looked at.
+void Workspace::chooseFirstMonitor(const LogView& view) {
+  if (m_devices->selectedDevice() != DeviceKey{}) return;
+  for (const DeviceRow& row : deviceRows(*view.state)) {
+    if (row.group != DeviceGroup::Monitors) continue;
+    m_devices->selectDevice(row.key);
+    m_page->setDevice(row.key);
+    return;
+  }
+}
+
+QList<QDockWidget*> Workspace::docks() const {
+  return {m_devicesDock, m_traceDock, m_eventsDock, m_decodeDock};
+}
+
+QList<QAction*> Workspace::dockActions() const {
+  QList<QAction*> actions;
+  for (const QDockWidget* dock : docks()) actions.append(dock->toggleViewAction());
+  return actions;
+}
+
+QList<QWidget*> Workspace::panes() const {
+  QList<QWidget*> panes{m_devicesDock, m_centre, m_traceDock, m_eventsDock, m_decodeDock};
+  // A dock behind another's tab is not hidden, but shows nothing.
+  panes.removeIf([](const QWidget* pane) { return !pane->isVisible() || pane->visibleRegion().isEmpty(); });
+  return panes;
+}
+
+void Workspace::saveTo(QSettings& settings) const {
+  settings.setValue(QStringLiteral("window/docks"), saveState(kLayoutVersion));
+  settings.setValue(QStringLiteral("window/frameDetail"), m_decodeWanted);
+  settings.setValue(QStringLiteral("window/trace"), m_trace->saveState());
+}
+
+void Workspace::restoreFrom(const QSettings& settings) {
+  m_decodeWanted = settings.value(QStringLiteral("window/frameDetail"), true).toBool();
+  if (restoreState(settings.value(QStringLiteral("window/docks")).toByteArray(), kLayoutVersion))
+    m_hasShared = true;
+  m_trace->restoreState(settings.value(QStringLiteral("window/trace")).toByteArray());
+  showFrame(m_decodeModel->frame());
+}
+
+// Floating docks are windows of their own and would stay when the workspace makes room for another page.
+void Workspace::hideEvent(QHideEvent* event) {
+  QMainWindow::hideEvent(event);
+  if (event->spontaneous()) return;
+  for (QDockWidget* dock : docks()) {
+    if (!dock->isFloating() || dock->isHidden()) continue;
+    dock->hide();
+    m_floatingHidden.append(dock);
+  }
+}
+
+void Workspace::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (!m_hasShared) shareRoom();
+  for (QDockWidget* dock : std::exchange(m_floatingHidden, {})) dock->show();
+}
+
+bool Workspace::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_decodeDock && event->type() == QEvent::Close) m_decodeWanted = false;
+  return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace deckpipe

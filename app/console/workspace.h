@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is seen while a log is open: the chosen device's page in the middle, everything else in docks around
+// it. The main window gives it each snapshot and acts on what it asks for. How a person arranged the docks is
+// theirs: saved as a versioned state, and put back to the first arrangement by resetLayout().
+#pragma once
+
+#include <QMainWindow>
+#include <optional>
+
+#include "base/time.h"
+#include "paint/palette.h"
+#include "session/snapshot.h"
+
+class QSettings;
+class QTabWidget;
+
+namespace deckpipe {
+
+class DecodeModel;
+class DecodePanel;
+class DevicePanel;
+class EventPanel;
+class MonitorPage;
+class TraceModel;
+class TraceView;
+
+class Workspace : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit Workspace(QWidget* parent = nullptr);
+
+  void setSnapshot(const Snapshot& snapshot);
+  void setColours(const Colours& colours);
+
+  // One a dock, for the View menu: shows and hides it.
+  QList<QAction*> dockActions() const;
+  // What can be looked at now, in reading order, for going from one to the next by keyboard.
+  QList<QWidget*> panes() const;
+  void resetLayout();
+  void saveTo(QSettings& settings) const;
+  void restoreFrom(const QSettings& settings);
+
+ Q_SIGNALS:
+  // The cursor is wanted behind that frame: it has happened then.
+  void frameRequested(std::uint64_t frame);
+  void seekRequested(deckpipe::Instant time);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QList<QDockWidget*> docks() const;
+  QDockWidget* makeDock(const char* name, const QString& title, QWidget* content);
+  void arrange();
+  void shareRoom();
+  void showFrame(std::optional<std::uint64_t> frame);
+  void chooseFirstMonitor(const LogView& view);
+
+  TraceModel* m_traceModel;
+  DecodeModel* m_decodeModel;
+  DevicePanel* m_devices;
+  QTabWidget* m_centre;
+  MonitorPage* m_page;
+  TraceView* m_trace;
+  EventPanel* m_events;
+  DecodePanel* m_decode;
+  QDockWidget* m_devicesDock;
+  QDockWidget* m_traceDock;
+  QDockWidget* m_eventsDock;
+  QDockWidget* m_decodeDock;
+  bool m_hasShared = false;              // the docks have sizes: the first, or a person's
+  bool m_decodeWanted = true;            // a person did not close it
+  QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it
+  const LogDocument* m_shown = nullptr;  // whose devices were chosen from
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/events.h"
+
+#include <algorithm>
+
+#include "bus/canopen.h"
+#include "bus/j1939.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr std::uint8_t kStatusType = 0x01, kAnnouncementType = 0xFF;  // protocol.md, 1.3
+
+// What the index of roles says of this frame. Asked only where something may have changed.
+bool isMessage(const LogDocument& log, const Event& at, const Frame& frame, MessageId id) {
+  const Classified what = log.roles.walk(at.frame).next(frame, at.time);
+  return what.isDecoded() && what.message == id;
+}
+
+}  // namespace
+
+bool Events::take(const LogDocument& log, std::uint64_t until, std::uint64_t atMost) {
+  const std::uint64_t end = std::min(until, m_looked + atMost);
+  LogTimes times(log.frames);
+  while (m_looked < end && !isFull()) {
+    for (const Frame& frame : log.frames.run(m_looked)) {
+      if (m_looked == end || isFull()) break;
+      Event at;
+      at.frame = m_looked;
+      at.time = times.at(m_looked);
+      at.channel = Channel{frame.channel};
+      look(log, frame, at);
+      ++m_looked;
+    }
+  }
+  return m_looked >= until || isFull();
+}
+
+void Events::look(const LogDocument& log, const Frame& frame, Event at) {
+  if ((frame.flags & Frame::kTimeJump) != 0) add(EventKind::ClockJump, at);
+  if (frame.channel >= kMaxChannels) return;
+  Bus& bus = m_buses[frame.channel];
+  if (frame.isError()) {
+    const bool isNew = bus.lastError == kNotYet || at.time - bus.lastError >= kSilence;
+    bus.lastError = at.time;
+    if (isNew) add(EventKind::ErrorFrames, at);
+    return;
+  }
+  if (frame.isRemote() || frame.length == 0) return;
+  if (frame.isExtended()) {
+    lookExtended(log, bus, frame, at);
+  } else {
+    lookStandard(log, bus, frame, at);
+  }
+}
+
+void Events::lookExtended(const LogDocument& log, Bus& bus, const Frame& frame, Event at) {
+  const J1939Id id = J1939Id::of(frame.identifier());
+  at.address = id.source;
+  if (id.pgn == pgn::kAddressClaimed && frame.length == 8) {
+    nameHeard(bus, Name::of(frame), at);
+    return;
+  }
+  if (id.pgn != pgn::kProprietaryA || id.destination != kGlobalAddress || frame.length != 8) return;
+  if (frame.data[0] == kStatusType) {
+    statusHeard(log, bus.addresses[id.source.value], frame, at);
+  } else if (frame.data[0] == kAnnouncementType) {
+    const auto pin = announcedPin(frame);
+    if (pin && isMessage(log, at, frame, MessageId::AddressAnnouncement)) announced(bus, *pin, at);
+  }
+}
+
+void Events::lookStandard(const LogDocument& log, Bus& bus, const Frame& frame, Event at) {
+  const CobId cob = CobId::of(frame.identifier());
+  if (!cob.hasNode()) return;
+  at.address = kNullAddress;
+  at.node = cob.node;
+  const auto is = [&cob](CobFunction function) {
+    return cob.function == static_cast<std::uint16_t>(function);
+  };
+  if (is(CobFunction::Heartbeat) && frame.length == 1 && frame.data[0] == 0) {
+    add(EventKind::NodeStarted, at);
+  } else if (is(CobFunction::Tpdo1) && frame.length == 8 && frame.data[0] == kStatusType) {
+    statusHeard(log, bus.nodes[cob.node.value], frame, at);
+  }
+}
+
+void Events::nameHeard(Bus& bus, Name name, Event at) {
+  if (name.value == 0 || at.address == kGlobalAddress) return;
+  at.name = name;
+  if (at.address != kNullAddress) {
+    Talker& talker = bus.addresses[at.address.value];
+    if (talker.name == name) return;
+    // A PIN belongs to the device that announced it, and that device left.
+    if (talker.name.value != 0) talker.pin = {};
+    talker.name = name;
+    add(EventKind::Claimed, at);
+    return;
+  }
+  const auto holder = std::find_if(bus.addresses.begin(), bus.addresses.end(),
+                                   [name](const Talker& talker) { return talker.name == name; });
+  if (holder != bus.addresses.end()) {
+    at.address = {static_cast<std::uint8_t>(holder - bus.addresses.begin())};
+    *holder = {};
+  }
+  add(EventKind::CannotClaim, at);
+}
+
+void Events::announced(Bus& bus, const Pin& pin, Event at) {
+  Talker& talker = bus.addresses[at.address.value];
+  if (talker.pin == pin) return;
+  at.pin = pin;
+  const auto before = std::find_if(bus.addresses.begin(), bus.addresses.end(),
+                                   [&pin](const Talker& other) { return other.pin == pin; });
+  const bool hasMoved = before != bus.addresses.end();
+  if (hasMoved) {
+    at.previous = {static_cast<std::uint8_t>(before - bus.addresses.begin())};
+    before->pin = {};
+    before->lastStatus = kNotYet;  // its silence there is no riddle
+  }
+  talker.pin = pin;
+  add(hasMoved ? EventKind::AddressChanged : EventKind::Announced, at);
+}
+
+void Events::statusHeard(const LogDocument& log, Talker& talker, const Frame& frame, const Event& at) {
+  const bool hasError = PositionLimitStatus::of(frame).operationalError == Status2::On;
+  const Instant before = talker.lastStatus;
+  const bool wasSilent = before != kNotYet && at.time - before >= kSilence;
+  talker.lastStatus = at.time;
+  if (!wasSilent && hasError == talker.hasError) return;
+  if (!isMessage(log, at, frame, MessageId::PositionLimitStatus)) return;
+  if (wasSilent) {
+    Event silence = at;
+    silence.lasted = at.time - before;
+    add(EventKind::SilenceEnded, silence);
+  }
+  if (hasError != talker.hasError) add(hasError ? EventKind::ErrorBegan : EventKind::ErrorEnded, at);
+  talker.hasError = hasError;
+}
+
+void Events::add(EventKind kind, Event at) {
+  at.kind = kind;
+  m_list.push_back(at);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The docks: moved, closed and put back by a person, and as they were the next time; and the way from pane to
+// pane by keyboard.
+#include "console/workspace.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QSettings>
+
+#include "app/console/window_test.h"
+#include "panel/decode_panel.h"
+#include "panel/device_panel.h"
+#include "panel/trace_view.h"
+#include "panel/transport_bar.h"
+
+namespace deckpipe {
+namespace {
+
+using test::kTruck;
+
+class Docks : public test::WindowTest {
+ protected:
+  void SetUp() override {
+    QSettings().clear();
+    WindowTest::SetUp();
+    openLog(kTruck);
+  }
+  void clickRow(int row) {
+    auto* trace = only<TraceView>();
+    const int y = row * trace->rowHeight() + trace->rowHeight() / 2;
+    QTest::mouseClick(trace->viewport(), Qt::LeftButton, {}, QPoint(300, y));
+  }
+  bool hasFocus(const QWidget* pane) const {
+    const QWidget* focus = QApplication::focusWidget();
+    return focus != nullptr && (pane == focus || pane->isAncestorOf(focus));
+  }
+};
+
+TEST_F(Docks, AreClosedAndOpenedFromTheViewMenu) {
+  auto* dock = named<QDockWidget>("traceDock");
+  ASSERT_TRUE(dock->isVisible());
+  trigger("traceDockAction");
+  EXPECT_FALSE(dock->isVisible());
+  trigger("traceDockAction");
+  EXPECT_TRUE(dock->isVisible());
+}
+
+TEST_F(Docks, ComeBackWhereTheyWereByResetLayout) {
+  auto* devices = named<QDockWidget>("devicesDock");
+  const QRect before = devices->geometry();
+  only<Workspace>()->addDockWidget(Qt::RightDockWidgetArea, devices);
+  trigger("traceDockAction");
+  trigger("resetLayoutAction");
+  EXPECT_TRUE(named<QDockWidget>("traceDock")->isVisible());
+  EXPECT_EQ(only<Workspace>()->dockWidgetArea(devices), Qt::LeftDockWidgetArea);
+  QApplication::sendPostedEvents();
+  EXPECT_EQ(devices->width(), before.width());
+}
+
+TEST_F(Docks, AreTheNextTimeAsTheyWereLeft) {
+  trigger("traceDockAction");
+  only<Workspace>()->addDockWidget(Qt::RightDockWidgetArea, named<QDockWidget>("devicesDock"));
+  m_window.close();
+  MainWindow next(m_session);
+  next.restoreLayout();
+  auto* workspace = next.findChild<Workspace*>();
+  EXPECT_EQ(workspace->dockWidgetArea(next.findChild<QDockWidget*>(QStringLiteral("devicesDock"))),
+            Qt::RightDockWidgetArea);
+  EXPECT_TRUE(next.findChild<QDockWidget*>(QStringLiteral("traceDock"))->isHidden());
+}
+
+TEST_F(Docks, ShowTheFrameInDetailOnceOneIsLookedAt) {
+  auto* detail = named<QDockWidget>("decodeDock");
+  EXPECT_FALSE(detail->isVisible());
+  clickRow(1);
+  EXPECT_TRUE(detail->isVisible());
+}
+
+TEST_F(Docks, KeepTheFrameInDetailClosedForWhoClosedIt) {
+  clickRow(1);
+  named<QDockWidget>("decodeDock")->close();
+  clickRow(0);
+  EXPECT_FALSE(named<QDockWidget>("decodeDock")->isVisible());
+  trigger("decodeDockAction");
+  EXPECT_TRUE(named<QDockWidget>("decodeDock")->isVisible());
+}
+
+TEST_F(Docks, FloatOnlyWhileALogIsOpen) {
+  auto* dock = named<QDockWidget>("devicesDock");
+  dock->setFloating(true);
+  trigger("closeAction");
+  EXPECT_FALSE(dock->isVisible());
+  openLog(kTruck);
+  EXPECT_TRUE(dock->isVisible());
+}
+
+TEST_F(Docks, AreReachedOneAfterAnotherByF6) {
+  m_window.activateWindow();
+  only<TransportBar>()->setFocus();
+  const QList<QWidget*> panes = only<Workspace>()->panes();
+  ASSERT_EQ(panes.size(), 3);
+  for (const QWidget* pane : panes) {
+    QTest::keyClick(&m_window, Qt::Key_F6);
+    EXPECT_TRUE(hasFocus(pane)) << qPrintable(pane->objectName());
+  }
+  QTest::keyClick(&m_window, Qt::Key_F6);
+  EXPECT_TRUE(hasFocus(only<TransportBar>()));
+  QTest::keyClick(&m_window, Qt::Key_F6, Qt::ShiftModifier);
+  EXPECT_TRUE(hasFocus(panes.last()));
+}
+
+}  // namespace
+}  // namespace deckpipe

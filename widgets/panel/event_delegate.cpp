@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/event_delegate.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "model/event_model.h"
+#include "paint/figures.h"
+#include "paint/glyph.h"
+#include "panel/flat_header.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kSign = 16, kGap = 6;
+constexpr int kLeastHeight = 32;
+
+struct Look {
+  std::optional<Glyph> glyph;
+  QColor ink;
+};
+
+Look lookOf(EventWeight weight, const Colours& c) {
+  switch (weight) {
+    case EventWeight::Fault: return {Glyph::Fault, c.fault.ink};
+    case EventWeight::Attend: return {Glyph::Attend, c.attend.ink};
+    case EventWeight::Mark: return {Glyph::Commanded, c.accent.ink};
+    case EventWeight::Plain: break;
+  }
+  return {{}, c.text};
+}
+
+}  // namespace
+
+EventDelegate::EventDelegate(QObject* parent)
+    : QStyledItemDelegate(parent), m_colours(coloursOf(Theme::Light)) {}
+
+bool EventDelegate::setLastRow(int row) { return std::exchange(m_lastRow, row) != row; }
+
+QSize EventDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+  return {120, std::max(kLeastHeight, option.fontMetrics.height() + 10)};
+}
+
+void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
+  const bool isSelected = (option.state & QStyle::State_Selected) != 0;
+  const bool hasHappened = index.row() <= m_lastRow;
+  const QColor ground = index.row() % 2 != 0 ? m_colours.surfaceAlternate : m_colours.surface;
+  painter->fillRect(option.rect, isSelected ? m_colours.accent.fill : ground);
+  const Look look = lookOf(static_cast<EventWeight>(index.data(EventModel::WeightRole).toInt()), m_colours);
+  QColor ink = index.column() == EventModel::What ? m_colours.text : m_colours.textSecondary;
+  if (!hasHappened) ink = m_colours.stale.ink;
+  if (isSelected) ink = m_colours.accent.onFill;
+  QRect area = option.rect.adjusted(FlatHeader::kPadding, 0, -FlatHeader::kPadding, 0);
+  const QString text = index.data().toString();
+  if (index.column() == EventModel::When) {
+    drawFigures(*painter, QRectF(area), {text, {}, option.font, option.font, ink, ink});
+    return;
+  }
+  if (index.column() == EventModel::What) {
+    const QRect sign(area.left(), area.center().y() - kSign / 2, kSign, kSign);
+    const QColor signInk = isSelected || !hasHappened ? ink : look.ink;
+    if (look.glyph)
+      drawGlyph(*painter, sign.adjusted(1, 1, -1, -1), *look.glyph, signInk, Qt::transparent,
+                m_colours.stroke);
+    area.setLeft(sign.right() + 1 + kGap);
+  }
+  painter->setFont(option.font);
+  painter->setPen(ink);
+  painter->drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+                    option.fontMetrics.elidedText(text, Qt::ElideRight, area.width()));
+}
+
+}  // namespace deckpipe

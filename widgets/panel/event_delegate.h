@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a row of the list of events is drawn: the sign of what wants attention beside its words, and lighter
+// what has not happened yet at the cursor.
+#pragma once
+
+#include <QStyledItemDelegate>
+
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class EventDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  explicit EventDelegate(QObject* parent = nullptr);
+  void setColours(const Colours& colours) { m_colours = colours; }
+  // The last row that has happened. True where that changes what is drawn.
+  bool setLastRow(int row);
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  Colours m_colours;
+  int m_lastRow = -1;
+};
+
+}  // namespace deckpipe
