@@ -10,12 +10,11 @@
 
 #include "model/decode_model.h"
 #include "model/device_rows.h"
-#include "model/trace_model.h"
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
 #include "panel/event_panel.h"
 #include "panel/monitor_page.h"
-#include "panel/trace_view.h"
+#include "panel/trace_panel.h"
 
 namespace deckpipe {
 namespace {
@@ -26,8 +25,7 @@ constexpr int kDevicesWidth = 336, kDetailWidth = 420, kTraceHeight = 240;
 
 }  // namespace
 
-Workspace::Workspace(QWidget* parent)
-    : QMainWindow(parent), m_traceModel(new TraceModel(this)), m_decodeModel(new DecodeModel(this)) {
+Workspace::Workspace(QWidget* parent) : QMainWindow(parent), m_decodeModel(new DecodeModel(this)) {
   setObjectName(QStringLiteral("workspace"));
   setWindowFlags(Qt::Widget);  // QMainWindow makes itself a window, whatever it is told
   setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
@@ -38,8 +36,7 @@ Workspace::Workspace(QWidget* parent)
 
   m_devices = new DevicePanel(this);
   m_page = new MonitorPage(this);
-  m_trace = new TraceView(this);
-  m_trace->setModel(m_traceModel);
+  m_trace = new TracePanel(this);
   m_decode = new DecodePanel(this);
   m_decode->setModel(m_decodeModel);
   m_events = new EventPanel(this);
@@ -62,8 +59,8 @@ Workspace::Workspace(QWidget* parent)
   connect(m_decodeDock->toggleViewAction(), &QAction::triggered, this,
           [this](bool isOn) { m_decodeWanted = isOn; });
   connect(m_devices, &DevicePanel::deviceSelected, m_page, &MonitorPage::setDevice);
-  connect(m_trace, &TraceView::currentFrameChanged, this, &Workspace::showFrame);
-  connect(m_trace, &TraceView::cursorRequested, this, &Workspace::frameRequested);
+  connect(m_trace, &TracePanel::currentFrameChanged, this, &Workspace::showFrame);
+  connect(m_trace, &TracePanel::cursorRequested, this, &Workspace::frameRequested);
   connect(m_events, &EventPanel::seekRequested, this, &Workspace::seekRequested);
 }
 
@@ -119,7 +116,7 @@ void Workspace::setSnapshot(const Snapshot& snapshot) {
   chooseFirstMonitor(view);
   m_page->setView(view);
   m_page->setAnimated(view.atEnd || snapshot.playing);
-  m_traceModel->setView(view);
+  m_trace->setView(view);
   m_events->setView(view);
   m_decodeModel->setView(view);
 }

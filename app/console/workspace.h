@@ -21,8 +21,7 @@ class DecodePanel;
 class DevicePanel;
 class EventPanel;
 class MonitorPage;
-class TraceModel;
-class TraceView;
+class TracePanel;
 
 class Workspace : public QMainWindow {
   Q_OBJECT
@@ -58,12 +57,11 @@ class Workspace : public QMainWindow {
   void showFrame(std::optional<std::uint64_t> frame);
   void chooseFirstMonitor(const LogView& view);
 
-  TraceModel* m_traceModel;
   DecodeModel* m_decodeModel;
   DevicePanel* m_devices;
   QTabWidget* m_centre;
   MonitorPage* m_page;
-  TraceView* m_trace;
+  TracePanel* m_trace;
   EventPanel* m_events;
   DecodePanel* m_decode;
   QDockWidget* m_devicesDock;
