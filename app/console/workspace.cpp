@@ -10,13 +10,12 @@
 
 #include "model/decode_model.h"
 #include "model/device_rows.h"
-#include "model/trace_model.h"
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
 #include "panel/event_panel.h"
 #include "panel/monitor_page.h"
 #include "panel/overview_panel.h"
-#include "panel/trace_view.h"
+#include "panel/trace_panel.h"
 
 namespace deckpipe {
 namespace {
@@ -31,7 +30,6 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
     : QMainWindow(parent),
       m_labelStorage(labels),
       m_labels(labels.read()),
-      m_traceModel(new TraceModel(this)),
       m_decodeModel(new DecodeModel(this)) {
   setObjectName(QStringLiteral("workspace"));
   setWindowFlags(Qt::Widget);  // QMainWindow makes itself a window, whatever it is told
@@ -44,8 +42,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   m_devices = new DevicePanel(this);
   m_page = new MonitorPage(this);
   m_overview = new OverviewPanel(this);
-  m_trace = new TraceView(this);
-  m_trace->setModel(m_traceModel);
+  m_trace = new TracePanel(this);
   m_decode = new DecodePanel(this);
   m_decode->setModel(m_decodeModel);
   m_events = new EventPanel(this);
@@ -72,8 +69,8 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   connect(m_devices, &DevicePanel::deviceSelected, m_overview, &OverviewPanel::setDevice);
   connect(m_devices, &DevicePanel::labelEdited, this, &Workspace::editLabel);
   connect(m_overview, &OverviewPanel::deviceRequested, this, &Workspace::showPageOf);
-  connect(m_trace, &TraceView::currentFrameChanged, this, &Workspace::showFrame);
-  connect(m_trace, &TraceView::cursorRequested, this, &Workspace::frameRequested);
+  connect(m_trace, &TracePanel::currentFrameChanged, this, &Workspace::showFrame);
+  connect(m_trace, &TracePanel::cursorRequested, this, &Workspace::frameRequested);
   connect(m_events, &EventPanel::seekRequested, this, &Workspace::seekRequested);
   showLabels();
 }
@@ -150,7 +147,7 @@ void Workspace::setSnapshot(const Snapshot& snapshot) {
   m_page->setAnimated(view.atEnd || snapshot.playing);
   m_overview->setView(view);
   m_overview->setAnimated(view.atEnd || snapshot.playing);
-  m_traceModel->setView(view);
+  m_trace->setView(view);
   m_events->setView(view);
   m_decodeModel->setView(view);
 }

@@ -23,8 +23,7 @@ class DevicePanel;
 class EventPanel;
 class MonitorPage;
 class OverviewPanel;
-class TraceModel;
-class TraceView;
+class TracePanel;
 
 class Workspace : public QMainWindow {
   Q_OBJECT
@@ -66,13 +65,12 @@ class Workspace : public QMainWindow {
 
   LabelStorage& m_labelStorage;
   DeviceLabels m_labels;
-  TraceModel* m_traceModel;
   DecodeModel* m_decodeModel;
   DevicePanel* m_devices;
   QTabWidget* m_centre;
   MonitorPage* m_page;
   OverviewPanel* m_overview;
-  TraceView* m_trace;
+  TracePanel* m_trace;
   EventPanel* m_events;
   DecodePanel* m_decode;
   QDockWidget* m_devicesDock;
