@@ -14,8 +14,8 @@ constexpr int kSideGap = 24;       // between the dial and what stands beside it
 constexpr int kFactGap = 32;       // between columns of facts
 constexpr int kFactWidth = 288;    // the least that a column of facts is read in
 constexpr int kNarrow = 740;       // below this, one column
-constexpr int kLeastDial = 296;    // still read at arm's length
-constexpr int kLeastBeside = 384;  // two columns of lamps
+constexpr int kLeastDial = 240;    // still read at arm's length
+constexpr int kLeastBeside = 480;  // two columns of switches
 
 int heightOf(const QWidget& part, int width) {
   return part.hasHeightForWidth() ? part.heightForWidth(width) : part.sizeHint().height();
@@ -89,7 +89,9 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
     if (m_parts.dial != nullptr) {
       const int most = std::max(kLeastDial, mainWidth * 11 / 16);
       const int left = m_room - 2 * kMargin - belowHeight;
-      mainHeight = std::clamp(std::max(left, isWide ? besideHeight : 0), kLeastDial, most);
+      // As high as what stands beside it, but seen whole without scrolling.
+      const int wanted = std::min(std::max(left, isWide ? besideHeight : 0), m_room - 2 * kMargin);
+      mainHeight = std::clamp(wanted, kLeastDial, most);
       take(m_parts.dial, QRect(kMargin, y, mainWidth, mainHeight));
     }
     const int besideTop = isWide ? y : y + mainHeight + kGap;

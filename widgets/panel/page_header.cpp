@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/page_header.h"
 
+#include <QEvent>
 #include <QFontInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -73,6 +74,7 @@ PageHeader::PageHeader(QWidget* parent)
   m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   m_type->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  for (QLabel* label : {m_type, m_reason}) label->installEventFilter(this);
 
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(16, 8, 16, 8);
@@ -93,8 +95,10 @@ void PageHeader::setPage(const MonitorPageValues& page) {
   setText(*m_title, page.title);
   const QString type =
       page.identity.isEmpty() ? page.type : QStringLiteral("%1 · %2").arg(page.identity, page.type);
-  setText(*m_type, type);
+  m_typeText = type;
   m_type->setToolTip(type);
+  m_type->setAccessibleDescription(type);
+  showTexts();
   setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
   setText(*m_age, page.age ? tr("heard %1 ago").arg(calmAge(*page.age)) : QString());
   if (page.health == m_health && !m_word->text().isEmpty()) return;
@@ -111,7 +115,8 @@ void PageHeader::showHealth() {
   QString first = reasons.isEmpty() ? QString() : reasons.front();
   if (reasons.size() > 1)
     first += QLatin1Char(' ') + tr("And %n more.", nullptr, static_cast<int>(reasons.size()) - 1);
-  setText(*m_reason, first);
+  m_reasonText = first;
+  showTexts();
   m_reason->setToolTip(reasons.join(QLatin1Char('\n')));
   m_word->setToolTip(m_reason->toolTip());
 }
@@ -123,6 +128,16 @@ void PageHeader::setColours(const Colours& colours) {
   m_full->setColours(colours);
   showHealth();
   update();
+}
+
+void PageHeader::showTexts() {
+  setText(*m_type, m_type->fontMetrics().elidedText(m_typeText, Qt::ElideRight, m_type->width()));
+  setText(*m_reason, m_reason->fontMetrics().elidedText(m_reasonText, Qt::ElideRight, m_reason->width()));
+}
+
+bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
+  if ((watched == m_type || watched == m_reason) && event->type() == QEvent::Resize) showTexts();
+  return QWidget::eventFilter(watched, event);
 }
 
 void PageHeader::setFullOffered(bool isOffered) { m_full->setVisible(isOffered); }

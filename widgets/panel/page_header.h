@@ -32,12 +32,16 @@ class PageHeader : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void showHealth();
+  // As much of the texts as has room; the tooltips say all.
+  void showTexts();
 
   Colours m_colours;
   DeviceHealth m_health;
+  QString m_typeText, m_reasonText;
   QLabel* m_title;
   QLabel* m_type;
   QLabel* m_place;

@@ -262,6 +262,19 @@ TEST_F(PageTest, PutsTheLabelBeforeThePin) {
   EXPECT_EQ(text("pageType"), QStringLiteral("1032AE100801035 · 6032 Universal II"));
 }
 
+TEST_F(PageTest, ElidesWhatHasNoRoomInItsHead) {
+  m_bus.monitor();
+  show();
+  m_page.resize(400, 500);
+  settle();
+  const auto* type = find<QLabel>("pageType");
+  EXPECT_LE(type->fontMetrics().horizontalAdvance(type->text()), type->width());
+  EXPECT_EQ(type->toolTip(), QStringLiteral("6032 Universal II"));
+  m_page.resize(1030, 500);
+  settle();
+  EXPECT_EQ(text("pageType"), QStringLiteral("6032 Universal II"));
+}
+
 class FullDialTest : public PageTest {
  protected:
   // The page as a part of a window, as the console has it.
