@@ -109,7 +109,7 @@ void Session::openDemo() {
   Q_EMIT changed();
 }
 
-std::uint64_t Session::want(decltype(Intent::value) wish) {
+std::uint64_t Session::want(Wish wish) {
   const bool isLock = std::holds_alternative<wish::Lock>(wish);
   if (m_live == nullptr || (!m_snapshot.view.atEnd && !isLock)) return 0;
   const Intent intent{std::move(wish), bootTime(), ++m_serial};

@@ -47,7 +47,7 @@ class Session : public QObject {
 
   // Hands a wish to the live link. Off the live edge only locking is heard; 0 where it was not handed on,
   // otherwise its serial, by which the snapshot tells whether it was refused.
-  std::uint64_t want(decltype(Intent::value) wish);
+  std::uint64_t want(Wish wish);
 
   // Plays on from the cursor; from the end it starts over where the log does not grow.
   void play();
