@@ -39,7 +39,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_session(session),
       m_status(new StatusStrip(this)),
       m_pages(new QStackedWidget(this)),
-      m_workspace(new Workspace(m_pages)),
+      m_workspace(new Workspace(m_labels, m_pages)),
       m_transport(new TransportBar(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);

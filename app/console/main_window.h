@@ -8,6 +8,7 @@
 
 #include "paint/palette.h"
 #include "session/session.h"
+#include "settings_labels.h"
 
 class QActionGroup;
 class QStackedWidget;
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
 
   Session& m_session;
   Theme m_theme = Theme::Light;
+  SettingsLabels m_labels;
   StatusStrip* m_status;
   QStackedWidget* m_pages;
   Workspace* m_workspace;
