@@ -61,8 +61,8 @@ struct PipeAction {
 
 }  // namespace wish
 
-using Wish = std::variant<wish::Lock, wish::Unlock, wish::AskNames, wish::AskDevice, wish::Repeat, wish::Cancel,
-                          wish::PipeWrite, wish::PipeFile, wish::PipeAction>;
+using Wish = std::variant<wish::Lock, wish::Unlock, wish::AskNames, wish::AskDevice, wish::Repeat,
+                          wish::Cancel, wish::PipeWrite, wish::PipeFile, wish::PipeAction>;
 
 struct Intent {
   Wish value;

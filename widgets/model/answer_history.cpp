@@ -49,10 +49,12 @@ void AnswerHistory::setView(const LogView& view, const Conversations& talk, cons
   std::vector<Row> fresh;
   for (; m_taken < talk.list().size() && talk.list()[m_taken].frame < m_cursor.frames; ++m_taken) {
     const Utterance& said = talk.list()[m_taken];
-    if (said.device == m_device && said.isFromDevice && askAnsweredBy(said.message)) fresh.push_back(read(said));
+    if (said.device == m_device && said.isFromDevice && askAnsweredBy(said.message))
+      fresh.push_back(read(said));
   }
   if (fresh.empty()) return;
-  if (fresh.size() > kMostRows) fresh.erase(fresh.begin(), fresh.end() - static_cast<std::ptrdiff_t>(kMostRows));
+  if (fresh.size() > kMostRows)
+    fresh.erase(fresh.begin(), fresh.end() - static_cast<std::ptrdiff_t>(kMostRows));
   if (const std::size_t all = m_rows.size() + fresh.size(); all > kMostRows) {
     const auto surplus = static_cast<int>(all - kMostRows);
     beginRemoveRows({}, 0, surplus - 1);
@@ -81,8 +83,10 @@ AnswerHistory::Row AnswerHistory::read(const Utterance& said) {
     for (const Field& field : message.fields) {
       if (field.key.empty() || !isPresent(field, frame)) continue;
       const QString now = valueText(message, field, valueOf(field, frame));
-      const QString then = isPresent(field, *before) ? valueText(message, field, valueOf(field, *before)) : QString();
-      if (now != then) changes.append(tr("%1 was %2").arg(fieldName(field), then.isEmpty() ? tr("not sent") : then));
+      const QString then =
+          isPresent(field, *before) ? valueText(message, field, valueOf(field, *before)) : QString();
+      if (now != then)
+        changes.append(tr("%1 was %2").arg(fieldName(field), then.isEmpty() ? tr("not sent") : then));
     }
     row.changed = changes.join(QStringLiteral(", "));
   }
@@ -101,7 +105,8 @@ QString AnswerHistory::latestText(Ask ask) const {
   const Row* last = latest(ask);
   if (last == nullptr) return {};
   for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
-    if (row->ask == ask && row->message != last->message) return row->answer + QLatin1Char('\n') + last->answer;
+    if (row->ask == ask && row->message != last->message)
+      return row->answer + QLatin1Char('\n') + last->answer;
   }
   return last->answer;
 }
@@ -121,7 +126,8 @@ QVariant AnswerHistory::data(const QModelIndex& index, int role) const {
     case When: return elapsedText(row.time - m_view.begin);
     case What: return askText(row.ask);
     case Answer: return row.answer;
-    case Changed: return row.isFirst ? tr("first answer") : row.changed.isEmpty() ? tr("unchanged") : row.changed;
+    case Changed:
+      return row.isFirst ? tr("first answer") : row.changed.isEmpty() ? tr("unchanged") : row.changed;
     default: return {};
   }
 }

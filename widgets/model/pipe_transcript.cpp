@@ -37,8 +37,7 @@ QString pipeHex(std::string_view bytes) {
 }
 
 bool PipeTranscript::take(const LogView& view, const Conversations& talk, const DeviceKey& device) {
-  const bool isAnew =
-      view.document.get() != m_log || device != m_device || view.cursor.frames < m_cursor;
+  const bool isAnew = view.document.get() != m_log || device != m_device || view.cursor.frames < m_cursor;
   if (isAnew) {
     *this = {};
     m_log = view.document.get();
@@ -75,7 +74,8 @@ QString PipeTranscript::text() const {
     wasFromDevice = packet.isFromDevice;
     for (const QChar c : pipeText(packet.bytes)) {
       if (!isLineOpen) {
-        text += elapsedText(packet.time - m_begin) + (packet.isFromDevice ? QStringLiteral("  < ") : QStringLiteral("  > "));
+        text += elapsedText(packet.time - m_begin) +
+                (packet.isFromDevice ? QStringLiteral("  < ") : QStringLiteral("  > "));
         isLineOpen = true;
       }
       text += c;
@@ -89,10 +89,13 @@ QString PipeTranscript::text() const {
 QString PipeTranscript::ledger() const {
   QString text = QStringLiteral("time_s,direction,bytes,ack_ms\n");
   for (const PipePacket& packet : m_packets) {
-    const auto milliseconds = [](Duration d) { return QString::number(static_cast<double>(d.count()) / 1e6, 'f', 1); };
+    const auto milliseconds = [](Duration d) {
+      return QString::number(static_cast<double>(d.count()) / 1e6, 'f', 1);
+    };
     text += QString::number(static_cast<double>((packet.time - m_begin).count()) / 1e9, 'f', 6) +
-            (packet.isFromDevice ? QStringLiteral(",in,") : QStringLiteral(",out,")) + QString::number(packet.bytes.size()) +
-            QLatin1Char(',') + (packet.acknowledged ? milliseconds(*packet.acknowledged - packet.time) : QString()) +
+            (packet.isFromDevice ? QStringLiteral(",in,") : QStringLiteral(",out,")) +
+            QString::number(packet.bytes.size()) + QLatin1Char(',') +
+            (packet.acknowledged ? milliseconds(*packet.acknowledged - packet.time) : QString()) +
             QLatin1Char('\n');
   }
   return text;

@@ -13,9 +13,9 @@ class DangerDialog : public QDialog {
 
  public:
   struct Question {
-    QString title;    // "Reset 1032AE100801035?"
-    QString text;     // what it does, and what it may lead to
-    QString verb;     // "Reset"
+    QString title;           // "Reset 1032AE100801035?"
+    QString text;            // what it does, and what it may lead to
+    QString verb;            // "Reset"
     QString otherwise = {};  // "Cancel" where nothing is said
   };
   // Deletes itself. `act` is called where the person says the verb.

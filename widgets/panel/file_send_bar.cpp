@@ -39,7 +39,8 @@ QString timeLeftText(const PipeStatus& pipe, Instant now) {
   const double rate = bytesPerSecond(pipe, now);
   if (rate <= 0 || !pipe.isSendingFile()) return {};
   const double seconds = static_cast<double>(pipe.fileSize - pipe.fileSent) / rate;
-  return FileSendBar::tr("about %1 left").arg(briefAge(Duration(static_cast<std::int64_t>(seconds) * 1'000'000'000)));
+  return FileSendBar::tr("about %1 left")
+      .arg(briefAge(Duration(static_cast<std::int64_t>(seconds) * 1'000'000'000)));
 }
 
 FileSendBar::FileSendBar(QWidget* parent)

@@ -33,14 +33,17 @@ constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
 QString consequence(Ask ask) {
   switch (ask) {
     case Ask::ZeroAxes:
-      return RequestPanel::tr("Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
-                              "angles refer to the new zero.");
+      return RequestPanel::tr(
+          "Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
+          "angles refer to the new zero.");
     case Ask::Reset:
-      return RequestPanel::tr("The controller restarts (message 45): it falls silent, claims an address anew and "
-                              "announces itself. It does not acknowledge.");
+      return RequestPanel::tr(
+          "The controller restarts (message 45): it falls silent, claims an address anew and "
+          "announces itself. It does not acknowledge.");
     case Ask::SetupMode:
-      return RequestPanel::tr("The controller enters setup mode (message 46), as on power-up with the stream input "
-                              "active. Only a restart leaves it.");
+      return RequestPanel::tr(
+          "The controller enters setup mode (message 46), as on power-up with the stream input "
+          "active. Only a restart leaves it.");
     default: return {};
   }
 }
@@ -93,8 +96,10 @@ RequestPanel::RequestPanel(QWidget* parent)
   m_historyView->setAlternatingRowColors(true);
   m_historyView->setFrameShape(QFrame::NoFrame);
   m_historyHeader->setStretchLastSection(true);
-  m_historyHeader->resizeSection(AnswerHistory::When, fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
-  m_historyHeader->resizeSection(AnswerHistory::What, fontMetrics().horizontalAdvance(askText(Ask::Config)) + 24);
+  m_historyHeader->resizeSection(AnswerHistory::When,
+                                 fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
+  m_historyHeader->resizeSection(AnswerHistory::What,
+                                 fontMetrics().horizontalAdvance(askText(Ask::Config)) + 24);
   m_historyHeader->resizeSection(AnswerHistory::Answer, 240);
 
   auto* split = new QSplitter(Qt::Vertical, this);
@@ -156,8 +161,9 @@ QWidget* RequestPanel::makeAsks() {
     connect(m_cards[i], &AskCard::pressed, this, [this, ask] { press(ask); });
   }
   column->addStretch(1);
-  connect(m_askAll, &QPushButton::clicked, this,
-          [this] { Q_EMIT wished(wish::AskDevice{m_device, kPolls}); });
+  connect(m_askAll, &QPushButton::clicked, this, [this] {
+    Q_EMIT wished(wish::AskDevice{m_device, kPolls});
+  });
   connect(m_askEveryone, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::AskDevice{{}, kPolls}); });
   connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_device}); });
   connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
@@ -263,19 +269,22 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
                  : isCommand(ask)  ? tr("waiting for the acknowledgement")
                                    : tr("asked, try %1").arg(request.tries));
   } else if (request.end != RequestEnd::None) {
-    const QString end = ask == Ask::Reset && isFine ? tr("seen again after %1").arg(periodText(request.latency))
-                        : ask == Ask::Reset && request.end == RequestEnd::NoAnswer ? tr("not seen again within 10 s")
-                        : isCommand(ask) && isFine ? tr("acknowledged")
-                        : isFine                   ? tr("answered in %1").arg(periodText(request.latency))
-                                                   : requestEndText(request.end);
+    const QString end =
+        ask == Ask::Reset && isFine ? tr("seen again after %1").arg(periodText(request.latency))
+        : ask == Ask::Reset && request.end == RequestEnd::NoAnswer ? tr("not seen again within 10 s")
+        : isCommand(ask) && isFine                                 ? tr("acknowledged")
+        : isFine ? tr("answered in %1").arg(periodText(request.latency))
+                 : requestEndText(request.end);
     parts.append(tr("%1, %2").arg(end, agoText(m_view.cursor.time - request.ended)));
   }
   if (request.period > 0ns)
     parts.append(tr("every %1: %2 of %3 answered")
                      .arg(periodText(request.period))
                      .arg(request.answered)
-                     .arg(request.asked > 0 && request.progress == Progress::Queued ? request.asked - 1 : request.asked));
-  if (request.unasked > 0) parts.append(tr("%n answer(s) too many", nullptr, static_cast<int>(request.unasked)));
+                     .arg(request.asked > 0 && request.progress == Progress::Queued ? request.asked - 1
+                                                                                    : request.asked));
+  if (request.unasked > 0)
+    parts.append(tr("%n answer(s) too many", nullptr, static_cast<int>(request.unasked)));
   return parts.join(QStringLiteral(" · "));
 }
 

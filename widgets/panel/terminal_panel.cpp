@@ -42,8 +42,9 @@ TerminalPanel::TerminalPanel(QWidget* parent)
   setObjectName(QStringLiteral("terminalPanel"));
   setAccessibleName(tr("Data pipe terminal"));
   m_caution->setObjectName(QStringLiteral("pipeCaution"));
-  m_caution->setText(tr("The manual calls the data pipe “simplistic”, “not appropriate for control-related "
-                        "messaging” and “not available for integrator use”."));
+  m_caution->setText(
+      tr("The manual calls the data pipe “simplistic”, “not appropriate for control-related "
+         "messaging” and “not available for integrator use”."));
   m_caution->setAccessibleName(m_caution->text());
   m_caution->setWordWrap(true);
   m_caution->setFont(secondaryFont(font()));
@@ -109,7 +110,8 @@ QWidget* TerminalPanel::makeStallBar() {
   auto* row = new QHBoxLayout(m_stallBar);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(m_stall, 1);
-  const auto add = [&](const char* name, const QString& text, const QString& tip, wish::PipeAction::What what) {
+  const auto add = [&](const char* name, const QString& text, const QString& tip,
+                       wish::PipeAction::What what) {
     QPushButton* button = makeButton(name, text);
     button->setToolTip(tip);
     row->addWidget(button);
@@ -128,7 +130,8 @@ QWidget* TerminalPanel::makeInput() {
   m_mode->setObjectName(QStringLiteral("pipeMode"));
   m_mode->setAccessibleName(tr("How typing is sent"));
   m_mode->addItems({tr("Lines"), tr("Every key")});
-  m_mode->setToolTip(tr("Lines: what is typed goes with Enter. Every key: each goes at once; Ctrl+[ sends ESC."));
+  m_mode->setToolTip(
+      tr("Lines: what is typed goes with Enter. Every key: each goes at once; Ctrl+[ sends ESC."));
   m_input = new QLineEdit(widget);
   m_input->setObjectName(QStringLiteral("pipeInput"));
   m_input->setAccessibleName(tr("Characters to send"));
@@ -147,7 +150,8 @@ QWidget* TerminalPanel::makeInput() {
   row->addWidget(m_lineEnd);
   row->addWidget(m_send);
   row->addWidget(m_sendFile);
-  for (QWidget* field : {static_cast<QWidget*>(m_mode), static_cast<QWidget*>(m_input), static_cast<QWidget*>(m_lineEnd)})
+  for (QWidget* field :
+       {static_cast<QWidget*>(m_mode), static_cast<QWidget*>(m_input), static_cast<QWidget*>(m_lineEnd)})
     field->setMinimumHeight(kTarget);
   connect(m_input, &QLineEdit::returnPressed, this, &TerminalPanel::sendLine);
   connect(m_send, &QPushButton::clicked, this, &TerminalPanel::sendLine);
@@ -195,9 +199,8 @@ QWidget* TerminalPanel::makeTools() {
     find(true);
   });
   connect(m_search, &QLineEdit::returnPressed, this, [this] { find(true); });
-  connect(m_saveText, &QPushButton::clicked, this, [this] {
-    save(tr("Save the transcript"), QStringLiteral("data-pipe.txt"), m_transcript.text());
-  });
+  connect(m_saveText, &QPushButton::clicked, this,
+          [this] { save(tr("Save the transcript"), QStringLiteral("data-pipe.txt"), m_transcript.text()); });
   connect(m_saveLedger, &QPushButton::clicked, this, [this] {
     save(tr("Save the ack times"), QStringLiteral("data-pipe-acks.csv"), m_transcript.ledger());
   });
@@ -236,7 +239,8 @@ bool TerminalPanel::isRaw() const { return m_mode->currentIndex() == 1; }
 void TerminalPanel::showState() {
   const DeviceServices* device = m_services.find(m_device);
   const PipeStatus pipe = device != nullptr && device->pipe ? *device->pipe : PipeStatus{};
-  const bool canSend = m_isLive && m_services.canAsk() && device != nullptr && device->address != kNullAddress;
+  const bool canSend =
+      m_isLive && m_services.canAsk() && device != nullptr && device->address != kNullAddress;
   QString hint = m_trouble;
   if (!hint.isEmpty()) {
     // Said until the next deed.
@@ -267,8 +271,9 @@ void TerminalPanel::showState() {
   m_send->setEnabled(mayType && !isRaw());
   m_lineEnd->setEnabled(mayType);
   m_sendFile->setEnabled(mayType && !isStalled);
-  m_input->setPlaceholderText(isRaw() ? tr("Keys go to %1 at once").arg(m_name)
-                                      : tr("A line for %1").arg(m_name.isEmpty() ? tr("the device") : m_name));
+  m_input->setPlaceholderText(isRaw()
+                                  ? tr("Keys go to %1 at once").arg(m_name)
+                                  : tr("A line for %1").arg(m_name.isEmpty() ? tr("the device") : m_name));
   m_saveText->setEnabled(!m_transcript.packets().empty());
   m_saveLedger->setEnabled(!m_transcript.packets().empty());
 }
@@ -299,7 +304,8 @@ void TerminalPanel::appendPackets(std::size_t from) {
       m_isLineOpen = false;
     }
     m_wasFromDevice = packet.isFromDevice;
-    const QString text = m_hex->isChecked() ? pipeHex(packet.bytes) + QLatin1Char(' ') : pipeText(packet.bytes);
+    const QString text =
+        m_hex->isChecked() ? pipeHex(packet.bytes) + QLatin1Char(' ') : pipeText(packet.bytes);
     QString out;
     for (const QChar c : text) {
       if (!m_isLineOpen) out += packet.isFromDevice ? QStringLiteral("  ") : QStringLiteral("› ");
@@ -339,9 +345,11 @@ bool TerminalPanel::sendKey(const QKeyEvent& event) {
     bytes = "\b";
   } else if (event.key() == Qt::Key_BracketLeft && event.modifiers() == Qt::ControlModifier) {
     bytes = "\x1B";
-  } else if (event.modifiers() == Qt::ControlModifier && event.key() >= Qt::Key_A && event.key() <= Qt::Key_Z) {
+  } else if (event.modifiers() == Qt::ControlModifier && event.key() >= Qt::Key_A &&
+             event.key() <= Qt::Key_Z) {
     bytes = static_cast<char>(event.key() - Qt::Key_A + 1);
-  } else if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0 && event.key() != Qt::Key_Escape) {
+  } else if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0 &&
+             event.key() != Qt::Key_Escape) {
     bytes = event.text().toLatin1().toStdString();
   }
   if (bytes.empty()) return false;
@@ -423,16 +431,17 @@ void TerminalPanel::confirmFile(const QString& path) {
     return say(tr("%1 cannot be sent: %2").arg(path, trouble));
   }
   const QByteArray content = file.readAll();
-  const wish::PipeFile wanted{m_device, QFileInfo(path).fileName().toStdString(),
-                              std::make_shared<const std::string>(content.constData(),
-                                                                  static_cast<std::size_t>(content.size()))};
-  DangerDialog::ask(this,
-                    {tr("Send a file to %1?").arg(m_name),
-                     tr("%1, %2. The device takes the characters as if they had been typed; what they do there "
-                        "is the device's own affair.")
-                         .arg(QFileInfo(path).fileName(), QLocale().formattedDataSize(content.size())),
-                     tr("Send")},
-                    [this, wanted] { Q_EMIT wished(wanted); });
+  const wish::PipeFile wanted{
+      m_device, QFileInfo(path).fileName().toStdString(),
+      std::make_shared<const std::string>(content.constData(), static_cast<std::size_t>(content.size()))};
+  DangerDialog::ask(
+      this,
+      {tr("Send a file to %1?").arg(m_name),
+       tr("%1, %2. The device takes the characters as if they had been typed; what they do there "
+          "is the device's own affair.")
+           .arg(QFileInfo(path).fileName(), QLocale().formattedDataSize(content.size())),
+       tr("Send")},
+      [this, wanted] { Q_EMIT wished(wanted); });
 }
 
 void TerminalPanel::save(const QString& title, const QString& name, const QString& text) {
