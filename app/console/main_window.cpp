@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "pane_cycle.h"
+#include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
 #include "sending_actions.h"
 #include "start_page.h"
@@ -125,6 +126,9 @@ void MainWindow::connectPanels() {
   connect(m_transport, &TransportBar::pauseRequested, &m_session, &Session::pause);
   connect(m_transport, &TransportBar::seekRequested, &m_session, &Session::seek);
   connect(m_transport, &TransportBar::stepRequested, &m_session, &Session::step);
+  connect(m_transport, &TransportBar::rowStepRequested, m_workspace->trace(), &TracePanel::stepCursor);
+  connect(m_transport, &TransportBar::spanRequested, m_workspace->trace(), &TracePanel::setFilter);
+  connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
   connect(m_transport, &TransportBar::endRequested, &m_session, &Session::goToEnd);
   connect(m_transport, &TransportBar::speedRequested, &m_session, &Session::setSpeed);
 }

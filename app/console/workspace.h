@@ -45,6 +45,7 @@ class Workspace : public QMainWindow {
   QList<QAction*> dockActions() const;
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
+  TracePanel* trace() const { return m_trace; }
   void resetLayout();
   void saveTo(QSettings& settings) const;
   void restoreFrom(const QSettings& settings);
