@@ -2,9 +2,11 @@
 #include "workspace.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QHideEvent>
 #include <QSettings>
+#include <QTabBar>
 #include <QTabWidget>
 #include <utility>
 
@@ -14,6 +16,7 @@
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
 #include "panel/event_panel.h"
+#include "panel/help_panel.h"
 #include "panel/monitor_page.h"
 #include "panel/trace_view.h"
 
@@ -21,8 +24,9 @@ namespace deckpipe {
 namespace {
 
 // Counted up when docks are added or renamed: an arrangement of another version is not taken.
-constexpr int kLayoutVersion = 1;
-constexpr int kDevicesWidth = 336, kDetailWidth = 420, kTraceHeight = 240;
+constexpr int kLayoutVersion = 2;
+constexpr int kDevicesLetters = 56;
+constexpr int kDetailWidth = 420, kTraceHeight = 240;
 
 }  // namespace
 
@@ -55,8 +59,14 @@ Workspace::Workspace(QWidget* parent)
   m_traceDock = makeDock("traceDock", tr("Trace"), m_trace);
   m_eventsDock = makeDock("eventsDock", tr("Events"), m_events);
   m_decodeDock = makeDock("decodeDock", tr("Frame in detail"), m_decode);
+  m_help = new HelpPanel(this);
+  m_helpDock = makeDock("helpDock", tr("Explanation"), m_help);
   arrange();
 
+  // What is in the explanation itself is not explained.
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now != nullptr && now->window() == window() && !m_helpDock->isAncestorOf(now)) m_help->explain(now);
+  });
   // Only a person closes a dock; that it is hidden while there is nothing to show is no wish of theirs.
   m_decodeDock->installEventFilter(this);
   connect(m_decodeDock->toggleViewAction(), &QAction::triggered, this,
@@ -84,6 +94,8 @@ void Workspace::arrange() {
   addDockWidget(Qt::BottomDockWidgetArea, m_traceDock);
   splitDockWidget(m_traceDock, m_decodeDock, Qt::Horizontal);
   tabifyDockWidget(m_traceDock, m_eventsDock);
+  addDockWidget(Qt::RightDockWidgetArea, m_helpDock);
+  m_helpDock->hide();
   m_devicesDock->show();
   m_eventsDock->show();
   m_traceDock->show();
@@ -96,7 +108,7 @@ void Workspace::arrange() {
 void Workspace::shareRoom() {
   m_hasShared = isVisible();
   if (!m_hasShared) return;
-  resizeDocks({m_devicesDock}, {kDevicesWidth}, Qt::Horizontal);
+  resizeDocks({m_devicesDock}, {kDevicesLetters * fontMetrics().averageCharWidth()}, Qt::Horizontal);
   resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
   resizeDocks({m_traceDock}, {kTraceHeight}, Qt::Vertical);
 }
@@ -104,6 +116,12 @@ void Workspace::shareRoom() {
 void Workspace::resetLayout() {
   m_decodeWanted = true;
   arrange();
+}
+
+void Workspace::showHelp() {
+  m_help->explain(QApplication::focusWidget());
+  m_helpDock->show();
+  m_helpDock->raise();
 }
 
 void Workspace::setSnapshot(const Snapshot& snapshot) {
@@ -130,6 +148,7 @@ void Workspace::setColours(const Colours& colours) {
   m_trace->setColours(colours);
   m_events->setColours(colours);
   m_decode->setColours(colours);
+  m_help->setColours(colours);
 }
 
 // The detail takes room from the trace only while there is a frame to show.
@@ -150,7 +169,7 @@ void Workspace::chooseFirstMonitor(const LogView& view) {
 }
 
 QList<QDockWidget*> Workspace::docks() const {
-  return {m_devicesDock, m_traceDock, m_eventsDock, m_decodeDock};
+  return {m_devicesDock, m_traceDock, m_eventsDock, m_decodeDock, m_helpDock};
 }
 
 QList<QAction*> Workspace::dockActions() const {
@@ -160,7 +179,7 @@ QList<QAction*> Workspace::dockActions() const {
 }
 
 QList<QWidget*> Workspace::panes() const {
-  QList<QWidget*> panes{m_devicesDock, m_centre, m_traceDock, m_eventsDock, m_decodeDock};
+  QList<QWidget*> panes{m_devicesDock, m_centre, m_helpDock, m_traceDock, m_eventsDock, m_decodeDock};
   // A dock behind another's tab is not hidden, but shows nothing.
   panes.removeIf([](const QWidget* pane) { return !pane->isVisible() || pane->visibleRegion().isEmpty(); });
   return panes;
@@ -195,6 +214,23 @@ void Workspace::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!m_hasShared) shareRoom();
   for (QDockWidget* dock : std::exchange(m_floatingHidden, {})) dock->show();
+}
+
+// QMainWindow makes the tabs of docks by itself, and without a name.
+void Workspace::childEvent(QChildEvent* event) {
+  QMainWindow::childEvent(event);
+  if (event->type() != QEvent::ChildPolished) return;
+  if (auto* tabs = qobject_cast<QTabBar*>(event->child())) tabs->setAccessibleName(tr("Docks"));
+}
+
+// Larger letters need wider docks; what a person chose is kept in proportion.
+void Workspace::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  const double before = std::exchange(m_fontSize, font().pointSizeF());
+  if (before > 0 && m_hasShared && m_devicesDock != nullptr && !m_devicesDock->isFloating())
+    resizeDocks({m_devicesDock}, {static_cast<int>(m_devicesDock->width() * m_fontSize / before)},
+                Qt::Horizontal);
 }
 
 bool Workspace::eventFilter(QObject* watched, QEvent* event) {

@@ -20,6 +20,7 @@ class DecodeModel;
 class DecodePanel;
 class DevicePanel;
 class EventPanel;
+class HelpPanel;
 class MonitorPage;
 class TraceModel;
 class TraceView;
@@ -37,6 +38,8 @@ class Workspace : public QMainWindow {
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
   void resetLayout();
+  // Opens the dock that explains what has the focus.
+  void showHelp();
   void saveTo(QSettings& settings) const;
   void restoreFrom(const QSettings& settings);
 
@@ -48,6 +51,8 @@ class Workspace : public QMainWindow {
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void childEvent(QChildEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -66,10 +71,13 @@ class Workspace : public QMainWindow {
   TraceView* m_trace;
   EventPanel* m_events;
   DecodePanel* m_decode;
-  QDockWidget* m_devicesDock;
+  HelpPanel* m_help;
+  QDockWidget* m_devicesDock = nullptr;
   QDockWidget* m_traceDock;
   QDockWidget* m_eventsDock;
   QDockWidget* m_decodeDock;
+  QDockWidget* m_helpDock;
+  double m_fontSize = 0;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it

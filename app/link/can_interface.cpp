@@ -90,6 +90,7 @@ CanInterface linkFacts(std::uint16_t messageType, Bytes message) {
   Bytes controller;
   forEachAttribute(message.subspan(aligned(sizeof(ifinfomsg))), [&](int type, Bytes value) {
     if (type == IFLA_IFNAME) out.name = text(value);
+    if (type == IFLA_STATS64) out.receivedFrames = load<std::uint64_t>(value);  // rx_packets stands first
     if (type == IFLA_MTU) out.hasFlexibleDataRate = load<std::uint32_t>(value) >= kFlexibleDataRateMtu;
     if (type != IFLA_LINKINFO) return;
     forEachAttribute(value, [&](int inner, Bytes innerValue) {

@@ -58,7 +58,7 @@ void InterfaceWatch::readEvents() {
     if (size <= 0) return;
     const std::span<const std::byte> datagram(buffer.data(), static_cast<std::size_t>(size));
     for (const CanInterface& link : parseLinkMessages(datagram)) {
-      if (alive && link.index == m_index) Q_EMIT changed(link);
+      if (alive && (m_index == kEvery || link.index == m_index)) Q_EMIT changed(link);
     }
   }
 }

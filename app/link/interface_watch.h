@@ -15,7 +15,9 @@ namespace deckpipe {
 class InterfaceWatch : public QObject {
   Q_OBJECT
  public:
-  // Watches the interface of that index until destroyed. Needs the event loop of its thread.
+  static constexpr int kEvery = 0;
+
+  // Watches the interface of that index, or every one, until destroyed. Needs the event loop of its thread.
   explicit InterfaceWatch(int index, QObject* parent = nullptr);
   ~InterfaceWatch() override;
 
@@ -23,7 +25,8 @@ class InterfaceWatch : public QObject {
   bool isWatching() const { return m_socket >= 0; }
 
  Q_SIGNALS:
-  // Everything that is known of it now. The kernel repeats itself; compare before reacting.
+  // Everything that is known of it now. The kernel repeats itself; compare before reacting. Where every
+  // interface is watched and events were lost, the facts name none: look at all again.
   void changed(const deckpipe::CanInterface& facts);
 
  private:

@@ -36,7 +36,12 @@ class Session : public QObject {
   void openLink(const LinkSettings& settings);
   // The bench twin behind a virtual bus of its own, and a link to it.
   void openDemo();
+  // The last link once more, in a new log.
+  void reconnect();
   void closeSource();
+
+  // A person's note at a place of the log.
+  void mark(Cursor at, const QString& text);
 
   const Snapshot& snapshot() const { return m_snapshot; }
 
@@ -66,6 +71,7 @@ class Session : public QObject {
   void startOnBusThread(QObject* worker, std::function<void()> start);
 
   Snapshot m_snapshot;
+  LinkSettings m_lastLink;
   std::shared_ptr<LogDocument> m_document;
   std::unique_ptr<StateWalker> m_walker;
   std::unique_ptr<LogOpening> m_opening;
