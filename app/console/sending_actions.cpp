@@ -13,7 +13,7 @@ namespace deckpipe {
 SendingActions::SendingActions(Session& session, QWidget* window)
     : QObject(window), m_session(session), m_window(window), m_menu(new QMenu(tr("&Bus"), window)) {
   m_lock = m_menu->addAction(tr("&Unlock sending…"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
-                             [this] { m_isLocked ? askToUnlock() : lock(); });
+                             &SendingActions::toggleLock);
   m_lock->setObjectName(QStringLiteral("lockAction"));
   m_menu->addSeparator();
   m_names = m_menu->addAction(tr("Ask who is &there"), this, [this] { wish(wish::AskNames{}); });

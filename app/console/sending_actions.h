@@ -29,6 +29,7 @@ class SendingActions : public QObject {
   // Unlocking is a deliberate act: it asks once. Locking is not.
   void askToUnlock();
   void lock();
+  void toggleLock() { m_isLocked ? askToUnlock() : lock(); }
 
  private:
   Session& m_session;

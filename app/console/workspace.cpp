@@ -2,9 +2,11 @@
 #include "workspace.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QHideEvent>
 #include <QSettings>
+#include <QTabBar>
 #include <QTabWidget>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
 #include "panel/event_panel.h"
+#include "panel/help_panel.h"
 #include "panel/monitor_page.h"
 #include "panel/overview_panel.h"
 #include "panel/request_panel.h"
@@ -24,10 +27,11 @@ namespace deckpipe {
 namespace {
 
 // Counted up when docks are added or renamed: an arrangement of another version is not taken.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 // A look at so many frames a tick takes about two milliseconds.
 constexpr std::uint64_t kFramesAtOnce = 100'000;
-constexpr int kDevicesWidth = 336, kDetailWidth = 420, kTraceHeight = 240;
+constexpr int kDevicesLetters = 56;
+constexpr int kDetailWidth = 420, kTraceHeight = 240;
 
 }  // namespace
 
@@ -70,8 +74,14 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   m_requestsDock = makeDock("requestsDock", tr("Ask"), m_requests);
   m_terminalDock = makeDock("terminalDock", tr("Data pipe"), m_terminal);
   m_twinDock = makeDock("twinDock", tr("Simulated truck"), m_twin);
+  m_help = new HelpPanel(this);
+  m_helpDock = makeDock("helpDock", tr("Explanation"), m_help);
   arrange();
 
+  // What is in the explanation itself is not explained.
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now != nullptr && now->window() == window() && !m_helpDock->isAncestorOf(now)) m_help->explain(now);
+  });
   // Only a person closes a dock; that it is hidden while there is nothing to show is no wish of theirs.
   m_decodeDock->installEventFilter(this);
   connect(m_decodeDock->toggleViewAction(), &QAction::triggered, this,
@@ -130,6 +140,8 @@ void Workspace::arrange() {
   tabifyDockWidget(m_eventsDock, m_terminalDock);
   addDockWidget(Qt::RightDockWidgetArea, m_requestsDock);
   tabifyDockWidget(m_requestsDock, m_twinDock);
+  addDockWidget(Qt::RightDockWidgetArea, m_helpDock);
+  m_helpDock->hide();
   m_devicesDock->show();
   m_eventsDock->show();
   m_terminalDock->show();
@@ -145,7 +157,7 @@ void Workspace::arrange() {
 void Workspace::shareRoom() {
   m_hasShared = isVisible();
   if (!m_hasShared) return;
-  resizeDocks({m_devicesDock}, {kDevicesWidth}, Qt::Horizontal);
+  resizeDocks({m_devicesDock}, {kDevicesLetters * fontMetrics().averageCharWidth()}, Qt::Horizontal);
   resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
   resizeDocks({m_traceDock}, {kTraceHeight}, Qt::Vertical);
 }
@@ -153,6 +165,12 @@ void Workspace::shareRoom() {
 void Workspace::resetLayout() {
   m_decodeWanted = true;
   arrange();
+}
+
+void Workspace::showHelp() {
+  m_help->explain(QApplication::focusWidget());
+  m_helpDock->show();
+  m_helpDock->raise();
 }
 
 void Workspace::setSnapshot(const Snapshot& snapshot) {
@@ -209,6 +227,7 @@ void Workspace::setColours(const Colours& colours) {
   m_requests->setColours(colours);
   m_terminal->setColours(colours);
   m_twin->setColours(colours);
+  m_help->setColours(colours);
 }
 
 // The detail takes room from the trace only while there is a frame to show.
@@ -229,7 +248,8 @@ void Workspace::chooseFirstMonitor(const LogView& view) {
 }
 
 QList<QDockWidget*> Workspace::docks() const {
-  return {m_devicesDock, m_traceDock, m_eventsDock, m_terminalDock, m_decodeDock, m_requestsDock, m_twinDock};
+  return {m_devicesDock, m_traceDock,    m_eventsDock, m_terminalDock,
+          m_decodeDock,  m_requestsDock, m_twinDock,   m_helpDock};
 }
 
 QList<QAction*> Workspace::dockActions() const {
@@ -239,7 +259,7 @@ QList<QAction*> Workspace::dockActions() const {
 }
 
 QList<QWidget*> Workspace::panes() const {
-  QList<QWidget*> panes{m_devicesDock, m_centre,     m_requestsDock, m_twinDock,
+  QList<QWidget*> panes{m_devicesDock, m_centre,     m_requestsDock, m_twinDock,  m_helpDock,
                         m_traceDock,   m_eventsDock, m_terminalDock, m_decodeDock};
   // A dock behind another's tab is not hidden, but shows nothing.
   panes.removeIf([](const QWidget* pane) { return !pane->isVisible() || pane->visibleRegion().isEmpty(); });
@@ -275,6 +295,23 @@ void Workspace::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!m_hasShared) shareRoom();
   for (QDockWidget* dock : std::exchange(m_floatingHidden, {})) dock->show();
+}
+
+// QMainWindow makes the tabs of docks by itself, and without a name.
+void Workspace::childEvent(QChildEvent* event) {
+  QMainWindow::childEvent(event);
+  if (event->type() != QEvent::ChildPolished) return;
+  if (auto* tabs = qobject_cast<QTabBar*>(event->child())) tabs->setAccessibleName(tr("Docks"));
+}
+
+// Larger letters need wider docks; what a person chose is kept in proportion.
+void Workspace::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  const double before = std::exchange(m_fontSize, font().pointSizeF());
+  if (before > 0 && m_hasShared && m_devicesDock != nullptr && !m_devicesDock->isFloating())
+    resizeDocks({m_devicesDock}, {static_cast<int>(m_devicesDock->width() * m_fontSize / before)},
+                Qt::Horizontal);
 }
 
 bool Workspace::eventFilter(QObject* watched, QEvent* event) {

@@ -25,6 +25,7 @@ class DecodeModel;
 class DecodePanel;
 class DevicePanel;
 class EventPanel;
+class HelpPanel;
 class MonitorPage;
 class OverviewPanel;
 class RequestPanel;
@@ -47,6 +48,8 @@ class Workspace : public QMainWindow {
   QList<QWidget*> panes() const;
   TracePanel* trace() const { return m_trace; }
   void resetLayout();
+  // Opens the dock that explains what has the focus.
+  void showHelp();
   void saveTo(QSettings& settings) const;
   void restoreFrom(const QSettings& settings);
 
@@ -65,6 +68,8 @@ class Workspace : public QMainWindow {
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void childEvent(QChildEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -94,13 +99,16 @@ class Workspace : public QMainWindow {
   TerminalPanel* m_terminal;
   TwinPanel* m_twin;
   std::unique_ptr<Conversations> m_talk;  // of the log that is shown
-  QDockWidget* m_devicesDock;
-  QDockWidget* m_traceDock;
-  QDockWidget* m_eventsDock;
-  QDockWidget* m_decodeDock;
   QDockWidget* m_requestsDock;
   QDockWidget* m_terminalDock;
   QDockWidget* m_twinDock;
+  HelpPanel* m_help;
+  QDockWidget* m_devicesDock = nullptr;
+  QDockWidget* m_traceDock;
+  QDockWidget* m_eventsDock;
+  QDockWidget* m_decodeDock;
+  QDockWidget* m_helpDock;
+  double m_fontSize = 0;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it

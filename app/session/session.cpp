@@ -9,9 +9,9 @@
 #include "session/live_bus.h"
 #include "session/log_opening.h"
 #include "session/state_walker.h"
+#include "session/worker_thread.h"
 
 namespace deckpipe {
-
 Session::Session(QObject* parent) : QObject(parent) {
   m_snapshot.view.state = std::make_shared<const State>();
   m_timer.setInterval(kTick);
@@ -35,11 +35,7 @@ void Session::startOnBusThread(QObject* worker, std::function<void()> start) {
 
 void Session::closeSource() {
   m_timer.stop();
-  if (m_busThread != nullptr) {
-    m_busThread->quit();
-    m_busThread->wait();
-    delete std::exchange(m_busThread, nullptr);
-  }
+  endThread(std::exchange(m_busThread, nullptr));
   m_live = nullptr;
   if (std::exchange(m_bench, nullptr) != nullptr) Q_EMIT twinChanged({});
   m_opening.reset();
@@ -67,10 +63,14 @@ void Session::openLog(const QString& path) {
   Q_EMIT changed();
 }
 
-void Session::openLink(const LinkSettings& settings) {
+void Session::openLink(const LinkSettings& wanted) {
+  const LinkSettings settings = wanted;  // may be our own last ones
   beginDocument();
+  m_lastLink = settings;
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
+  m_snapshot.source.plugin = settings.plugin;
+  m_snapshot.source.interfaceName = settings.interfaceName;
   m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
   m_snapshot.source.bitRate = settings.bitRate;
   const QString channelName = settings.interfaceName;
@@ -81,12 +81,19 @@ void Session::openLink(const LinkSettings& settings) {
   Q_EMIT changed();
 }
 
+void Session::reconnect() {
+  if (m_snapshot.source.simulated) return openDemo();
+  openLink(m_lastLink);
+}
+
 void Session::openDemo() {
   beginDocument();
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.simulated = true;
   m_snapshot.source.name = tr("Bench twin");
+  m_snapshot.source.plugin = QStringLiteral("virtualcan");
+  m_snapshot.source.interfaceName = QStringLiteral("can0");
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;
   m_bench = new BenchRunner;
   // The twin is on the bus first: frames written before the other end listens reach nobody.
@@ -188,6 +195,13 @@ void Session::goToEnd() {
   Q_EMIT changed();
 }
 
+void Session::mark(Cursor at, const QString& text) {
+  if (m_document == nullptr) return;
+  m_document->notes.append(
+      {.frame = at.frames, .time = at.time, .kind = NoteKind::Mark, .text = text.toStdString()});
+  Q_EMIT changed();
+}
+
 void Session::setSpeed(double speed) {
   m_snapshot.speed = std::clamp(speed, kSlowest, kFastest);
   Q_EMIT changed();
@@ -231,6 +245,12 @@ void Session::updateSource() {
   m_snapshot.services = published.services;
   source.notKept = published.notKept;
   source.reason = QString::fromStdString(published.link.reason);
+  source.fault = published.link.fault;
+  if (const auto& hardware = published.link.hardware) {
+    source.isListenOnly = hardware->isListenOnly;
+    source.controller = hardware->controller;
+    if (hardware->bitRate != 0) source.bitRate = static_cast<int>(hardware->bitRate);
+  }
   switch (published.link.state) {
     case LinkState::Up: source.progress = SourceStatus::Progress::Running; break;
     case LinkState::Connecting: source.progress = SourceStatus::Progress::Opening; break;

@@ -39,8 +39,12 @@ class Session : public QObject {
   void openLink(const LinkSettings& settings);
   // The bench twin behind a virtual bus of its own, and a link to it.
   void openDemo();
+  // The last link once more, in a new log.
+  void reconnect();
   void closeSource();
 
+  // A person's note at a place of the log.
+  void mark(Cursor at, const QString& text);
   // Who we are on a bus; for links opened from now on.
   void setClaim(const ClaimSettings& claim) { m_claim = claim; }
 
@@ -81,6 +85,7 @@ class Session : public QObject {
   void startOnBusThread(QObject* worker, std::function<void()> start);
 
   Snapshot m_snapshot;
+  LinkSettings m_lastLink;
   std::shared_ptr<LogDocument> m_document;
   std::unique_ptr<StateWalker> m_walker;
   std::unique_ptr<LogOpening> m_opening;
