@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arguments.h"
 
+#include <QCoreApplication>
 #include <cstdio>
 
 #include "command.h"
+#include "output.h"
 
 namespace deckpipe::ctl {
 
@@ -22,8 +24,14 @@ std::optional<int> parse(QCommandLineParser& parser, const QStringList& argument
   parser.addOption(help);
   if (!parser.parse(arguments)) return badUsage(parser.errorText());
   if (parser.isSet(help)) {
-    std::fputs(qPrintable(parser.helpText()), stdout);
-    return kDone;
+    // Qt names the program alone in the usage line.
+    QString text = parser.helpText();
+    const QString program = QCoreApplication::arguments().constFirst();
+    if (const qsizetype at = text.indexOf(program); at >= 0)
+      text.replace(at, program.size(), arguments.constFirst());
+    Output output;
+    output.text() = text.toStdString();
+    return output.flush() ? kDone : kNotWhole;
   }
   return {};
 }

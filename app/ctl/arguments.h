@@ -18,7 +18,8 @@ struct ChannelAddress {
 };
 std::optional<ChannelAddress> parseChannelAddress(const QString& text);
 
-// Parses; where that fails, or where help was asked for, says so and returns the exit status.
+// Parses what main() hands over, the first argument being "deckpipectl SUBCOMMAND"; where that fails, or
+// where help was asked for, says so and returns the exit status.
 std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments);
 
 // "deckpipectl: …" on standard error; returns kBadUsage, for `return badUsage(…)`.

@@ -4,10 +4,11 @@
 #include <QLoggingCategory>
 #include <clocale>
 #include <csignal>
-#include <cstdio>
+#include <string>
 
 #include "arguments.h"
 #include "command.h"
+#include "output.h"
 
 namespace {
 
@@ -21,17 +22,26 @@ constexpr Command kCommands[] = {
     {"decode", "decode every frame of a log, one line each", deckpipe::ctl::decodeCommand},
     {"info", "say what is in a log", deckpipe::ctl::infoCommand},
     {"simulate", "put the bench twin on an interface, or write a log of it", deckpipe::ctl::simulateCommand},
+    {"nodes", "say who is on a bus", deckpipe::ctl::nodesCommand},
+    {"watch", "say what changes on a bus, as it happens", deckpipe::ctl::watchCommand},
+    {"poll", "ask devices for faults, versions and settings", deckpipe::ctl::pollCommand},
+    {"pipe", "talk to a device over its data pipe, send it a file", deckpipe::ctl::pipeCommand},
+    {"command", "zero axes, reset, setup mode", deckpipe::ctl::commandCommand},
 };
 
-void printHelp() {
-  std::puts(
+std::string helpText() {
+  std::string text =
       "Usage: deckpipectl COMMAND [ARGUMENTS]\n\nDiagnostics for fire monitors on CAN, without a "
-      "window.\n\nCommands:");
-  for (const Command& command : kCommands) std::printf("  %-10s %s\n", command.name, command.summary);
-  std::puts(
-      "\n'deckpipectl COMMAND --help' tells the arguments of one. Exit status: 0 done, 1 not everything "
-      "could be\n"
-      "read, written or done, 2 unusable arguments.");
+      "window.\n\nCommands:\n";
+  for (const Command& command : kCommands) {
+    std::string name(command.name);
+    name.resize(11, ' ');
+    text += "  " + name + command.summary + "\n";
+  }
+  return text +
+         "\nNothing is sent on an interface without --unlock (simulate aside).\n"
+         "'deckpipectl COMMAND --help' tells the arguments of one. Exit status: 0 done, 1 not everything "
+         "could be\nread, written, answered or done, 2 unusable arguments.\n";
 }
 
 }  // namespace
@@ -49,12 +59,14 @@ int main(int argc, char** argv) {
   QStringList arguments = QCoreApplication::arguments();
   const QString name = arguments.value(1);
   if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help")) {
-    printHelp();
-    return deckpipe::ctl::kDone;
+    deckpipe::ctl::Output output;
+    output.text() = helpText();
+    return output.flush() ? deckpipe::ctl::kDone : deckpipe::ctl::kNotWhole;
   }
   if (name == QLatin1String("--version")) {
-    std::puts("deckpipectl " DECKPIPE_VERSION);
-    return deckpipe::ctl::kDone;
+    deckpipe::ctl::Output output;
+    output.text() = "deckpipectl " DECKPIPE_VERSION "\n";
+    return output.flush() ? deckpipe::ctl::kDone : deckpipe::ctl::kNotWhole;
   }
   if (name.isEmpty()) return deckpipe::ctl::badUsage(QStringLiteral("a command is wanted"));
   for (const Command& command : kCommands) {

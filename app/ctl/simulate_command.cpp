@@ -4,10 +4,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <functional>
-#include <thread>
 
 #include "arguments.h"
 #include "command.h"
@@ -15,6 +13,7 @@
 #include "misbehave_option.h"
 #include "output.h"
 #include "session/bench_runner.h"
+#include "signals.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -72,20 +71,6 @@ int writeLog(simulator::StandardBench& bench, double seconds, const QString& pat
   return kNotWhole;
 }
 
-// Ctrl+C and a polite kill end the event loop. A thread waits for them, as a handler may do next to nothing.
-void quitOnSignals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread([signals] {
-    int caught = 0;
-    sigwait(&signals, &caught);
-    QMetaObject::invokeMethod(QCoreApplication::instance(), &QCoreApplication::quit, Qt::QueuedConnection);
-  }).detach();
-}
-
 int runOnInterface(BenchRunner& runner, const LinkSettings& settings) {
   int status = kDone;
   QObject::connect(&runner, &BenchRunner::busReady, [&](const QString& interfaceName) {
@@ -98,7 +83,7 @@ int runOnInterface(BenchRunner& runner, const LinkSettings& settings) {
     status = kNotWhole;
     QCoreApplication::quit();
   });
-  quitOnSignals();
+  onStopSignals([] { QCoreApplication::quit(); });
   QMetaObject::invokeMethod(
       &runner, [&] { runner.start(settings); }, Qt::QueuedConnection);
   QCoreApplication::exec();

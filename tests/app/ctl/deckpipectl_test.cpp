@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The headless tool as a script meets it: the program itself, its output, its exit status.
-#include <gtest/gtest.h>
-
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
+
+#include "run_ctl.h"
 
 namespace {
 
-struct Outcome {
-  int status = -1;
-  QByteArray out, err;
-  QList<QByteArray> lines() const {
-    QList<QByteArray> all = out.split('\n');
-    if (!all.isEmpty() && all.last().isEmpty()) all.removeLast();
-    return all;
-  }
-};
+using deckpipe::test::Outcome;
+using deckpipe::test::words;
 
 Outcome run(const QStringList& arguments, const QByteArray& input = {}) {
   QProcess process;
@@ -28,8 +20,7 @@ Outcome run(const QStringList& arguments, const QByteArray& input = {}) {
   process.write(input);
   process.closeWriteChannel();
   EXPECT_TRUE(process.waitForFinished(60'000));
-  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-          process.readAllStandardOutput(), process.readAllStandardError()};
+  return deckpipe::test::outcomeOf(process);
 }
 
 QStringList decode(const QStringList& more = {}) {
@@ -146,9 +137,6 @@ TEST_P(BadUsage, IsStatusTwoAndSaysWhy) {
   EXPECT_TRUE(r.out.isEmpty());
   EXPECT_FALSE(r.err.isEmpty());
 }
-QStringList words(const char* text) {
-  return QString::fromLatin1(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
 INSTANTIATE_TEST_SUITE_P(
     Contract, BadUsage,
     testing::Values(
@@ -169,14 +157,56 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{"SimulateMoreLostThanThereAre", words("simulate --log - --misbehave io:acks-lost=3/2")},
         UsageCase{"SimulateNoSuchFaultBit", words("simulate --log - --misbehave io:fault=32")},
         UsageCase{"SimulateNoSuchMonitor", words("simulate --log - --misbehave monitor-2:silent")},
-        UsageCase{"SimulateTooManyMonitors", words("simulate --log - --monitors 61")}),
+        UsageCase{"SimulateTooManyMonitors", words("simulate --log - --monitors 61")},
+        UsageCase{"NodesNoInterface", words("nodes")},
+        UsageCase{"NodesFormat", words("nodes --interface x --format xml")},
+        UsageCase{"WatchSeconds", words("watch --interface x --seconds -1")},
+        UsageCase{"PollLocked", words("poll --interface x --all")},
+        UsageCase{"PollNobody", words("poll --interface x --unlock")},
+        UsageCase{"PollTwo", words("poll --interface x --unlock --all --address 80")},
+        UsageCase{"PollNoPin", words("poll --interface x --unlock --pin 1032")},
+        UsageCase{"PollNoAddress", words("poll --interface x --unlock --address FE")},
+        UsageCase{"PollNoSuchKind", words("poll --interface x --unlock --all --kinds reset")},
+        UsageCase{"PollCountAlone", words("poll --interface x --unlock --all --count 2")},
+        UsageCase{"PollIdentity", words("poll --interface x --unlock --all --identity 2097152")},
+        UsageCase{"PollOwnAddress", words("poll --interface x --unlock --all --own-address 1FF")},
+        UsageCase{"CommandLocked", words("command reset --interface x --address 80 --yes")},
+        UsageCase{"CommandNone", words("command --interface x --address 80 --unlock --yes")},
+        UsageCase{"CommandNoSuch", words("command explode --interface x --address 80 --unlock --yes")},
+        UsageCase{"PipeLocked", words("pipe --interface x --address 80")},
+        UsageCase{"PipeLineEnd", words("pipe --interface x --address 80 --unlock --line-end x")},
+        UsageCase{"PipeMissingAck", words("pipe --interface x --address 80 --unlock --on-missing-ack x")},
+        UsageCase{"PipeNoSuchFile", words("pipe --interface x --address 80 --unlock --file /nonexistent")}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(Help, IsOnStandardOutputWithStatusZero) {
-  for (const char* line : {"--help", "decode --help", "info --help", "simulate --help"}) {
-    const Outcome r = run(words(line));
-    EXPECT_EQ(r.status, 0) << line;
-    EXPECT_FALSE(r.out.isEmpty()) << line;
+constexpr const char* kCommands[] = {"decode", "info", "simulate", "nodes",
+                                     "watch",  "poll", "pipe",     "command"};
+
+TEST(Help, IsOnStandardOutputWithStatusZeroAndNamesTheSubcommand) {
+  EXPECT_EQ(run(words("--help")).status, 0);
+  for (const char* command : kCommands) {
+    const Outcome r = run({QLatin1String(command), QStringLiteral("--help")});
+    EXPECT_EQ(r.status, 0) << command;
+    EXPECT_TRUE(r.out.startsWith("Usage: deckpipectl " + QByteArray(command) + " ")) << r.out.constData();
+  }
+}
+
+TEST(Help, SaysWhenItCannotBeWritten) {
+  if (!QFile::exists(QStringLiteral("/dev/full"))) GTEST_SKIP() << "no /dev/full";
+  for (const char* arguments : {"--help", "--version", "poll --help"}) {
+    QProcess process;
+    process.setStandardOutputFile(QStringLiteral("/dev/full"));
+    process.start(QStringLiteral(DECKPIPECTL), words(arguments));
+    ASSERT_TRUE(process.waitForFinished(60'000));
+    EXPECT_EQ(process.exitCode(), 1) << arguments;
+  }
+}
+
+TEST(Link, ThatCannotBeHadIsSaid) {
+  for (const char* command : {"nodes", "watch", "poll --unlock --all"}) {
+    const Outcome r = run(words(command) + words("--interface nosuch0"));
+    EXPECT_EQ(r.status, 1) << command;
+    EXPECT_TRUE(r.err.contains("nosuch0: ")) << r.err.constData();
   }
 }
 

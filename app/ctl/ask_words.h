@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of deckpipectl for what is asked and how that ended. They stand on command lines and in JSON: a
+// word never changes once shipped.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "control/status.h"
+
+namespace deckpipe::ctl {
+
+inline constexpr std::array<std::string_view, kAsks> kAskWords{"fault", "firmware",  "pcode", "config",
+                                                               "vista", "zero_axes", "reset", "setup_mode"};
+
+constexpr std::string_view askWord(Ask ask) { return kAskWords[static_cast<std::size_t>(ask)]; }
+
+constexpr std::string_view endWord(RequestEnd end) {
+  switch (end) {
+    case RequestEnd::None: break;
+    case RequestEnd::Answered: return "answered";
+    case RequestEnd::WrongAnswer: return "wrong_answer";
+    case RequestEnd::NoAnswer: return "no_answer";
+    case RequestEnd::Cancelled: return "cancelled";
+    case RequestEnd::LinkLost: return "link_lost";
+    case RequestEnd::Gone: return "gone";
+    case RequestEnd::AnsweredLate: return "answered_late";
+  }
+  return "open";
+}
+
+constexpr std::string_view refusalWord(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::None: break;
+    case Refusal::Locked: return "locked";
+    case Refusal::NoLink: return "no_link";
+    case Refusal::NoAddress: return "no_address";
+    case Refusal::NoDevice: return "no_device";
+    case Refusal::NotTaken: return "not_taken";
+    case Refusal::Busy: return "busy";
+    case Refusal::TooMuch: return "too_much";
+  }
+  return "none";
+}
+
+}  // namespace deckpipe::ctl

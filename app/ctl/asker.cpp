@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "asker.h"
+
+#include <algorithm>
+
+#include "ask_words.h"
+#include "bus/j1939.h"
+#include "json_line.h"
+#include "report/decode_lines.h"
+#include "service/ask_rules.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+// The poll that a frame to us answers, and which part of its answer it is; Count where it answers none. One
+// of a wrong length is told by its type alone.
+struct Answer {
+  Ask ask = Ask::Count;
+  std::size_t part = 0;
+};
+Answer answerIn(const Frame& frame, const Classified& what) {
+  if (!what.malformed && !what.isDecoded()) return {};
+  for (std::size_t i = 0; i < kAsks && !isCommand(static_cast<Ask>(i)); ++i) {
+    for (std::size_t part = 0; part < kAskRules[i].answers.size(); ++part) {
+      const MessageId message = kAskRules[i].answers[part];
+      if (message == kNoAnswer) continue;
+      if (what.malformed ? messageOf(message).firstByte == frame.data[0] : message == what.message)
+        return {static_cast<Ask>(i), part};
+    }
+  }
+  return {};
+}
+
+template <typename F>
+void forEachAsk(AskSet asks, F&& f) {
+  for (std::size_t i = 0; i < kAsks; ++i) {
+    if (asks.has(static_cast<Ask>(i))) f(static_cast<Ask>(i));
+  }
+}
+
+}  // namespace
+
+Asker::Asker(LiveRun& run, bool saysAnswered) : m_run(run), m_saysAnswered(saysAnswered) {
+  run.follower().onFrame = [this](const Frame& frame, const Classified& what) { frameCame(frame, what); };
+  run.follower().onNote = [this](const Note& note) { noteCame(note); };
+}
+
+void Asker::begin(const std::vector<DeviceServices>& devices, AskSet asks, NotTaken notTaken) {
+  m_asks = asks;
+  m_asked.clear();
+  m_wait.clear();
+  for (const DeviceServices& device : devices) {
+    bool takesAny = false;
+    forEachAsk(asks, [&](Ask ask) {
+      const Open at{device.device, device.address, ask, 0};
+      if (!device.takes.has(ask)) {
+        if (notTaken == NotTaken::IsAFailure) endLine(at, "not_taken");
+        return;
+      }
+      m_hasAsked = takesAny = true;
+      m_asked.push_back(at);
+    });
+    if (takesAny) m_wait.push_back(device.device);
+  }
+  std::ranges::reverse(m_wait);
+  m_open = m_asked;
+  sendNext();
+}
+
+const RequestStatus* Asker::statusOf(const Open& at) const {
+  const DeviceServices* device = m_run.services().find(at.device);
+  return device != nullptr ? &device->of(at.ask) : nullptr;
+}
+
+// One device after the other, so that no refusal goes unseen.
+void Asker::sendNext() {
+  m_serial = 0;
+  if (m_wait.empty()) return;
+  m_handed = m_wait.back();
+  m_wait.pop_back();
+  const auto first = std::ranges::find(m_asked, m_handed, &Open::device);
+  const RequestStatus* status = statusOf(*first);
+  m_askedBefore = status != nullptr ? status->asked : 0;
+  m_serial = m_run.session().want(wish::AskDevice{m_handed, m_asks});
+  if (m_serial == 0) refused(Refusal::NoLink);
+}
+
+void Asker::refused(Refusal refusal) {
+  const auto ended =
+      std::ranges::stable_partition(m_open, [this](const Open& at) { return at.device != m_handed; });
+  for (const Open& at : ended) endLine(at, "refused", refusalWord(refusal));
+  m_open.erase(ended.begin(), ended.end());
+  sendNext();
+}
+
+void Asker::tick() {
+  if (m_serial == 0) return;
+  if (m_run.services().refusedSerial == m_serial) return refused(m_run.services().refusal);
+  const auto first = std::ranges::find(m_asked, m_handed, &Open::device);
+  const RequestStatus* status = statusOf(*first);
+  if (status != nullptr && status->asked != m_askedBefore) sendNext();
+}
+
+void Asker::frameCame(const Frame& frame, const Classified& what) {
+  if (!frame.isExtended() || frame.isError() || frame.length == 0) return;
+  const J1939Id id = J1939Id::of(frame.identifier());
+  if (id.pgn != pgn::kProprietaryA || id.destination != m_run.ownAddress()) return;
+  const Answer answer = answerIn(frame, what);
+  if (answer.ask == Ask::Count) return;
+  const Device* device = m_run.follower().state().devices().byAddress(m_run.channel(), id.source);
+  // What comes again, or from who has not been asked, is no answer.
+  const auto asked = std::ranges::find_if(m_asked, [&](const Open& at) {
+    if (at.ask != answer.ask || (at.heard >> answer.part & 1u) != 0) return false;
+    return at.device.kind == DeviceKey::Kind::Pin ? device != nullptr && device->pin == at.device.pin
+                                                  : id.source == at.address;
+  });
+  if (asked == m_asked.end()) return;
+  if (!what.malformed) asked->heard |= 1u << answer.part;
+  std::string decoded;
+  appendDecoded(decoded, DecodeFormat::JsonLines, frame,
+                m_run.snapshot().view.document->frames.channelName(frame.channel), what);
+  m_run.output().text() +=
+      JsonLine().add("pin", asked->device.pin).add("ask", askWord(answer.ask)).addAllOf(decoded).text();
+}
+
+void Asker::noteCame(const Note& note) {
+  if (note.kind != NoteKind::AskEnded) return;
+  const auto ask = static_cast<Ask>(note.number & 0xFF);
+  const auto end = static_cast<RequestEnd>(note.number >> 8 & 0xFF);
+  const auto isMeant = [&](const Open& at) {
+    return at.ask == ask && (at.device.kind == DeviceKey::Kind::Pin ? at.device.pin.text() == note.text
+                                                                    : at.address == note.address);
+  };
+  if (end == RequestEnd::AnsweredLate) {  // after its end
+    const auto asked = std::ranges::find_if(m_asked, isMeant);
+    if (asked != m_asked.end()) endLine(*asked, endWord(end));
+    return;
+  }
+  const auto open = std::ranges::find_if(m_open, isMeant);
+  if (open == m_open.end()) return;
+  if (end != RequestEnd::Answered || m_saysAnswered) endLine(*open, endWord(end));
+  m_open.erase(open);
+}
+
+void Asker::endLine(const Open& at, std::string_view end, std::string_view reason) {
+  if (end != endWord(RequestEnd::Answered) && end != endWord(RequestEnd::AnsweredLate)) ++m_unanswered;
+  JsonLine line;
+  const DeviceServices* now = m_run.services().find(at.device);
+  line.add("pin", at.device.pin).add("address", now != nullptr ? now->address : at.address);
+  line.add("ask", askWord(at.ask)).add("end", end);
+  if (!reason.empty()) line.add("reason", reason);
+  const RequestStatus* status = statusOf(at);
+  if (status != nullptr && status->tries > 0) {
+    line.add("tries", std::int64_t{status->tries});
+    if (status->end == RequestEnd::Answered || status->end == RequestEnd::AnsweredLate)
+      line.add("latency_ms", Value::decimal(status->latency / 100us, 1));
+  }
+  m_run.output().text() += line.text();
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Asks devices and writes what comes of it: a line for every answer, and one for everything asked that came
+// to another end. For `poll` and `command`, on every tick of their run.
+#pragma once
+
+#include <vector>
+
+#include "live_run.h"
+
+namespace deckpipe::ctl {
+
+class Asker {
+ public:
+  // `saysAnswered`: an end line for what was answered too; commands have no answer worth a line.
+  Asker(LiveRun& run, bool saysAnswered);
+
+  enum class NotTaken : std::uint8_t { IsLeftOut, IsAFailure };
+  // Everything of these once; the last round must be over.
+  void begin(const std::vector<DeviceServices>& devices, AskSet asks, NotTaken notTaken);
+  void tick();
+  bool isOver() const { return m_open.empty(); }
+  // Of all rounds; there must have been something.
+  bool allAnswered() const { return m_unanswered == 0 && m_hasAsked; }
+
+ private:
+  struct Open {
+    DeviceKey device;
+    Address address;
+    Ask ask;
+    unsigned heard = 0;  // bit n: the rule's n-th answer came
+  };
+  void sendNext();
+  void frameCame(const Frame& frame, const Classified& what);
+  void noteCame(const Note& note);
+  void endLine(const Open& at, std::string_view end, std::string_view reason = {});
+  void refused(Refusal refusal);
+  const RequestStatus* statusOf(const Open& at) const;
+
+  LiveRun& m_run;
+  bool m_saysAnswered;
+  std::vector<Open> m_open;       // not ended yet
+  std::vector<Open> m_asked;      // of this round
+  std::vector<DeviceKey> m_wait;  // not handed on yet
+  AskSet m_asks;
+  // The intent that was handed on and not seen carried out or refused yet.
+  std::uint64_t m_serial = 0;
+  DeviceKey m_handed;
+  std::uint32_t m_askedBefore = 0;
+  std::uint64_t m_unanswered = 0;
+  bool m_hasAsked = false;
+};
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "changes.h"
+
+#include "json_line.h"
+#include "protocol/catalogue.h"
+#include "protocol/device_types.h"
+#include "report/decode_lines.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+// What a device says of itself or is told to do. Neither polls nor the data pipe, and not the stream of a
+// joystick.
+bool isValue(MessageId message) {
+  switch (message) {
+    case MessageId::PositionLimitStatus:
+    case MessageId::RotationSoftLimits:
+    case MessageId::ElevationSoftLimits:
+    case MessageId::DigitalOutputs:
+    case MessageId::MiniDigitalOutputs:
+    case MessageId::DigitalInputs:
+    case MessageId::SoePermissive:
+    case MessageId::DiagnosticData:
+    case MessageId::FaultResponse:
+    case MessageId::FirmwareResponse:
+    case MessageId::PcodeResponse:
+    case MessageId::ConfigResponse:
+    case MessageId::VistaStatus:
+    case MessageId::VistaPosition:
+    case MessageId::ZeroAxesAck:
+    case MessageId::ResetRequest:
+    case MessageId::SetupModeAck:
+    case MessageId::NmtCommand:
+    case MessageId::Heartbeat:
+    case MessageId::SdoReadResponse:
+    case MessageId::SdoWriteResponse:
+    case MessageId::SdoAbort: return true;
+    default: return false;
+  }
+}
+
+constexpr std::array<std::string_view, kPeriodics> kPeriodicWords{
+    "position_limit_status", "rotation_soft_limits", "elevation_soft_limits", "digital_outputs",
+    "mini_digital_outputs",  "digital_inputs",       "soe_permissive",        "heartbeat"};
+
+void addWho(JsonLine& line, const Device& device) {
+  if (device.kind == Device::Kind::Node) {
+    line.add("node", std::int64_t{device.node.value});
+  } else {
+    line.add("pin", device.pin).add("address", device.address);
+  }
+}
+
+}  // namespace
+
+Changes::Changes(BusFollower& follower, Channel channel, std::string channelName, std::string& out)
+    : m_follower(follower), m_channel(channel), m_channelName(std::move(channelName)), m_out(out) {
+  follower.onFrame = [this](const Frame& frame, const Classified& what) { frameCame(frame, what); };
+  follower.onNote = [this](const Note& note) { noteCame(note); };
+  follower.onChange = [this] { compare(); };
+}
+
+void Changes::frameCame(const Frame& frame, const Classified& what) {
+  compare();  // who speaks comes before what is said
+  if (!what.isDecoded() || !isValue(what.message) || what.family == Family::Copley) return;
+  const Message& message = messageOf(what.message);
+  if (message.period > 0ns || what.message == MessageId::SoePermissive) {
+    // The priority and, of a heartbeat, the toggle bit say nothing.
+    const std::uint64_t toggle = what.message == MessageId::Heartbeat ? 0x80 : 0;
+    const std::uint64_t bytes = loadLittle(frame.data) & ~toggle;
+    const auto [last, isNew] = m_last.try_emplace({frame.identifier() & 0x3FF'FFFFu, what.message}, bytes);
+    if (!isNew && last->second == bytes) return;
+    last->second = bytes;
+  }
+  std::string decoded;
+  appendDecoded(decoded, DecodeFormat::JsonLines, frame, m_channelName, what);
+  const Device* device = m_follower.deviceOf(frame, what);
+  JsonLine line;
+  line.add("event", "value").add("pin", device != nullptr ? device->pin : Pin());
+  m_out += line.addAllOf(decoded).text();
+}
+
+void Changes::noteCame(const Note& note) {
+  JsonLine line;
+  line.add("event", noteKey(note.kind)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
+  switch (note.kind) {
+    case NoteKind::LinkUp:
+    case NoteKind::Locked:
+    case NoteKind::Unlocked: break;
+    case NoteKind::LinkDown: line.add("reason", note.text); break;
+    case NoteKind::Dropped: line.add("frames", static_cast<std::int64_t>(note.number)); break;
+    case NoteKind::OwnAddress: line.add("address", note.address).add("reason", note.text); break;
+    case NoteKind::Mark:
+    case NoteKind::DriveSaid:
+    case NoteKind::DriveUnsaid:
+    case NoteKind::Asked:
+    case NoteKind::AskEnded:
+    case NoteKind::Pipe: return;
+  }
+  m_out += line.text();
+}
+
+void Changes::compare() {
+  const State& state = m_follower.state();
+  const ChannelState& bus = state.channel(m_channel);
+  const auto begin = [&](const char* event) {
+    JsonLine line;
+    line.add("event", event).addTime("t", wallTime(state.cursor().time)).add("channel", m_channelName);
+    return line;
+  };
+  for (std::size_t a = 0; a < kNullAddress.value; ++a) {
+    const Address address{static_cast<std::uint8_t>(a)};
+    const Node& node = bus.claims[address];
+    const std::uint64_t name = node.claim == ClaimState::CannotClaim ? 0 : node.name.value;
+    if (name == m_names[a]) continue;
+    std::string text;
+    appendHex(text, name != 0 ? name : m_names[a], 16);
+    m_out += begin(name != 0 ? "claimed" : "claim_lost").add("address", address).add("name", text).text();
+    m_names[a] = name;
+  }
+  const auto devices = state.devices().all();
+  for (std::size_t i = 0; i < devices.size(); ++i) compareDevice(devices[i], m_shown[i]);
+}
+
+void Changes::compareDevice(const Device& device, Shown& shown) {
+  const auto begin = [&](const char* event) {
+    JsonLine line;
+    line.add("event", event)
+        .addTime("t", wallTime(m_follower.state().cursor().time))
+        .add("channel", m_channelName);
+    if (device.kind != Device::Kind::Free) addWho(line, device);
+    return line;
+  };
+  if (shown.kind != device.kind || shown.pin != device.pin || shown.node != device.node) {
+    if (device.kind == Device::Kind::Free) {  // an address that turned out to be somebody else's
+      m_out += begin("device_left").add("address", shown.address).text();
+    } else {
+      JsonLine line = begin("device_appeared");
+      if (!device.pin.isNull()) {
+        const std::string_view type = deviceTypeName(device.pin.deviceType());
+        line.add("device_type", std::int64_t{device.pin.deviceType()});
+        type.empty() ? line.add("type_name", Value()) : line.add("type_name", type);
+      }
+      m_out += line.text();
+    }
+    shown = {device.kind, device.pin, device.address, device.node, 0};
+  }
+  if (shown.address != device.address) {
+    m_out += begin(device.address == kNullAddress ? "address_lost" : "address_changed")
+                 .add("previous", shown.address)
+                 .text();
+    shown.address = device.address;
+  }
+  for (std::size_t i = 0; i < kPeriodics && shown.stale != device.stale; ++i) {
+    const auto bit = static_cast<std::uint16_t>(1u << i);
+    if ((shown.stale & bit) == (device.stale & bit)) continue;
+    m_out += begin((device.stale & bit) != 0 ? "stale" : "fresh").add("message", kPeriodicWords[i]).text();
+  }
+  shown.stale = device.stale;
+}
+
+}  // namespace deckpipe::ctl

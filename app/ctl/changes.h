@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changes on a bus as lines of JSON, for `deckpipectl watch`: devices that come, move and go, addresses
+// claimed, values that differ from the last ones, what falls silent, what the link did.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "bus_follower.h"
+
+namespace deckpipe::ctl {
+
+class Changes {
+ public:
+  // Takes the follower's calls for itself; lines are appended to `out`.
+  Changes(BusFollower& follower, Channel channel, std::string channelName, std::string& out);
+
+ private:
+  struct Shown {
+    Device::Kind kind = Device::Kind::Free;
+    Pin pin;
+    Address address;
+    NodeId node;
+    std::uint16_t stale = 0;
+  };
+  void frameCame(const Frame& frame, const Classified& what);
+  void noteCame(const Note& note);
+  void compare();
+  void compareDevice(const Device& device, Shown& shown);
+
+  BusFollower& m_follower;
+  Channel m_channel;
+  std::string m_channelName;
+  std::string& m_out;
+  std::array<Shown, kMaxDevices> m_shown{};
+  std::array<std::uint64_t, 256> m_names{};
+  // What repeats itself: of each identifier and message the last bytes.
+  std::map<std::pair<std::uint32_t, MessageId>, std::uint64_t> m_last;
+};
+
+}  // namespace deckpipe::ctl

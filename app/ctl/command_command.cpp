@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl command: what changes something in a device. Named, confirmed by --yes, sent once.
+#include <cstdio>
+
+#include "arguments.h"
+#include "asker.h"
+#include "command.h"
+#include "device_finder.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+struct Word {
+  const char* word;
+  Ask ask;
+  const char* deed;
+};
+constexpr Word kWords[] = {{"zero-axes", Ask::ZeroAxes, "zero the axes of"},
+                           {"reset", Ask::Reset, "reset"},
+                           {"setup-mode", Ask::SetupMode, "put into setup mode"}};
+
+}  // namespace
+
+int commandCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral(
+      "Sends one command to one device, once, and waits for its acknowledgement; for a reset, up to 10 s "
+      "for\n"
+      "its announcing itself anew. Without --yes it names the device and does nothing (status 2). One line:\n"
+      "pin, address, ask (zero_axes, reset, setup_mode), end (answered, no_answer, …), tries, latency_ms.\n"
+      "Exit status 0 only if it was acknowledged or seen."));
+  parser.addPositionalArgument(QStringLiteral("COMMAND"), QStringLiteral("zero-axes, reset or setup-mode."));
+  const LiveOptions live(parser);
+  const DeviceOptions device(parser, false);
+  const QCommandLineOption yes(QStringLiteral("yes"), QStringLiteral("Yes, this device."));
+  parser.addOption(yes);
+  if (const auto status = parse(parser, arguments)) return *status;
+  const Word* word = nullptr;
+  for (const Word& known : kWords) {
+    if (parser.positionalArguments() == QStringList(QLatin1String(known.word))) word = &known;
+  }
+  if (word == nullptr)
+    return badUsage(QStringLiteral("command: one of zero-axes, reset and setup-mode is wanted"));
+  const auto whom = device.read(QStringLiteral("command"));
+  if (!whom) return kBadUsage;
+  const auto settings = live.read(QStringLiteral("command"), true);
+  if (!settings) return kBadUsage;
+
+  LiveRun run(*settings, true);
+  DeviceFinder finder(run, *whom);
+  Asker asker(run, true);
+  bool isAsking = false;
+  run.onReady = [&] { finder.begin(); };
+  run.onTick = [&] {
+    if (isAsking) {
+      asker.tick();
+    } else if (finder.hasFound()) {
+      const std::vector<DeviceServices> found = finder.devices();
+      if (!parser.isSet(yes)) {
+        run.say(QStringLiteral("this would %1 %2; add --yes to do it")
+                    .arg(QLatin1String(word->deed), deviceText(found.front())));
+        return run.finish(kBadUsage);
+      }
+      isAsking = true;
+      asker.begin(found, AskSet(word->ask), Asker::NotTaken::IsAFailure);
+    }
+    if (isAsking && asker.isOver()) run.finish(asker.allAnswered() ? kDone : kNotWhole);
+  };
+  return run.run();
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device_finder.h"
+
+#include "command.h"
+#include "protocol/device_types.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+QString latin1(std::string_view text) {
+  return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+}  // namespace
+
+void DeviceFinder::begin() {
+  m_since.start();
+  m_run.session().want(wish::AskNames{});
+}
+
+std::vector<DeviceServices> DeviceFinder::devices() const {
+  std::vector<DeviceServices> found;
+  for (const DeviceServices& device : m_run.services().devices) {
+    if (device.address == kNullAddress) continue;
+    if (m_name.pin && device.device != DeviceKey::of(*m_name.pin)) continue;
+    if (m_name.address && device.address != *m_name.address) continue;
+    found.push_back(device);
+  }
+  return found;
+}
+
+bool DeviceFinder::hasFound() {
+  if (m_hasFound) return true;
+  const std::vector<DeviceServices> found = devices();
+  const bool heardEveryone = m_since.elapsed() >= kHearEveryone;
+  // An address alone may yet turn out to be a PIN's.
+  const bool isCertain =
+      m_name.pin || (m_name.address && !found.empty() && found[0].device.kind == DeviceKey::Kind::Pin);
+  m_hasFound = !found.empty() && (isCertain || heardEveryone);
+  if (!m_hasFound && m_since.elapsed() >= kPatience) {
+    m_run.say(m_name.pin || m_name.address ? QStringLiteral("%1 is not heard on this bus").arg(m_name.text())
+                                           : QStringLiteral("no device is heard on this bus"));
+    m_run.finish(kNotWhole);
+  }
+  return m_hasFound;
+}
+
+QString deviceText(const DeviceServices& device) {
+  const QString address =
+      QStringLiteral("address %1")
+          .arg(QString::number(device.address.value, 16).toUpper().rightJustified(2, QLatin1Char('0')));
+  if (device.device.pin.isNull()) return QStringLiteral("the device at ") + address;
+  const std::string_view type = deviceTypeName(device.device.pin.deviceType());
+  return QStringLiteral("%1 (%2) at %3")
+      .arg(latin1(device.device.pin.text()), type.empty() ? QStringLiteral("type not known") : latin1(type),
+           address);
+}
+
+}  // namespace deckpipe::ctl

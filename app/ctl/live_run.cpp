@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_run.h"
+
+#include <QCoreApplication>
+#include <cstdio>
+#include <utility>
+
+#include "command.h"
+#include "signals.h"
+
+namespace deckpipe::ctl {
+
+LiveRun::LiveRun(const LiveSettings& settings, bool wantsAddress)
+    : onStop([] { return kNotWhole; }), m_settings(settings), m_wantsAddress(wantsAddress) {}
+
+void LiveRun::say(const QString& message) const {
+  std::fprintf(stderr, "deckpipectl: %s\n", qPrintable(message));
+}
+
+int LiveRun::run() {
+  // Before the session starts its threads.
+  onStopSignals([this] { stop(); });
+  m_session.setClaim(m_settings.claim);
+  connect(&m_session, &Session::changed, this, &LiveRun::changed);
+  m_session.openLink(m_settings.link);
+  QCoreApplication::exec();
+  // Frames that were written are on their way; nothing else is waited for.
+  m_session.closeSource();
+  return m_status;
+}
+
+void LiveRun::stop() {
+  if (m_isOver) return;
+  const std::optional<int> status = m_isReady ? onStop() : kNotWhole;
+  if (status) finish(*status);
+}
+
+void LiveRun::finish(int status) {
+  if (m_isOver) return;
+  m_isOver = true;
+  m_status = m_output.flush() ? status : kNotWhole;
+  QCoreApplication::quit();
+}
+
+bool LiveRun::isLinkUp() {
+  const SourceStatus& source = snapshot().source;
+  using Progress = SourceStatus::Progress;
+  if (source.progress == Progress::Running) return true;
+  const bool isLost = source.progress == Progress::Lost;
+  if (source.progress == Progress::Failed || (isLost && !outlivesLink)) {
+    say(m_settings.link.interfaceName + QStringLiteral(": ") +
+        (source.reason.isEmpty() ? QStringLiteral("the link is gone") : source.reason));
+    finish(kNotWhole);
+  }
+  return false;
+}
+
+bool LiveRun::hasAddress() {
+  using Progress = ClaimStatus::Progress;
+  const ClaimStatus& claim = services().claim;
+  if (claim.progress == Progress::Claimed) return true;
+  if (claim.progress != Progress::CannotClaim && claim.progress != Progress::SameName) return false;
+  if (!std::exchange(m_saidClaim, true))
+    say(claim.progress == Progress::SameName
+            ? QStringLiteral("another node on the bus has our very NAME; give another --identity")
+            : QStringLiteral("no address can be had: all are taken"));
+  if (m_wantsAddress) finish(kNotWhole);
+  return false;
+}
+
+void LiveRun::changed() {
+  if (m_isOver) return;
+  const bool isUp = isLinkUp();
+  if (m_isOver) return;
+  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true)) m_session.want(wish::Unlock{});
+  const bool has = m_settings.unlock && hasAddress();
+  if (m_isOver) return;
+  if (!m_isReady && isUp && (has || !m_wantsAddress)) {
+    m_isReady = true;
+    onReady();
+  }
+  m_follower.follow(snapshot().view);
+  if (m_isReady && !m_isOver) onTick();
+  if (!m_isOver && !m_output.flush()) finish(kNotWhole);
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One subcommand's time on a live interface: it connects, with --unlock claims an address, and then calls the
+// subcommand until that, Ctrl+C or a lost link ends it. What stands in the way is said on standard error.
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "bus_follower.h"
+#include "live_options.h"
+#include "output.h"
+#include "session/session.h"
+
+namespace deckpipe::ctl {
+
+class LiveRun : public QObject {
+ public:
+  // `wantsAddress`: nothing can be done without one, so ready only then.
+  LiveRun(const LiveSettings& settings, bool wantsAddress);
+
+  // Once, when the link is up and, if wanted, an address is ours.
+  std::function<void()> onReady = [] {};
+  // At most 30 times a second from then on, after the follower.
+  std::function<void()> onTick = [] {};
+  // Ctrl+C: how it ends, or nothing where it will soon end by itself.
+  std::function<std::optional<int>()> onStop;
+  // Whether a link that went down may come back.
+  bool outlivesLink = false;
+
+  // Until finish(); the exit status.
+  int run();
+  // What is in the output goes out first.
+  void finish(int status);
+
+  Session& session() { return m_session; }
+  const Snapshot& snapshot() const { return m_session.snapshot(); }
+  const ServiceStatus& services() const { return *snapshot().services; }
+  BusFollower& follower() { return m_follower; }
+  Output& output() { return m_output; }
+  Channel channel() const { return {0}; }
+  Address ownAddress() const { return m_follower.state().channel(channel()).ownAddress; }
+  // "deckpipectl: …" on standard error.
+  void say(const QString& message) const;
+
+ private:
+  void changed();
+  void stop();
+  // Whether it is there; what went wrong is said and, where that is the end, ends it.
+  bool isLinkUp();
+  bool hasAddress();
+
+  LiveSettings m_settings;
+  bool m_wantsAddress;
+  Session m_session;
+  BusFollower m_follower;
+  Output m_output;
+  bool m_isReady = false, m_isOver = false, m_askedToUnlock = false, m_saidClaim = false;
+  int m_status = 0;
+};
+
+}  // namespace deckpipe::ctl

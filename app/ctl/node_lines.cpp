@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "node_lines.h"
+
+#include <cstdio>
+
+#include "bus_follower.h"
+#include "json_line.h"
+#include "protocol/decode.h"
+#include "protocol/device_types.h"
+#include "protocol/j1939.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+struct Row {
+  Address address = kNullAddress;
+  NodeId node{};                   // 0: none
+  const Node* claim = nullptr;     // null: not on J1939, or without an address
+  const Device* device = nullptr;  // null: nothing known but the address
+  const char* what = "unknown";
+  bool sendsJoystick = false;
+
+  std::uint32_t frames() const { return claim != nullptr ? claim->frames : device->frames; }
+  std::uint32_t malformed() const { return device != nullptr ? device->malformed : claim->malformed; }
+  Instant lastHeard() const { return claim != nullptr ? claim->lastHeard : device->lastHeard; }
+  Pin pin() const { return device != nullptr ? device->pin : Pin(); }
+  std::uint64_t name() const { return claim != nullptr ? claim->name.value : 0; }
+};
+
+const char* claimWord(ClaimState claim) {
+  switch (claim) {
+    case ClaimState::NoClaim: return "no_claim";
+    case ClaimState::Claiming: return "claiming";
+    case ClaimState::Claimed: return "claimed";
+    case ClaimState::Contested: return "contested";
+    case ClaimState::CannotClaim: return "cannot_claim";
+  }
+  return "no_claim";
+}
+
+const char* whatIsAt(const ChannelState& bus, Address address, bool sendsJoystick, bool speaksAkron) {
+  if (bus.ownAddress == address) return "own";
+  if (bus.roles.isDrive(address)) return "drive";
+  if (bus.roles.isAkron(address)) return "akron";
+  if (sendsJoystick) return "joystick";
+  if (bus.roles.isForeign(address)) return "foreign";
+  if (speaksAkron) return "presumed";
+  return "unknown";
+}
+
+std::vector<Row> rowsOf(const State& state, Channel channel) {
+  std::vector<Row> rows;
+  const ChannelState& bus = state.channel(channel);
+  for (unsigned a = 0; a < kNullAddress.value; ++a) {
+    const Address address{static_cast<std::uint8_t>(a)};
+    const Node& node = bus.claims[address];
+    if (!node.isHeard() && node.name.value == 0) continue;
+    Row row{.address = address, .claim = &node, .device = state.devices().byAddress(channel, address)};
+    row.sendsJoystick = bus.joysticks.find(address) != nullptr;
+    row.what = whatIsAt(bus, address, row.sendsJoystick, row.device != nullptr);
+    rows.push_back(row);
+  }
+  for (const Device& device : state.devices().all()) {
+    if (device.kind == Device::Kind::Free || device.channel != channel) continue;
+    if (device.kind == Device::Kind::Node) {
+      rows.push_back({.node = device.node, .device = &device, .what = "canopen_node"});
+    } else if (device.address == kNullAddress) {
+      rows.push_back({.device = &device, .what = "akron"});
+    }
+  }
+  return rows;
+}
+
+std::string jsonLine(const Row& row, std::string_view channelName) {
+  JsonLine line;
+  line.add("channel", channelName);
+  if (row.node.value != 0) {
+    line.add("node", std::int64_t{row.node.value});
+  } else {
+    line.add("address", row.address);
+  }
+  line.add("what", row.what);
+  if (row.sendsJoystick) line.add("sends_joystick", true);
+  line.add("pin", row.pin());
+  if (!row.pin().isNull()) {
+    const std::string_view type = deviceTypeName(row.pin().deviceType());
+    line.add("device_type", std::int64_t{row.pin().deviceType()});
+    type.empty() ? line.add("type_name", Value()) : line.add("type_name", type);
+  }
+  if (row.claim != nullptr) line.add("claim", claimWord(row.claim->claim));
+  if (row.name() != 0) {
+    std::string name;
+    appendHex(name, row.name(), 16);
+    line.add("name", name);
+    Frame frame;
+    frame.data = std::bit_cast<Payload>(row.name());
+    frame.length = 8;
+    for (const Field& field : j1939::kNameFields) {
+      if (!field.key.empty()) line.add(field.key, valueOf(field, frame));
+    }
+  }
+  if (row.device != nullptr && row.device->partNumber.isKnown())
+    line.add("part_number", std::int64_t{row.device->partNumber.value});
+  line.add("frames", std::int64_t{row.frames()}).add("malformed", std::int64_t{row.malformed()});
+  line.addTime("last_heard", wallTime(row.lastHeard()));
+  return line.text();
+}
+
+std::string textLine(const Row& row, Instant now) {
+  char text[200];
+  const Pin pin = row.pin();
+  const std::string_view type = pin.isNull() ? std::string_view() : deviceTypeName(pin.deviceType());
+  char place[16] = "--";
+  if (row.node.value != 0) {
+    std::snprintf(place, sizeof place, "node %02X", static_cast<unsigned>(row.node.value));
+  } else if (row.address != kNullAddress) {
+    std::snprintf(place, sizeof place, "%02X", static_cast<unsigned>(row.address.value));
+  }
+  char name[20] = "";
+  if (row.name() != 0)
+    std::snprintf(name, sizeof name, "%016llX", static_cast<unsigned long long>(row.name()));
+  std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u frames, last %.1f s ago\n", place,
+                row.what, std::string(pin.text()).c_str(), std::string(type).c_str(), name, row.frames(),
+                std::chrono::duration<double>(now - row.lastHeard()).count());
+  return text;
+}
+
+}  // namespace
+
+std::string nodeLines(const State& state, Channel channel, std::string_view channelName, NodeFormat format) {
+  std::string out;
+  for (const Row& row : rowsOf(state, channel)) {
+    out += format == NodeFormat::Text ? textLine(row, state.cursor().time) : jsonLine(row, channelName);
+  }
+  return out;
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who is on a bus, as `deckpipectl nodes` says it: a line for every address heard or claimed, for every
+// device that has lost its address, and for every CANopen node.
+#pragma once
+
+#include <string>
+
+#include "state/state.h"
+
+namespace deckpipe::ctl {
+
+enum class NodeFormat : std::uint8_t { JsonLines, Text };
+
+std::string nodeLines(const State& state, Channel channel, std::string_view channelName, NodeFormat format);
+
+}  // namespace deckpipe::ctl

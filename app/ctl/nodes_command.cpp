@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl nodes: who is on a bus.
+#include <QTimer>
+
+#include "arguments.h"
+#include "command.h"
+#include "live_run.h"
+#include "node_lines.h"
+
+namespace deckpipe::ctl {
+
+int nodesCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral(
+      "Listens for a while, then writes a line for everyone on the bus. With --unlock it claims an address\n"
+      "and asks everyone for their NAME; without, whoever keeps silent is not found.\n"
+      "Keys: channel, address or node, what (own, akron, joystick, foreign, canopen_node, unknown, or\n"
+      "presumed: it speaks as Akron's do, and nothing else is known), sends_joystick, pin,\n"
+      "device_type, type_name, claim, name and its parts, part_number, frames, malformed, last_heard\n"
+      "(seconds since 1970)."));
+  const LiveOptions live(parser);
+  const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("Listen so long; 3 by default."),
+                                   QStringLiteral("N"), QStringLiteral("3"));
+  const QCommandLineOption format(QStringLiteral("format"), QStringLiteral("jsonl (default) or text."),
+                                  QStringLiteral("FORMAT"), QStringLiteral("jsonl"));
+  parser.addOptions({seconds, format});
+  if (const auto status = parse(parser, arguments)) return *status;
+  if (!parser.positionalArguments().isEmpty()) return badUsage(QStringLiteral("nodes: takes options only"));
+  const auto length = parseSeconds(parser.value(seconds));
+  if (!length) return badUsage(QStringLiteral("nodes: --seconds wants a number above 0"));
+  const bool asText = parser.value(format) == QLatin1String("text");
+  if (!asText && parser.value(format) != QLatin1String("jsonl"))
+    return badUsage(QStringLiteral("nodes: --format is jsonl or text"));
+  const auto settings = live.read(QStringLiteral("nodes"), false);
+  if (!settings) return kBadUsage;
+
+  LiveRun run(*settings, false);
+  const auto tell = [&] {
+    run.follower().follow(run.snapshot().view);
+    run.output().text() +=
+        nodeLines(run.follower().state(), run.channel(), settings->link.interfaceName.toStdString(),
+                  asText ? NodeFormat::Text : NodeFormat::JsonLines);
+    return kDone;
+  };
+  run.onStop = tell;
+  run.onReady = [&] {
+    QTimer::singleShot(std::chrono::milliseconds(static_cast<int>(*length * 1000)), &run,
+                       [&] { run.finish(tell()); });
+  };
+  return run.run();
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One device's data pipe on standard input and output: what comes in here goes there, what it says comes out,
+// as bytes. Made by `pipe`, driven by its run's ticks. The pipe service paces it by the device's acks; here
+// is only how much is handed over, what follows a missing ack, and when it is over.
+#pragma once
+
+#include <QElapsedTimer>
+#include <memory>
+#include <string>
+
+#include "device_finder.h"
+
+class QSocketNotifier;
+
+namespace deckpipe::ctl {
+
+struct PipePlan {
+  enum class MissingAck : std::uint8_t { Stop, Skip, Resend };
+
+  DeviceName whom;
+  std::string lineEnd = "\r";  // takes the place of each line feed of standard input
+  double idle = 1;             // s: over when the device said nothing for so long after everything was sent
+  MissingAck missingAck = MissingAck::Stop;
+  std::string before;    // sent first, as it is
+  std::string fileName;  // for people; empty: standard input is sent, no file
+  std::shared_ptr<const std::string> content;
+};
+
+class PipeTalk {
+ public:
+  // After so many missing acks one after the other nobody listens.
+  static constexpr unsigned kMostInARow = 5;
+
+  PipeTalk(LiveRun& run, PipePlan plan);
+  ~PipeTalk();
+
+ private:
+  enum class Phase : std::uint8_t { Finding, Before, Sending, Listening };
+
+  void tick();
+  void talk(const PipeStatus& pipe);
+  void begin(const DeviceServices& device);
+  void beginSending();
+  void write(std::string bytes);
+  void readInput();
+  void frameCame(const Frame& frame);
+  void ackMissing(const PipeStatus& pipe);
+  void act(wish::PipeAction::What what);
+  void sayProgress(const PipeStatus& pipe);
+  void sayEnd(const PipeStatus& pipe);
+  std::optional<int> stop();
+  void fail(const QString& why, const PipeStatus& pipe);
+  PipeStatus status() const;
+  bool sendsFile() const { return m_plan.content != nullptr; }
+
+  LiveRun& m_run;
+  PipePlan m_plan;
+  DeviceFinder m_finder;
+  DeviceKey m_device;
+  Address m_address;
+  Phase m_phase = Phase::Finding;
+  std::unique_ptr<QSocketNotifier> m_input;
+  bool m_inputEnded = false, m_isStopping = false;
+  std::uint64_t m_handed = 0;       // characters handed to the pipe service, no file
+  std::uint64_t m_firstSerial = 0;  // of our intents
+  std::uint32_t m_actions = 0;      // skipped and resent
+  std::uint32_t m_acks = 0;
+  unsigned m_inARow = 0;
+  QElapsedTimer m_quiet;     // since the device said something, or all was sent
+  QElapsedTimer m_sending;   // since the file began
+  QElapsedTimer m_progress;  // since it was last told
+};
+
+}  // namespace deckpipe::ctl

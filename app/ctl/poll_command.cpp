@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl poll: asks devices what they can be asked without changing anything.
+#include <QElapsedTimer>
+#include <QTimer>
+#include <algorithm>
+
+#include "arguments.h"
+#include "ask_words.h"
+#include "asker.h"
+#include "command.h"
+#include "device_finder.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+std::optional<AskSet> parseKinds(const QString& text) {
+  AskSet set;
+  for (const QString& word : text.split(QLatin1Char(','))) {
+    const auto found = std::ranges::find(kAskWords, word.toStdString());
+    const auto ask = static_cast<Ask>(found - kAskWords.begin());
+    if (found == kAskWords.end() || isCommand(ask)) return {};
+    set.add(ask);
+  }
+  return set;
+}
+
+struct Plan {
+  DeviceName whom;
+  std::optional<AskSet> kinds;  // nothing: all that a device takes
+  double every = 0;             // s; 0: once
+  unsigned rounds = 1;          // 0: until Ctrl+C
+};
+
+class Poll {
+ public:
+  Poll(LiveRun& run, const Plan& plan)
+      : m_run(run), m_plan(plan), m_finder(run, plan.whom), m_asker(run, false) {
+    run.onReady = [this] { m_finder.begin(); };
+    run.onTick = [this] { tick(); };
+    // What is asked again and again ends by it; everything else is cut short.
+    run.onStop = [this] { return m_plan.rounds == 0 && m_rounds > 0 ? status() : kNotWhole; };
+    m_next.setSingleShot(true);
+    QObject::connect(&m_next, &QTimer::timeout, [this] { beginRound(); });
+  }
+
+ private:
+  int status() const { return m_asker.allAnswered() ? kDone : kNotWhole; }
+
+  void tick() {
+    if (m_rounds == 0) {
+      if (m_finder.hasFound()) beginRound();
+      return;
+    }
+    if (!m_isAsking) return;
+    m_asker.tick();
+    if (m_asker.isOver()) endRound();
+  }
+
+  void beginRound() {
+    ++m_rounds;
+    m_isAsking = true;
+    m_since.start();
+    // Everyone there now; who was named stays, gone or not.
+    if (m_devices.empty() || isAll()) m_devices = m_finder.devices();
+    m_asker.begin(m_devices, m_plan.kinds.value_or(kPolls),
+                  isAll() || !m_plan.kinds ? Asker::NotTaken::IsLeftOut : Asker::NotTaken::IsAFailure);
+  }
+
+  void endRound() {
+    m_isAsking = false;
+    if (m_rounds == m_plan.rounds) return m_run.finish(status());
+    const auto left = static_cast<qint64>(m_plan.every * 1000) - m_since.elapsed();
+    m_next.start(std::chrono::milliseconds(std::max<qint64>(left, 0)));
+  }
+
+  bool isAll() const { return !m_plan.whom.pin && !m_plan.whom.address; }
+
+  LiveRun& m_run;
+  Plan m_plan;
+  DeviceFinder m_finder;
+  Asker m_asker;
+  std::vector<DeviceServices> m_devices;
+  QTimer m_next;
+  QElapsedTimer m_since;
+  unsigned m_rounds = 0;  // begun
+  bool m_isAsking = false;
+};
+
+}  // namespace
+
+int pollCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral(
+      "Asks devices for faults, versions and settings, which changes nothing in them. One line an answer:\n"
+      "pin, ask, and what 'deckpipectl decode' writes of the frame; one for what came to another end:\n"
+      "pin, address, ask, end (wrong_answer, no_answer, cancelled, link_lost, gone, answered_late, "
+      "not_taken,\n"
+      "refused with its reason), tries. Exit status 0 only if everything asked was answered in time."));
+  const LiveOptions live(parser);
+  const DeviceOptions device(parser, true);
+  const QCommandLineOption kinds(
+      QStringLiteral("kinds"),
+      QStringLiteral("Some of fault,firmware,pcode,config,vista; by default all that the device takes."),
+      QStringLiteral("KINDS"));
+  const QCommandLineOption every(QStringLiteral("every"),
+                                 QStringLiteral("Ask again so often, from round to round; until Ctrl+C."),
+                                 QStringLiteral("SECONDS"));
+  const QCommandLineOption count(QStringLiteral("count"), QStringLiteral("… or until so many rounds."),
+                                 QStringLiteral("N"));
+  parser.addOptions({kinds, every, count});
+  if (const auto status = parse(parser, arguments)) return *status;
+  if (!parser.positionalArguments().isEmpty()) return badUsage(QStringLiteral("poll: takes options only"));
+
+  Plan plan;
+  if (parser.isSet(kinds)) {
+    plan.kinds = parseKinds(parser.value(kinds));
+    if (!plan.kinds)
+      return badUsage(QStringLiteral("poll: --kinds '%1' is not some of fault,firmware,pcode,config,vista")
+                          .arg(parser.value(kinds)));
+  }
+  if (parser.isSet(every)) {
+    const auto seconds = parseSeconds(parser.value(every));
+    if (!seconds) return badUsage(QStringLiteral("poll: --every wants a number of seconds above 0"));
+    plan.every = *seconds;
+    plan.rounds = 0;
+  }
+  if (parser.isSet(count)) {
+    bool ok = false;
+    plan.rounds = parser.value(count).toUInt(&ok);
+    if (!ok || plan.rounds == 0 || !parser.isSet(every))
+      return badUsage(QStringLiteral("poll: --count wants a number above 0, and --every"));
+  }
+  const auto whom = device.read(QStringLiteral("poll"));
+  if (!whom) return kBadUsage;
+  plan.whom = *whom;
+  const auto settings = live.read(QStringLiteral("poll"), true);
+  if (!settings) return kBadUsage;
+
+  LiveRun run(*settings, true);
+  const Poll poll(run, plan);
+  return run.run();
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "signals.h"
+
+#include <QCoreApplication>
+#include <csignal>
+#include <thread>
+#include <utility>
+
+namespace deckpipe::ctl {
+
+// A thread waits for them, as a handler may do next to nothing.
+void onStopSignals(std::function<void()> stop) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals, stop = std::move(stop)] {
+    for (int caught = 0; sigwait(&signals, &caught) == 0;)
+      QMetaObject::invokeMethod(QCoreApplication::instance(), stop, Qt::QueuedConnection);
+  }).detach();
+}
+
+}  // namespace deckpipe::ctl

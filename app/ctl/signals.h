@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ctrl+C and a polite kill, as an event like any other. For subcommands that run until they are stopped.
+#pragma once
+
+#include <functional>
+
+namespace deckpipe::ctl {
+
+// From here on: `stop` is called on the calling thread's event loop, each time. Once a program; call it
+// before any other thread is started, which would take the signals otherwise.
+void onStopSignals(std::function<void()> stop);
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The subcommands on a live interface, against the bench twin on a virtual bus of this process.
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "run_ctl.h"
+#include "session/bench_runner.h"
+#include "simulator/crc32.h"
+#include "support/recording_listener.h"
+
+namespace deckpipe {
+namespace {
+
+using test::Outcome;
+using test::words;
+
+constexpr int kPatience = 60'000;  // ms; only ever used up by a failure
+constexpr const char* kMonitor = "1032AE100801035";
+
+QString text(const QJsonObject& object, const char* key) { return object[QLatin1String(key)].toString(); }
+
+class Live : public testing::Test {
+ protected:
+  void SetUp() override {
+    QObject::connect(&m_twin, &BenchRunner::busReady, &m_twin,
+                     [this](const QString& name) { m_interface = name; });
+    QObject::connect(&m_twin, &BenchRunner::twinChanged, &m_twin,
+                     [this](const TwinStatus& status) { m_status = status; });
+    m_twin.startDemo();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          return m_status.devices.size() == 4 &&
+                 std::ranges::all_of(m_status.devices,
+                                     [](const TwinDevice& d) { return d.address != kNullAddress; });
+        },
+        kPatience));
+    m_witnessLink =
+        std::make_unique<CanLink>(LinkSettings{QStringLiteral("virtualcan"), m_interface, 250'000, {}});
+    m_witnessLink->open(m_witness);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return m_witness.state() == LinkState::Up; }, kPatience));
+  }
+
+  void start(QProcess& process, const char* command, const QStringList& more = {}) const {
+    QStringList arguments = words(command);
+    arguments += words("--plugin virtualcan --interface");
+    arguments += m_interface;
+    process.start(QStringLiteral(DECKPIPECTL), arguments + more);
+  }
+  static Outcome end(QProcess& process) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kPatience));
+    return test::outcomeOf(process);
+  }
+  Outcome run(const char* command, const QByteArray& input = {}, const QStringList& more = {}) const {
+    QProcess process;
+    start(process, command, more);
+    process.write(input);
+    process.closeWriteChannel();
+    return end(process);
+  }
+  void wish(std::size_t device, TwinFaults faults) { m_twin.obey({device, faults}); }
+  bool anyFrom(std::uint8_t address) const {
+    return std::ranges::any_of(m_witness.frames, [&](const Frame& frame) {
+      return frame.isExtended() && (frame.identifier() & 0xFF) == address;
+    });
+  }
+
+  BenchRunner m_twin;
+  TwinStatus m_status;
+  QString m_interface;
+  RecordingListener m_witness;
+  std::unique_ptr<CanLink> m_witnessLink;
+};
+
+TEST_F(Live, NodesUnlockedNamesEveryoneAndOurselves) {
+  const Outcome r = run("nodes --unlock --seconds 1.5 --identity 77");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  QMap<int, QJsonObject> at;
+  for (const QJsonObject& node : r.objects()) at[node[QLatin1String("address")].toInt()] = node;
+  const QJsonObject monitor = at[m_status.devices[0].address.value];
+  EXPECT_EQ(text(monitor, "pin"), QLatin1String(kMonitor));
+  EXPECT_EQ(text(monitor, "what"), QStringLiteral("akron"));
+  EXPECT_EQ(text(monitor, "type_name"), QStringLiteral("6032 Universal II"));
+  EXPECT_EQ(monitor[QLatin1String("manufacturer_code")].toInt(), 326);
+  EXPECT_EQ(text(at[0xF9], "what"), QStringLiteral("own"));
+  EXPECT_EQ(at[0xF9][QLatin1String("identity_number")].toInt(), 77);
+}
+
+TEST_F(Live, LockedItListensAndSendsNothing) {
+  const Outcome r = run("nodes --seconds 1 --format text");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_GE(r.lines().size(), 3) << r.out.constData();
+  EXPECT_EQ(run("watch --seconds 1").status, 0);
+  EXPECT_FALSE(anyFrom(0xF9));
+  EXPECT_FALSE(anyFrom(0xFE));
+}
+
+TEST_F(Live, PollWritesEveryAnswerWithTheKeysOfDecode) {
+  const Outcome r = run("poll --unlock --pin 1032AE100801035 --own-address E0");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  QStringList asks;
+  for (const QJsonObject& answer : r.objects()) {
+    asks += text(answer, "ask");
+    EXPECT_EQ(text(answer, "pin"), QLatin1String(kMonitor));
+    EXPECT_EQ(answer[QLatin1String("destination")].toInt(), 0xE0);
+  }
+  EXPECT_EQ(asks, words("fault firmware pcode config vista vista"));
+  EXPECT_EQ(r.objects()[2][QLatin1String("fields")][QLatin1String("style")].toInt(), 3356);
+}
+
+TEST_F(Live, PollOfEveryoneSaysWhoDidNotAnswer) {
+  wish(2, {TwinFault::AnswersWrongSource});  // the one without a PIN
+  const Outcome r = run("poll --unlock --all --kinds fault");
+  EXPECT_EQ(r.status, 1);
+  int answers = 0;
+  for (const QJsonObject& line : r.objects()) {
+    if (!line.contains(QLatin1String("end"))) {
+      ++answers;
+      continue;
+    }
+    EXPECT_TRUE(line[QLatin1String("pin")].isNull());
+    EXPECT_EQ(line[QLatin1String("address")].toInt(), m_status.devices[2].address.value);
+    EXPECT_EQ(text(line, "ask"), QStringLiteral("fault"));
+    EXPECT_EQ(text(line, "end"), QStringLiteral("no_answer"));
+    EXPECT_EQ(line[QLatin1String("tries")].toInt(), 3);
+  }
+  EXPECT_EQ(answers, 3);
+}
+
+TEST_F(Live, AnAnswerThatComesTwiceIsOneLine) {
+  wish(0, {TwinFault::AnswersTwice});
+  const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault,firmware");
+  EXPECT_EQ(r.status, 0);
+  EXPECT_EQ(r.lines().size(), 2) << r.out.constData();
+}
+
+TEST_F(Live, AnswersOfAWrongLengthAreShownAndAreNone) {
+  wish(0, {TwinFault::AnswersWrongLength});
+  const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault");
+  EXPECT_EQ(r.status, 1);
+  ASSERT_EQ(r.lines().size(), 4);
+  EXPECT_EQ(text(r.objects()[0], "message"), QStringLiteral("malformed"));
+  EXPECT_EQ(text(r.objects()[3], "end"), QStringLiteral("wrong_answer"));
+}
+
+TEST_F(Live, PollGoesOnForAsManyRoundsAsWereAskedFor) {
+  const Outcome r = run("poll --unlock --address 80 --kinds firmware --every 0.3 --count 3");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_EQ(r.lines().size(), 3);
+}
+
+TEST_F(Live, PollUntilStoppedEndsByCtrlC) {
+  QProcess process;
+  start(process, "poll --unlock --pin 1032AE100801035 --kinds fault --every 0.2");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return process.bytesAvailable() > 0; }, kPatience));
+  ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+  EXPECT_EQ(end(process).status, 0);
+}
+
+TEST_F(Live, WhatADeviceDoesNotTakeIsSaid) {
+  const Outcome r = run("poll --unlock --pin 1033AE100802117 --kinds vista,fault");
+  EXPECT_EQ(r.status, 1);
+  ASSERT_EQ(r.lines().size(), 2);
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("not_taken"));
+  EXPECT_EQ(text(r.objects()[1], "message"), QStringLiteral("fault_response"));
+}
+
+TEST_F(Live, ADeviceThatIsNotThereIsSaid) {
+  const Outcome r = run("poll --unlock --pin 1032AE999999999");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.out.isEmpty());
+  EXPECT_TRUE(r.err.contains("1032AE999999999 is not heard")) << r.err.constData();
+}
+
+TEST_F(Live, CommandWithoutYesNamesTheDeviceAndSendsNone) {
+  const Outcome r = run("command setup-mode --unlock --address 80");
+  EXPECT_EQ(r.status, 2);
+  EXPECT_TRUE(r.err.contains("setup mode 1032AE100801035 (6032 Universal II)")) << r.err.constData();
+  EXPECT_FALSE(std::ranges::any_of(m_witness.frames, [](const Frame& frame) {
+    return (frame.identifier() >> 8 & 0xFF'FF) == 0xEF80 && frame.data[0] == 0x46;
+  }));
+}
+
+TEST_F(Live, CommandIsDoneOnceItIsAcknowledged) {
+  const Outcome r = run("command zero-axes --unlock --yes --pin 1032AE100801035");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  ASSERT_EQ(r.lines().size(), 1);
+  EXPECT_EQ(text(r.objects()[0], "ask"), QStringLiteral("zero_axes"));
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("answered"));
+}
+
+TEST_F(Live, ResetIsDoneOnceTheDeviceAnnouncesItselfAnew) {
+  const Outcome r = run("command reset --unlock --yes --address 80");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("answered"));
+}
+
+TEST_F(Live, CommandThatIsNotAcknowledgedIsNotDone) {
+  wish(0, {TwinFault::AnswersWrongSource});
+  const Outcome r = run("command setup-mode --unlock --yes --pin 1032AE100801035");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("no_answer"));
+  EXPECT_EQ(r.objects()[0][QLatin1String("tries")].toInt(), 1);
+}
+
+TEST_F(Live, PipeSendsStandardInputAndWritesWhatTheDeviceSays) {
+  const Outcome r = run("pipe --unlock --pin 1032AE100801035", "ECHO over the pipe\n");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_EQ(r.out, "over the pipe\r\n");
+}
+
+TEST_F(Live, PipeSendsAFileWhoseSumTheDeviceConfirms) {
+  QTemporaryDir dir;
+  const QString path = dir.filePath(QStringLiteral("content"));
+  QByteArray content;
+  simulator::Crc32 crc;
+  for (int i = 0; i < 1500; ++i) {
+    content += static_cast<char>(i * 7 + i / 256);
+    crc.add(static_cast<std::uint8_t>(content.back()));
+  }
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+  file.close();
+  const Outcome r =
+      run("pipe --unlock --address 80", {},
+          {QStringLiteral("--before"), QStringLiteral("FILE 1500"), QStringLiteral("--file"), path});
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  const QByteArray sum = QByteArray::number(crc.value(), 16).toUpper().rightJustified(8, '0');
+  EXPECT_TRUE(r.out.contains("OK 1500 CRC32 " + sum)) << r.out.constData();
+  EXPECT_TRUE(r.err.contains("1500 bytes in ")) << r.err.constData();
+  EXPECT_TRUE(r.err.contains("acknowledgements")) << r.err.constData();
+}
+
+// More than ten packets, of which the tenth is not acknowledged; less than the twin's shell takes as a line.
+constexpr const char* kLong = "ECHO a line that takes more than ten packets on its way to the twin's shell\n";
+
+TEST_F(Live, PipeStopsAtAMissingAckAndSaysHowMuchWasAcknowledged) {
+  wish(0, {TwinFault::AcksLost});
+  const Outcome r = run("pipe --unlock --pin 1032AE100801035", kLong);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains("no acknowledgement; 63 of 76 bytes were acknowledged")) << r.err.constData();
+}
+
+TEST_F(Live, PipeSkipsAPacketOnlyWhenToldTo) {
+  wish(0, {TwinFault::AcksLost});
+  const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack skip", kLong);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains("going on with the next packet")) << r.err.constData();
+  EXPECT_TRUE(r.out.startsWith("a line that takes more")) << r.out.constData();
+}
+
+TEST_F(Live, PipeSendsAgainOnlyWhenToldTo) {
+  wish(0, {TwinFault::AcksLost});
+  const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack resend", kLong);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_TRUE(r.err.contains("it may arrive twice")) << r.err.constData();
+}
+
+TEST_F(Live, PipeEndsPolitelyByCtrlC) {
+  QProcess process;
+  start(process, "pipe --unlock --pin 1032AE100801035");
+  process.write("A?\n");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return process.bytesAvailable() > 0; }, kPatience));
+  ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+  EXPECT_EQ(end(process).status, 0);
+}
+
+TEST_F(Live, WatchTellsDevicesValuesAndSilence) {
+  QProcess process;
+  start(process, "watch --unlock");
+  const auto heard = [&, all = QByteArray()](const char* part) mutable {
+    return QTest::qWaitFor([&] { return (all += process.readAllStandardOutput()).contains(part); },
+                           kPatience);
+  };
+  auto says = heard;
+  EXPECT_TRUE(says("\"event\":\"link_up\""));
+  EXPECT_TRUE(says("\"event\":\"claimed\""));
+  EXPECT_TRUE(says("\"event\":\"own_address\""));
+  EXPECT_TRUE(says("\"pin\":\"1032AE100801035\",\"address\":128,\"device_type\":1032"));
+  EXPECT_TRUE(says("\"event\":\"value\",\"pin\":\"1032AE100801035\""));
+  m_twin.obey({0, TwinButton::PowerOff});
+  EXPECT_TRUE(says("\"event\":\"stale\""));
+  m_twin.obey({0, TwinButton::PowerOn});
+  EXPECT_TRUE(says("\"event\":\"fresh\""));
+  ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+  EXPECT_EQ(end(process).status, 0);
+}
+
+TEST_F(Live, TwoOfOneIdentityCannotBeOnOneBus) {
+  QProcess first;
+  start(first, "watch --unlock --identity 7");
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return first.readAllStandardOutput().contains("own_address"); }, kPatience));
+  const Outcome second = run("poll --unlock --identity 7 --all");
+  EXPECT_EQ(second.status, 1);
+  EXPECT_TRUE(second.err.contains("another --identity")) << second.err.constData();
+  first.terminate();
+  end(first);
+}
+
+TEST_F(Live, TwoIdentitiesHaveAnAddressEach) {
+  QProcess first;
+  start(first, "watch --unlock --identity 7");
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return first.readAllStandardOutput().contains("own_address"); }, kPatience));
+  const Outcome second = run("poll --unlock --identity 8 --address 80 --kinds fault");
+  EXPECT_EQ(second.status, 0) << second.err.constData();
+  EXPECT_EQ(second.objects()[0][QLatin1String("destination")].toInt(), 0xFA);
+  first.terminate();
+  end(first);
+}
+
+}  // namespace
+}  // namespace deckpipe
