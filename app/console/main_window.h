@@ -17,6 +17,7 @@ namespace deckpipe {
 
 class StatusStrip;
 class TransportBar;
+class SendingActions;
 class Workspace;
 
 class MainWindow : public QMainWindow {
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   Workspace* m_workspace;
   TransportBar* m_transport;
   QActionGroup* m_themes = nullptr;
+  SendingActions* m_sending = nullptr;
 };
 
 }  // namespace deckpipe

@@ -5,12 +5,16 @@
 #pragma once
 
 #include <QMainWindow>
+#include <memory>
 #include <optional>
 
 #include "base/time.h"
+#include "control/intent.h"
+#include "control/twin_control.h"
 #include "model/device_labels.h"
 #include "paint/palette.h"
 #include "session/snapshot.h"
+#include "state/conversations.h"
 
 class QSettings;
 class QTabWidget;
@@ -23,7 +27,10 @@ class DevicePanel;
 class EventPanel;
 class MonitorPage;
 class OverviewPanel;
+class RequestPanel;
+class TerminalPanel;
 class TracePanel;
+class TwinPanel;
 
 class Workspace : public QMainWindow {
   Q_OBJECT
@@ -38,6 +45,7 @@ class Workspace : public QMainWindow {
   QList<QAction*> dockActions() const;
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
+  TracePanel* trace() const { return m_trace; }
   void resetLayout();
   void saveTo(QSettings& settings) const;
   void restoreFrom(const QSettings& settings);
@@ -46,6 +54,13 @@ class Workspace : public QMainWindow {
   // The cursor is wanted behind that frame: it has happened then.
   void frameRequested(std::uint64_t frame);
   void seekRequested(deckpipe::Instant time);
+  void wished(const deckpipe::Wish& wish);
+  void unlockRequested();
+  void twinWished(const deckpipe::TwinWish& wish);
+
+ public Q_SLOTS:
+  // Of the demo; its dock is there only while one runs.
+  void setTwin(const deckpipe::TwinStatus& status);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -62,6 +77,8 @@ class Workspace : public QMainWindow {
   void showPageOf(const DeviceKey& key);
   void editLabel(const Pin& pin, const QString& label);
   void showLabels();
+  void setTalk(const Snapshot& snapshot);
+  QString nameOf(const DeviceKey& key) const;
 
   LabelStorage& m_labelStorage;
   DeviceLabels m_labels;
@@ -73,10 +90,17 @@ class Workspace : public QMainWindow {
   TracePanel* m_trace;
   EventPanel* m_events;
   DecodePanel* m_decode;
+  RequestPanel* m_requests;
+  TerminalPanel* m_terminal;
+  TwinPanel* m_twin;
+  std::unique_ptr<Conversations> m_talk;  // of the log that is shown
   QDockWidget* m_devicesDock;
   QDockWidget* m_traceDock;
   QDockWidget* m_eventsDock;
   QDockWidget* m_decodeDock;
+  QDockWidget* m_requestsDock;
+  QDockWidget* m_terminalDock;
+  QDockWidget* m_twinDock;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it

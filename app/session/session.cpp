@@ -41,7 +41,7 @@ void Session::closeSource() {
     delete std::exchange(m_busThread, nullptr);
   }
   m_live = nullptr;
-  m_bench = nullptr;
+  if (std::exchange(m_bench, nullptr) != nullptr) Q_EMIT twinChanged({});
   m_opening.reset();
   m_walker.reset();
   m_document.reset();
@@ -99,6 +99,9 @@ void Session::openDemo() {
         m_document, {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel}, m_claim);
     startOnBusThread(m_live, [live = m_live] { live->start(); });
   });
+  connect(m_bench, &BenchRunner::twinChanged, this, [this, own](const TwinStatus& status) {
+    if (m_document != nullptr && own.lock() == m_document) Q_EMIT twinChanged(status);
+  });
   connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {
     if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
@@ -109,13 +112,19 @@ void Session::openDemo() {
   Q_EMIT changed();
 }
 
-std::uint64_t Session::want(decltype(Intent::value) wish) {
+std::uint64_t Session::want(Wish wish) {
   const bool isLock = std::holds_alternative<wish::Lock>(wish);
   if (m_live == nullptr || (!m_snapshot.view.atEnd && !isLock)) return 0;
   const Intent intent{std::move(wish), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(
       m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
   return intent.serial;
+}
+
+void Session::wantOfTwin(const TwinWish& wish) {
+  if (m_bench == nullptr) return;
+  QMetaObject::invokeMethod(
+      m_bench, [bench = m_bench, wish] { bench->obey(wish); }, Qt::QueuedConnection);
 }
 
 Cursor Session::endCursor() const {

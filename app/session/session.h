@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "control/intent.h"
+#include "control/twin_control.h"
 #include "link/can_link.h"
 #include "service/claim_service.h"
 #include "session/snapshot.h"
@@ -47,7 +48,9 @@ class Session : public QObject {
 
   // Hands a wish to the live link. Off the live edge only locking is heard; 0 where it was not handed on,
   // otherwise its serial, by which the snapshot tells whether it was refused.
-  std::uint64_t want(decltype(Intent::value) wish);
+  std::uint64_t want(Wish wish);
+  // To the demo's twin, where one runs.
+  void wantOfTwin(const TwinWish& wish);
 
   // Plays on from the cursor; from the end it starts over where the log does not grow.
   void play();
@@ -63,6 +66,9 @@ class Session : public QObject {
  Q_SIGNALS:
   // The snapshot differs from the one before; at most once a tick, and at once on what a person asked for.
   void changed();
+
+  // The demo's twin, whenever something about it has changed; without devices where it ended.
+  void twinChanged(const deckpipe::TwinStatus& status);
 
  private:
   void beginDocument();

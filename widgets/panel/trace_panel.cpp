@@ -13,12 +13,15 @@
 #include <QPainter>
 #include <QShortcut>
 #include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "model/cell_filters.h"
 #include "model/field_text.h"
 #include "model/filter_keys.h"
+#include "panel/id_view.h"
 #include "panel/label_ink.h"
 #include "panel/trace_filter_edit.h"
 #include "panel/trace_search_bar.h"
@@ -41,7 +44,9 @@ TracePanel::TracePanel(QWidget* parent)
   m_search = makeSearch();
   m_search->hide();
   makeBar();
-  connect(m_view, &TraceView::currentFrameChanged, this, &TracePanel::currentFrameChanged);
+  connect(m_view, &TraceView::currentFrameChanged, this, [this](std::optional<std::uint64_t> frame) {
+    if (!isById()) Q_EMIT currentFrameChanged(frame);
+  });
   connect(m_view, &TraceView::cursorRequested, this, &TracePanel::cursorRequested);
   connect(m_view, &TraceView::followingChanged, m_follow, &QAbstractButton::setChecked);
   connect(m_view, &TraceView::menuRequested, this, &TracePanel::showCellMenu);
@@ -53,16 +58,20 @@ TracePanel::TracePanel(QWidget* parent)
     connect(new QShortcut(keys, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut),
             &QShortcut::activated, this, what);
   };
-  shortcut(QKeySequence::Find, [this] { m_search->open(); });
+  const auto search = [this] {
+    m_order->setCurrentIndex(0);
+    m_search->open();
+  };
+  shortcut(QKeySequence::Find, search);
   shortcut(QKeySequence(QStringLiteral("Ctrl+L")), [this] {
+    m_order->setCurrentIndex(0);
     m_filter->setFocus(Qt::ShortcutFocusReason);
     m_filter->selectAll();
   });
   shortcut(QKeySequence(QStringLiteral("F3")),
-           [this] { m_search->isVisible() ? m_search->findNext() : m_search->open(); });
+           [this, search] { m_search->isVisible() ? m_search->findNext() : search(); });
   shortcut(QKeySequence(QStringLiteral("Shift+F3")),
-           [this] { m_search->isVisible() ? m_search->findPrevious() : m_search->open(); });
-  setFocusProxy(m_view);
+           [this, search] { m_search->isVisible() ? m_search->findPrevious() : search(); });
   showCount();
 }
 
@@ -118,6 +127,19 @@ void TracePanel::makeBar() {
   m_follow->setChecked(m_view->isFollowing());
   m_follow->setMinimumHeight(32);
   connect(m_follow, &QAbstractButton::toggled, m_view, &TraceView::setFollowing);
+  m_order = new QTabBar(this);
+  m_order->setObjectName(QStringLiteral("traceOrder"));
+  m_order->setAccessibleName(tr("Rows of the trace"));
+  m_order->setExpanding(false);
+  m_order->setMinimumHeight(32);
+  m_order->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  m_order->setDrawBase(false);
+  m_order->addTab(tr("In order"));
+  m_order->addTab(tr("By ID"));
+  m_order->setTabToolTip(0, tr("Every frame, as it came"));
+  m_order->setTabToolTip(1, tr("The last frame of each identifier, how often and how regular it comes"));
+  connect(m_order, &QTabBar::currentChanged, this, &TracePanel::setOrder);
+  bar->addWidget(m_order);
   bar->addWidget(m_filter, 1);
   bar->addWidget(m_help);
   bar->addWidget(m_count);
@@ -127,7 +149,16 @@ void TracePanel::makeBar() {
   all->setContentsMargins(0, 0, 0, 0);
   all->setSpacing(0);
   all->addLayout(bar);
-  all->addWidget(m_view, 1);
+  m_ids = new IdView(this);
+  connect(m_ids, &IdView::currentFrameChanged, this, &TracePanel::currentFrameChanged);
+  connect(m_ids, &IdView::filterRequested, this, [this](const QString& expression) {
+    m_order->setCurrentIndex(0);
+    setFilter(expression);
+  });
+  m_pages = new QStackedWidget(this);
+  m_pages->addWidget(m_view);
+  m_pages->addWidget(m_ids);
+  all->addWidget(m_pages, 1);
   all->addWidget(m_search);
 }
 
@@ -164,6 +195,7 @@ void TracePanel::setView(const LogView& view) {
     if (!m_search->edit()->text().isEmpty()) m_search->edit()->selectAll();
   }
   m_model->setView(view);
+  if (isById()) m_ids->setView(view);
   if (view.document && view.document->frames.channelCount() != m_channels) {
     m_channels = view.document->frames.channelCount();
     QStringList channels;
@@ -177,6 +209,7 @@ void TracePanel::setView(const LogView& view) {
 void TracePanel::setColours(const Colours& colours) {
   m_colours = colours;
   m_view->setColours(colours);
+  m_ids->setColours(colours);
   m_search->setColours(colours);
   showCount();
   showError();
@@ -197,13 +230,15 @@ void TracePanel::takeFilter(const TraceFilter& filter) {
 }
 
 void TracePanel::refresh() {
-  m_model->refresh();
+  if (m_model->isFiltering()) m_model->refresh();
+  if (isById()) m_ids->setView(m_model->view());
   showCount();
 }
 
 // How much passes the filter, how far it has looked, or what is wrong with it.
 void TracePanel::showCount() {
-  if (m_model->isFiltering() != m_more.isActive()) {
+  const bool isMore = m_model->isFiltering() || (isById() && m_ids->rows()->isBehind());
+  if (isMore != m_more.isActive()) {
     if (m_more.isActive()) {
       m_more.stop();
     } else {
@@ -214,8 +249,12 @@ void TracePanel::showCount() {
   const QLocale locale;
   const std::uint64_t frames = m_model->view().frameCount;
   QString text;
-  if (!m_model->isFiltered()) {
-    text = tr("%n frame(s)", nullptr, static_cast<int>(std::min<std::uint64_t>(frames, 2'000'000'000)));
+  if (isById()) {
+    text = tr("%1 rows").arg(locale.toString(m_ids->rows()->rowCount()));
+    if (const std::uint64_t others = m_ids->rows()->otherFrames(); others > 0)
+      text = tr("%1; %2 frames of further identifiers have none").arg(text, locale.toString(others));
+  } else if (!m_model->isFiltered()) {
+    text = frames == 0 ? QString() : tr("All frames");
   } else if (m_model->isFiltering()) {
     const int percent =
         static_cast<int>(100 * m_model->filteredFrames() / std::max<std::uint64_t>(frames, 1));
@@ -229,15 +268,14 @@ void TracePanel::showCount() {
 // Over the first rows, so that nothing moves while one types.
 void TracePanel::showError() {
   const auto& error = m_filter->error();
-  m_error->setVisible(error.has_value());
-  if (!error) return;
+  m_error->setVisible(error.has_value() && !isById());
+  if (!error || isById()) return;
   m_error->setText(tr("Character %1: %2").arg(error->at + 1).arg(error->text));
   QPalette inks = m_error->palette();
   inks.setColor(QPalette::Window, m_colours.surface);
   inks.setColor(QPalette::WindowText, m_colours.fault.ink);
   m_error->setPalette(inks);
-  m_error->setFixedWidth(m_filter->width());
-  m_error->adjustSize();
+  m_error->setFixedSize(m_filter->width(), m_error->heightForWidth(m_filter->width()));
   m_error->move(m_filter->x(), m_filter->geometry().bottom());
   m_error->raise();
 }
@@ -247,6 +285,31 @@ void TracePanel::resizeEvent(QResizeEvent* event) {
   showError();
 }
 
+// Filter, time and search are about frames one by one.
+void TracePanel::setOrder(int order) {
+  const bool isById = order == 1;
+  if (isById && m_search->isVisible()) closeSearch();
+  m_pages->setCurrentIndex(order);
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_filter, m_help, m_time, m_follow})
+    widget->setVisible(!isById);
+  if (isById) m_ids->setView(m_model->view());
+  showCount();
+  showError();
+  m_pages->currentWidget()->setFocus();
+  Q_EMIT currentFrameChanged(currentFrame());
+}
+
+std::optional<std::uint64_t> TracePanel::currentFrame() const {
+  return isById() ? m_ids->currentFrame() : m_view->currentFrame();
+}
+
+void TracePanel::setCurrentFrame(std::optional<std::uint64_t> frame) {
+  if (!frame) m_ids->setCurrentIndex({});
+  m_view->setCurrentFrame(frame);
+}
+
+bool TracePanel::isById() const { return m_pages->currentWidget() == m_ids; }
+
 std::optional<std::uint64_t> TracePanel::cursorRowsOn(int rows) const {
   const std::uint64_t passed = m_model->rowOf(m_model->view().cursor.frames);
   const auto far = static_cast<std::uint64_t>(std::abs(rows));
@@ -255,6 +318,10 @@ std::optional<std::uint64_t> TracePanel::cursorRowsOn(int rows) const {
   if (wanted == 0) return 0;
   const auto frame = m_model->frameOf(wanted - 1);
   return frame ? std::optional(*frame + 1) : std::nullopt;
+}
+
+void TracePanel::stepCursor(int rows) {
+  if (const auto cursor = cursorRowsOn(rows); cursor && *cursor > 0) Q_EMIT cursorRequested(*cursor - 1);
 }
 
 void TracePanel::setTimeMode(int mode) {

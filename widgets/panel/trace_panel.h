@@ -17,10 +17,13 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QStackedWidget;
+class QTabBar;
 class QToolButton;
 
 namespace deckpipe {
 
+class IdView;
 class TraceFilterEdit;
 class TraceSearchBar;
 
@@ -33,20 +36,25 @@ class TracePanel : public QWidget {
   void setView(const LogView& view);
   void setColours(const Colours& colours);
 
-  std::optional<std::uint64_t> currentFrame() const { return m_view->currentFrame(); }
-  void setCurrentFrame(std::optional<std::uint64_t> frame) { m_view->setCurrentFrame(frame); }
+  // Of what is shown: a row of the trace, or the last frame of an identifier.
+  std::optional<std::uint64_t> currentFrame() const;
+  void setCurrentFrame(std::optional<std::uint64_t> frame);
+  bool isById() const;
   // In the filter language; what is wrong is said as if it had been typed.
   void setFilter(const QString& expression);
   QString filter() const;
   // Where the cursor would stand so many rows on from where it is: 1 the next row of the trace, −1 the one
   // before. Nothing where there is none.
   std::optional<std::uint64_t> cursorRowsOn(int rows) const;
+  // Asks for the cursor there.
+  void stepCursor(int rows);
 
   // Columns and how time is said, for the caller's settings.
   QByteArray saveState() const;
   bool restoreState(const QByteArray& state);
 
   TraceView* view() const { return m_view; }
+  IdView* ids() const { return m_ids; }
   TraceModel* model() const { return m_model; }
 
  Q_SIGNALS:
@@ -68,6 +76,7 @@ class TracePanel : public QWidget {
   void showCellMenu(std::optional<TraceView::Cell> cell, const QPoint& global);
   void showColumnMenu(const QPoint& at);
   void setTimeMode(int mode);
+  void setOrder(int order);
   TraceSearchBar* makeSearch();
   void closeSearch();
 
@@ -76,6 +85,9 @@ class TracePanel : public QWidget {
   std::size_t m_channels = 0;  // that completion knows
   TraceModel* m_model;
   TraceView* m_view;
+  IdView* m_ids;
+  QStackedWidget* m_pages;
+  QTabBar* m_order;
   TraceFilterEdit* m_filter;
   QLabel* m_count;
   QLabel* m_error;
@@ -83,7 +95,7 @@ class TracePanel : public QWidget {
   QComboBox* m_time;
   QCheckBox* m_follow;
   TraceSearchBar* m_search;
-  QTimer m_more;  // while a filter is looked through
+  QTimer m_more;  // while a filter is looked through, or a table is on its way
 };
 
 }  // namespace deckpipe

@@ -8,11 +8,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QStyleFactory>
+#include <QTabBar>
 #include <QTableView>
 #include <QTest>
 #include <cstdio>
 
 #include "panel/decode_panel.h"
+#include "panel/id_view.h"
 #include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
 #include "panel/twin_panel.h"
@@ -81,6 +83,19 @@ struct Gallery {
     save(panel, {kWidth, 420}, name);
   }
 
+  void byId(const char* name, const std::shared_ptr<LogDocument>& log) {
+    TracePanel panel;
+    panel.setColours(coloursOf(theme));
+    panel.setView(test::viewOf(log));
+    panel.resize(kWidth, 420);
+    panel.show();
+    panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
+    QElapsedTimer patience;
+    patience.start();
+    while (panel.ids()->rows()->isBehind() && patience.elapsed() < 5000) QApplication::processEvents();
+    save(panel, {kWidth, 420}, name);
+  }
+
   void decode(const char* name, const std::shared_ptr<LogDocument>& log, std::uint64_t frame, QSize size,
               const char* field) {
     DecodeModel model;
@@ -132,6 +147,7 @@ struct Gallery {
     tracePanel("panel_nothing", busy, "id=123");
     tracePanel("panel_found", busy, "", "soft limits");
     tracePanel("panel_not_found", busy, "dir=tx", "elevation_deg>80");
+    byId("panel_by_id", busy);
     decode("decode_position", busy, 3, {520, 760}, "Rotation");
     decode("decode_wide", busy, 3, {kWidth, 300}, "Rotation");
     decode("decode_joystick", busy, 6, {420, 600}, "Stick X");

@@ -14,9 +14,11 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 #include <QToolButton>
 
+#include "panel/id_view.h"
 #include "panel/trace_filter_edit.h"
 #include "panel/trace_search_bar.h"
 #include "support/frames.h"
@@ -307,6 +309,26 @@ TEST_F(TracePanelTest, TellsWhereTheNextRowIs) {
   EXPECT_FALSE(panel.cursorRowsOn(-5));
   panel.setView(test::viewOf(log, 95));
   EXPECT_FALSE(panel.cursorRowsOn(1));
+}
+
+TEST_F(TracePanelTest, ShowsTrafficByIdentifierAndLeadsBackToItsFrames) {
+  open(traffic(1000));
+  QSignalSpy looked(&panel, &TracePanel::currentFrameChanged);
+  QTabBar* order = child<QTabBar>("traceOrder");
+  QTest::mouseClick(order, Qt::LeftButton, {}, order->tabRect(1).center());
+  ASSERT_TRUE(panel.isById());
+  EXPECT_FALSE(filter()->isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return panel.ids()->model()->rowCount() == 2; }));
+  panel.ids()->grab();
+  QTest::keyClick(panel.ids(), Qt::Key_Down);
+  QTest::keyClick(panel.ids(), Qt::Key_Down);
+  EXPECT_EQ(panel.currentFrame(), 990u);  // of 18EFFF81
+  EXPECT_EQ(looked.back().front().value<std::optional<std::uint64_t>>(), 990u);
+  QTest::keyClick(panel.ids(), Qt::Key_Return);
+  EXPECT_FALSE(panel.isById());
+  EXPECT_EQ(panel.filter(), QStringLiteral("ch=\"can0\" and id=18EFFF81 and type=01"));
+  waitForFilter();
+  EXPECT_EQ(model().rows(), 100u);
 }
 
 TEST_F(TracePanelTest, LivesWithoutALog) {
