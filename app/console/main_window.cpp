@@ -15,6 +15,7 @@
 #include "pane_cycle.h"
 #include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
+#include "sending_actions.h"
 #include "start_page.h"
 #include "status_strip.h"
 #include "workspace.h"
@@ -40,7 +41,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_session(session),
       m_status(new StatusStrip(this)),
       m_pages(new QStackedWidget(this)),
-      m_workspace(new Workspace(m_pages)),
+      m_workspace(new Workspace(m_labels, m_pages)),
       m_transport(new TransportBar(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
@@ -55,6 +56,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   layout->addWidget(m_pages, 1);
   layout->addWidget(m_transport);
   setCentralWidget(central);
+  m_sending = new SendingActions(m_session, this);
+  m_session.setClaim(claimSettings());
   makeMenus();
   connect(start, &StartPage::logRequested, this, &MainWindow::openLogByHand);
   connect(start, &StartPage::demoRequested, &m_session, &Session::openDemo);
@@ -82,6 +85,8 @@ void MainWindow::makeMenus() {
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close)
       ->setObjectName(QStringLiteral("quitAction"));
+
+  menuBar()->addMenu(m_sending->menu());
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   m_themes = new QActionGroup(this);
@@ -113,6 +118,10 @@ void MainWindow::connectPanels() {
   connect(m_workspace, &Workspace::frameRequested, this,
           [this](std::uint64_t frame) { m_session.seekFrames(frame + 1); });
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
+  connect(m_workspace, &Workspace::wished, m_sending, &SendingActions::wish);
+  connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);
+  connect(m_workspace, &Workspace::twinWished, &m_session, &Session::wantOfTwin);
+  connect(&m_session, &Session::twinChanged, m_workspace, &Workspace::setTwin);
   connect(m_transport, &TransportBar::playRequested, &m_session, &Session::play);
   connect(m_transport, &TransportBar::pauseRequested, &m_session, &Session::pause);
   connect(m_transport, &TransportBar::seekRequested, &m_session, &Session::seek);
@@ -128,6 +137,7 @@ void MainWindow::showSnapshot() {
   const Snapshot& snapshot = m_session.snapshot();
   const LogView& view = snapshot.view;
   m_status->setSnapshot(snapshot);
+  m_sending->setSnapshot(snapshot);
   if (view.document == nullptr) {
     m_pages->setCurrentIndex(0);
   } else {

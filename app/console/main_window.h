@@ -8,6 +8,7 @@
 
 #include "paint/palette.h"
 #include "session/session.h"
+#include "settings_labels.h"
 
 class QActionGroup;
 class QStackedWidget;
@@ -16,6 +17,7 @@ namespace deckpipe {
 
 class StatusStrip;
 class TransportBar;
+class SendingActions;
 class Workspace;
 
 class MainWindow : public QMainWindow {
@@ -44,11 +46,13 @@ class MainWindow : public QMainWindow {
 
   Session& m_session;
   Theme m_theme = Theme::Light;
+  SettingsLabels m_labels;
   StatusStrip* m_status;
   QStackedWidget* m_pages;
   Workspace* m_workspace;
   TransportBar* m_transport;
   QActionGroup* m_themes = nullptr;
+  SendingActions* m_sending = nullptr;
 };
 
 }  // namespace deckpipe

@@ -5,11 +5,16 @@
 #pragma once
 
 #include <QMainWindow>
+#include <memory>
 #include <optional>
 
 #include "base/time.h"
+#include "control/intent.h"
+#include "control/twin_control.h"
+#include "model/device_labels.h"
 #include "paint/palette.h"
 #include "session/snapshot.h"
+#include "state/conversations.h"
 
 class QSettings;
 class QTabWidget;
@@ -21,12 +26,17 @@ class DecodePanel;
 class DevicePanel;
 class EventPanel;
 class MonitorPage;
+class OverviewPanel;
+class RequestPanel;
+class TerminalPanel;
 class TracePanel;
+class TwinPanel;
 
 class Workspace : public QMainWindow {
   Q_OBJECT
  public:
-  explicit Workspace(QWidget* parent = nullptr);
+  // Labels are read from `labels` at once and written to it at every edit.
+  explicit Workspace(LabelStorage& labels, QWidget* parent = nullptr);
 
   void setSnapshot(const Snapshot& snapshot);
   void setColours(const Colours& colours);
@@ -44,6 +54,13 @@ class Workspace : public QMainWindow {
   // The cursor is wanted behind that frame: it has happened then.
   void frameRequested(std::uint64_t frame);
   void seekRequested(deckpipe::Instant time);
+  void wished(const deckpipe::Wish& wish);
+  void unlockRequested();
+  void twinWished(const deckpipe::TwinWish& wish);
+
+ public Q_SLOTS:
+  // Of the demo; its dock is there only while one runs.
+  void setTwin(const deckpipe::TwinStatus& status);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -57,18 +74,33 @@ class Workspace : public QMainWindow {
   void shareRoom();
   void showFrame(std::optional<std::uint64_t> frame);
   void chooseFirstMonitor(const LogView& view);
+  void showPageOf(const DeviceKey& key);
+  void editLabel(const Pin& pin, const QString& label);
+  void showLabels();
+  void setTalk(const Snapshot& snapshot);
+  QString nameOf(const DeviceKey& key) const;
 
+  LabelStorage& m_labelStorage;
+  DeviceLabels m_labels;
   DecodeModel* m_decodeModel;
   DevicePanel* m_devices;
   QTabWidget* m_centre;
   MonitorPage* m_page;
+  OverviewPanel* m_overview;
   TracePanel* m_trace;
   EventPanel* m_events;
   DecodePanel* m_decode;
+  RequestPanel* m_requests;
+  TerminalPanel* m_terminal;
+  TwinPanel* m_twin;
+  std::unique_ptr<Conversations> m_talk;  // of the log that is shown
   QDockWidget* m_devicesDock;
   QDockWidget* m_traceDock;
   QDockWidget* m_eventsDock;
   QDockWidget* m_decodeDock;
+  QDockWidget* m_requestsDock;
+  QDockWidget* m_terminalDock;
+  QDockWidget* m_twinDock;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it

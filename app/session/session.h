@@ -10,7 +10,10 @@
 #include <functional>
 #include <memory>
 
+#include "control/intent.h"
+#include "control/twin_control.h"
 #include "link/can_link.h"
+#include "service/claim_service.h"
 #include "session/snapshot.h"
 
 class QThread;
@@ -38,7 +41,16 @@ class Session : public QObject {
   void openDemo();
   void closeSource();
 
+  // Who we are on a bus; for links opened from now on.
+  void setClaim(const ClaimSettings& claim) { m_claim = claim; }
+
   const Snapshot& snapshot() const { return m_snapshot; }
+
+  // Hands a wish to the live link. Off the live edge only locking is heard; 0 where it was not handed on,
+  // otherwise its serial, by which the snapshot tells whether it was refused.
+  std::uint64_t want(Wish wish);
+  // To the demo's twin, where one runs.
+  void wantOfTwin(const TwinWish& wish);
 
   // Plays on from the cursor; from the end it starts over where the log does not grow.
   void play();
@@ -54,6 +66,9 @@ class Session : public QObject {
  Q_SIGNALS:
   // The snapshot differs from the one before; at most once a tick, and at once on what a person asked for.
   void changed();
+
+  // The demo's twin, whenever something about it has changed; without devices where it ended.
+  void twinChanged(const deckpipe::TwinStatus& status);
 
  private:
   void beginDocument();
@@ -72,6 +87,8 @@ class Session : public QObject {
   QThread* m_busThread = nullptr;  // deletes what lives on it when it ends
   LiveBus* m_live = nullptr;
   BenchRunner* m_bench = nullptr;
+  ClaimSettings m_claim;
+  std::uint64_t m_serial = 0;
   QTimer m_timer;
   std::uint64_t m_indexed = 0;  // frames of the log when the walker was last told
   QElapsedTimer m_playClock;    // since the cursor was last moved by playing

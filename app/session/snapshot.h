@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include "control/status.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
@@ -37,6 +38,8 @@ struct Snapshot {
   bool playing = false;
   double speed = 1;
   SourceStatus source;
+  // Of the live link, whatever the cursor shows; locked and empty without one. Never null.
+  std::shared_ptr<const ServiceStatus> services = std::make_shared<const ServiceStatus>();
 };
 
 }  // namespace deckpipe

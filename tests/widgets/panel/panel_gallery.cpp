@@ -17,7 +17,9 @@
 #include "panel/id_view.h"
 #include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
+#include "panel/twin_panel.h"
 #include "widgets/panel/panel_samples.h"
+#include "widgets/panel/twin_samples.h"
 
 namespace deckpipe {
 namespace {
@@ -117,6 +119,13 @@ struct Gallery {
     save(bar, {kWidth, bar.sizeHint().height()}, name);
   }
 
+  void twin(const char* name, const TwinStatus& status, QSize size) {
+    TwinPanel panel;
+    panel.setColours(coloursOf(theme));
+    panel.setStatus(status);
+    save(panel, size, name);
+  }
+
   void all() {
     QApplication::setPalette(qtPalette(coloursOf(theme)));
     const auto busy = test::logOfText(test::busyText(400));
@@ -152,6 +161,10 @@ struct Gallery {
     transport("transport_file", test::viewOf(busy, count / 3), {});
     transport("transport_playing", test::viewOf(busy, count / 2), {.isPlaying = true, .speed = 4});
     transport("transport_live", test::viewOf(busy), {.isPlaying = true, .speed = 1});
+    twin("twin", test::twinSample({TwinFault::RotationSensorError, TwinFault::AnswersLate}), {320, 620});
+    twin("twin_high", test::twinSample(), {320, 1120});
+    twin("twin_small", test::twinSample(), {280, 360});
+    twin("twin_none", {}, {320, 300});
   }
 };
 
