@@ -55,21 +55,21 @@ AskCard::AskCard(Ask ask, QWidget* parent)
   layout->addWidget(m_state, 2, 1);
   layout->addWidget(m_button, 0, 2, 2, 1, Qt::AlignTop);
   layout->setColumnStretch(1, 1);
-  show();
+  showState();
 }
 
 void AskCard::setValues(const Values& values) {
   if (values == m_values) return;
   m_values = values;
-  show();
+  showState();
 }
 
 void AskCard::setColours(const Colours& colours) {
   m_colours = colours;
-  show();
+  showState();
 }
 
-void AskCard::show() {
+void AskCard::showState() {
   const auto look = [this]() -> std::pair<std::optional<Glyph>, QColor> {
     switch (m_values.tone) {
       case Tone::Plain: break;

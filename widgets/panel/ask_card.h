@@ -40,7 +40,7 @@ class AskCard : public QWidget {
   void pressed();
 
  private:
-  void show();
+  void showState();
 
   Ask m_ask;
   Values m_values;

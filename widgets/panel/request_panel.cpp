@@ -193,7 +193,7 @@ void RequestPanel::setView(const LogView& view, const Conversations& talk, const
   const int rows = m_history->rowCount();
   m_history->setView(view, talk, m_device);
   if (isAtEnd && m_history->rowCount() != rows) m_historyView->scrollToBottom();
-  show();
+  showState();
 }
 
 void RequestPanel::setColours(const Colours& colours) {
@@ -222,7 +222,7 @@ void RequestPanel::showHint() {
   m_unlock->setVisible(m_isLive && m_services.locked);
 }
 
-void RequestPanel::show() {
+void RequestPanel::showState() {
   setText(*m_title, m_name);
   m_title->setVisible(!m_name.isEmpty());
   showHint();

@@ -44,7 +44,7 @@ class RequestPanel : public QWidget {
 
  private:
   QWidget* makeAsks();
-  void show();
+  void showState();
   void showHint();
   void showCard(AskCard& card, const DeviceServices* device);
   void press(Ask ask);
