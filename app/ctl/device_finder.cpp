@@ -15,6 +15,11 @@ QString latin1(std::string_view text) {
 
 void DeviceFinder::begin() {
   m_since.start();
+  ask();
+}
+
+void DeviceFinder::ask() {
+  m_asked = m_since.elapsed();
   m_run.session().want(wish::AskNames{});
 }
 
@@ -32,6 +37,8 @@ std::vector<DeviceServices> DeviceFinder::devices() const {
 bool DeviceFinder::hasFound() {
   if (m_hasFound) return true;
   const std::vector<DeviceServices> found = devices();
+  // An answer may get lost on a busy bus.
+  if (m_since.elapsed() - m_asked >= kAskAgain) ask();
   const bool heardEveryone = m_since.elapsed() >= kHearEveryone;
   // An address alone may yet turn out to be a PIN's.
   const bool isCertain =

@@ -12,7 +12,7 @@ namespace deckpipe::ctl {
 
 class DeviceFinder {
  public:
-  static constexpr int kHearEveryone = 2'000, kPatience = 3'000;  // ms
+  static constexpr int kHearEveryone = 2'000, kPatience = 3'000, kAskAgain = 900;  // ms
 
   DeviceFinder(LiveRun& run, DeviceName name) : m_run(run), m_name(name) {}
   void begin();
@@ -22,9 +22,12 @@ class DeviceFinder {
   std::vector<DeviceServices> devices() const;
 
  private:
+  void ask();
+
   LiveRun& m_run;
   DeviceName m_name;
   QElapsedTimer m_since;
+  qint64 m_asked = 0;  // ms since then
   bool m_hasFound = false;
 };
 

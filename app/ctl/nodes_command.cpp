@@ -43,7 +43,11 @@ int nodesCommand(const QStringList& arguments) {
     return kDone;
   };
   run.onStop = tell;
+  // Again every second: an answer may get lost on a busy bus.
+  QTimer ask;
+  QObject::connect(&ask, &QTimer::timeout, [&] { run.session().want(wish::AskNames{}); });
   run.onReady = [&] {
+    if (settings->unlock) ask.start(std::chrono::seconds(1));
     QTimer::singleShot(std::chrono::milliseconds(static_cast<int>(*length * 1000)), &run,
                        [&] { run.finish(tell()); });
   };

@@ -81,7 +81,8 @@ class Witness {
 
 // A session on an interface, as the console has it.
 struct Console {
-  explicit Console(const QString& interfaceName, int bitRate = 250'000) {
+  explicit Console(const QString& interfaceName, int bitRate = 250'000, const ClaimSettings& claim = {}) {
+    session.setClaim(claim);
     session.openLink({QStringLiteral("socketcan"), interfaceName, bitRate, {}});
   }
   template <typename Condition>
