@@ -4,10 +4,10 @@
 <context>
     <name>Details</name>
     <message numerus="yes">
-        <source>, %n changes</source>
+        <source>and %n earlier</source>
         <translation>
-            <numerusform>, %n change</numerusform>
-            <numerusform>, %n changes</numerusform>
+            <numerusform>and %n earlier</numerusform>
+            <numerusform>and %n earlier</numerusform>
         </translation>
     </message>
 </context>
@@ -70,12 +70,35 @@
     </message>
 </context>
 <context>
+    <name>deckpipe::OverviewPanel</name>
+    <message numerus="yes">
+        <source>No monitor heard up to this place of the log.
+Other devices in the list: %n.</source>
+        <translation>
+            <numerusform>No monitor heard up to this place of the log.
+Other devices in the list: %n.</numerusform>
+            <numerusform>No monitor heard up to this place of the log.
+Other devices in the list: %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::PageHeader</name>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>
             <numerusform>And %n more.</numerusform>
             <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::TracePanel</name>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n frame</numerusform>
+            <numerusform>%n frames</numerusform>
         </translation>
     </message>
 </context>

@@ -42,7 +42,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_notice(new NoticeBar(this)),
       m_pages(new QStackedWidget(this)),
       m_connection(new Connection(m_pages)),
-      m_workspace(new Workspace(m_pages)),
+      m_workspace(new Workspace(m_labels, m_pages)),
       m_settings(new SettingsPage(m_pages)),
       m_markBar(new MarkBar(this)),
       m_saveBar(new SaveBar(this)),

@@ -10,6 +10,7 @@
 #include "paint/palette.h"
 #include "panel/notice_bar.h"
 #include "session/session.h"
+#include "settings_labels.h"
 
 class QActionGroup;
 class QFileDialog;
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
   Snapshot m_snapshot;
   Theme m_theme = Theme::Light;
   Density m_density = Density::Desk;
+  SettingsLabels m_labels;
   StatusStrip* m_status;
   NoticeBar* m_notice;
   QStackedWidget* m_pages;

@@ -62,8 +62,12 @@ void StatusStrip::setSnapshot(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   const bool isOpen = view.document != nullptr;
   tell(m_source, sourceFact(snapshot.source));
-  tell(m_lock, lockFact(snapshot.source));
-  for (StatusCell* cell : {m_load, m_rate, m_errors, m_recording, m_completeness}) cell->setVisible(isOpen);
+  tell(m_lock, lockFact(snapshot));
+  // Of what never came up nothing is complete and nothing is recorded.
+  const auto progress = snapshot.source.progress;
+  const bool isUp = progress == SourceStatus::Progress::Running || progress == SourceStatus::Progress::Done;
+  const bool hasFacts = isOpen && (isUp || view.frameCount > 0);
+  for (StatusCell* cell : {m_load, m_rate, m_errors, m_recording, m_completeness}) cell->setVisible(hasFacts);
   if (!isOpen) return;
   if (ratesAreDue(view)) {
     m_rates = ratesAt(view);

@@ -173,7 +173,13 @@ StatusFact errorFact(const Snapshot& snapshot) {
                      "termination or a bad cable make many. Not every adapter reports them.")};
 }
 
-StatusFact lockFact(const SourceStatus& source) {
+StatusFact lockFact(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  if (!snapshot.services->locked) {
+    return {
+        StatusTone::Attend, StatusText::tr("Transmit unlocked"),
+        StatusText::tr("Deckpipe may send on this bus: its address claim, and what is asked for by hand.")};
+  }
   QString story =
       StatusText::tr("Deckpipe receives only: it sends nothing, no claim, no request, no command.");
   if (source.kind == From::Link && !source.simulated) {

@@ -26,7 +26,7 @@ StatusFact sourceFact(const SourceStatus& source);
 StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);
 StatusFact rateFact(const BusRates& rates);
 StatusFact errorFact(const Snapshot& snapshot);
-StatusFact lockFact(const SourceStatus& source);
+StatusFact lockFact(const Snapshot& snapshot);
 StatusFact recordingFact(const Snapshot& snapshot);
 StatusFact completenessFact(const Snapshot& snapshot);
 

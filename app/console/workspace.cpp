@@ -12,13 +12,13 @@
 
 #include "model/decode_model.h"
 #include "model/device_rows.h"
-#include "model/trace_model.h"
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
 #include "panel/event_panel.h"
 #include "panel/help_panel.h"
 #include "panel/monitor_page.h"
-#include "panel/trace_view.h"
+#include "panel/overview_panel.h"
+#include "panel/trace_panel.h"
 
 namespace deckpipe {
 namespace {
@@ -30,8 +30,11 @@ constexpr int kDetailWidth = 420, kTraceHeight = 240;
 
 }  // namespace
 
-Workspace::Workspace(QWidget* parent)
-    : QMainWindow(parent), m_traceModel(new TraceModel(this)), m_decodeModel(new DecodeModel(this)) {
+Workspace::Workspace(LabelStorage& labels, QWidget* parent)
+    : QMainWindow(parent),
+      m_labelStorage(labels),
+      m_labels(labels.read()),
+      m_decodeModel(new DecodeModel(this)) {
   setObjectName(QStringLiteral("workspace"));
   setWindowFlags(Qt::Widget);  // QMainWindow makes itself a window, whatever it is told
   setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
@@ -42,8 +45,8 @@ Workspace::Workspace(QWidget* parent)
 
   m_devices = new DevicePanel(this);
   m_page = new MonitorPage(this);
-  m_trace = new TraceView(this);
-  m_trace->setModel(m_traceModel);
+  m_overview = new OverviewPanel(this);
+  m_trace = new TracePanel(this);
   m_decode = new DecodePanel(this);
   m_decode->setModel(m_decodeModel);
   m_events = new EventPanel(this);
@@ -54,6 +57,7 @@ Workspace::Workspace(QWidget* parent)
   m_centre->setDocumentMode(true);
   m_centre->setTabBarAutoHide(true);
   m_centre->addTab(m_page, tr("Device"));
+  m_centre->addTab(m_overview, tr("All monitors"));
   setCentralWidget(m_centre);
   m_devicesDock = makeDock("devicesDock", tr("Devices"), m_devices);
   m_traceDock = makeDock("traceDock", tr("Trace"), m_trace);
@@ -72,9 +76,31 @@ Workspace::Workspace(QWidget* parent)
   connect(m_decodeDock->toggleViewAction(), &QAction::triggered, this,
           [this](bool isOn) { m_decodeWanted = isOn; });
   connect(m_devices, &DevicePanel::deviceSelected, m_page, &MonitorPage::setDevice);
-  connect(m_trace, &TraceView::currentFrameChanged, this, &Workspace::showFrame);
-  connect(m_trace, &TraceView::cursorRequested, this, &Workspace::frameRequested);
+  connect(m_devices, &DevicePanel::deviceSelected, m_overview, &OverviewPanel::setDevice);
+  connect(m_devices, &DevicePanel::labelEdited, this, &Workspace::editLabel);
+  connect(m_overview, &OverviewPanel::deviceRequested, this, &Workspace::showPageOf);
+  connect(m_trace, &TracePanel::currentFrameChanged, this, &Workspace::showFrame);
+  connect(m_trace, &TracePanel::cursorRequested, this, &Workspace::frameRequested);
   connect(m_events, &EventPanel::seekRequested, this, &Workspace::seekRequested);
+  showLabels();
+}
+
+void Workspace::showPageOf(const DeviceKey& key) {
+  m_devices->selectDevice(key);
+  m_centre->setCurrentWidget(m_page);
+  m_page->setFocus();
+}
+
+void Workspace::editLabel(const Pin& pin, const QString& label) {
+  if (!m_labels.set(pin, label)) return;
+  m_labelStorage.write(m_labels);
+  showLabels();
+}
+
+void Workspace::showLabels() {
+  m_devices->setLabels(m_labels);
+  m_page->setLabels(m_labels);
+  m_overview->setLabels(m_labels);
 }
 
 QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget* content) {
@@ -137,7 +163,9 @@ void Workspace::setSnapshot(const Snapshot& snapshot) {
   chooseFirstMonitor(view);
   m_page->setView(view);
   m_page->setAnimated(view.atEnd || snapshot.playing);
-  m_traceModel->setView(view);
+  m_overview->setView(view);
+  m_overview->setAnimated(view.atEnd || snapshot.playing);
+  m_trace->setView(view);
   m_events->setView(view);
   m_decodeModel->setView(view);
 }
@@ -145,6 +173,7 @@ void Workspace::setSnapshot(const Snapshot& snapshot) {
 void Workspace::setColours(const Colours& colours) {
   m_devices->setColours(colours);
   m_page->setColours(colours);
+  m_overview->setColours(colours);
   m_trace->setColours(colours);
   m_events->setColours(colours);
   m_decode->setColours(colours);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/time.h"
+#include "model/device_labels.h"
 #include "paint/palette.h"
 #include "session/snapshot.h"
 
@@ -22,13 +23,14 @@ class DevicePanel;
 class EventPanel;
 class HelpPanel;
 class MonitorPage;
-class TraceModel;
-class TraceView;
+class OverviewPanel;
+class TracePanel;
 
 class Workspace : public QMainWindow {
   Q_OBJECT
  public:
-  explicit Workspace(QWidget* parent = nullptr);
+  // Labels are read from `labels` at once and written to it at every edit.
+  explicit Workspace(LabelStorage& labels, QWidget* parent = nullptr);
 
   void setSnapshot(const Snapshot& snapshot);
   void setColours(const Colours& colours);
@@ -62,13 +64,18 @@ class Workspace : public QMainWindow {
   void shareRoom();
   void showFrame(std::optional<std::uint64_t> frame);
   void chooseFirstMonitor(const LogView& view);
+  void showPageOf(const DeviceKey& key);
+  void editLabel(const Pin& pin, const QString& label);
+  void showLabels();
 
-  TraceModel* m_traceModel;
+  LabelStorage& m_labelStorage;
+  DeviceLabels m_labels;
   DecodeModel* m_decodeModel;
   DevicePanel* m_devices;
   QTabWidget* m_centre;
   MonitorPage* m_page;
-  TraceView* m_trace;
+  OverviewPanel* m_overview;
+  TracePanel* m_trace;
   EventPanel* m_events;
   DecodePanel* m_decode;
   HelpPanel* m_help;

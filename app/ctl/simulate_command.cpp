@@ -132,19 +132,36 @@ int simulateCommand(const QStringList& arguments) {
                                 QStringLiteral("The same seed gives the same truck; 1 by default."),
                                 QStringLiteral("S"), QStringLiteral("1"));
   const QCommandLineOption misbehave(QStringLiteral("misbehave"), misbehaveHelp(),
-                                     QStringLiteral("DEVICE:WHAT[@SECONDS]"));
-  parser.addOptions({plugin, interfaceName, bitRate, log, seconds, seed, misbehave});
+                                     QStringLiteral("DEVICE:WHAT[=VALUE][@SECONDS]"));
+  const QCommandLineOption monitors(
+      QStringLiteral("monitors"),
+      QStringLiteral(
+          "So many 6032 monitors instead of one, up to %1; about 40 fill a real bus of 250 kbit/s.")
+          .arg(simulator::kMostMonitors),
+      QStringLiteral("N"), QStringLiteral("1"));
+  parser.addOptions({plugin, interfaceName, bitRate, log, seconds, seed, monitors, misbehave});
   if (const auto status = parse(parser, arguments)) return *status;
   if (!parser.positionalArguments().isEmpty())
     return badUsage(QStringLiteral("simulate: takes options only"));
 
-  bool seedOk = false, secondsOk = false, rateOk = false;
+  if (parser.values(misbehave).contains(QLatin1String("help"))) {
+    Output output;
+    output.text() += misbehaveTable().toStdString();
+    return output.flush() ? kDone : kNotWhole;
+  }
+
+  bool monitorsOk = false, seedOk = false, secondsOk = false, rateOk = false;
   const quint64 seedValue = parser.value(seed).toULongLong(&seedOk);
   const double secondsValue = parser.value(seconds).toDouble(&secondsOk);
+  const unsigned monitorCount = parser.value(monitors).toUInt(&monitorsOk);
   const int rate = parser.value(bitRate).toInt(&rateOk);
   if (!seedOk) return badUsage(QStringLiteral("simulate: --seed wants a whole number"));
   if (!secondsOk || !(secondsValue > 0) || secondsValue > 1e6) {
     return badUsage(QStringLiteral("simulate: --seconds wants a number above 0, at most 1000000"));
+  }
+  if (!monitorsOk || monitorCount < 1 || monitorCount > simulator::kMostMonitors) {
+    return badUsage(
+        QStringLiteral("simulate: --monitors wants a number from 1 to %1").arg(simulator::kMostMonitors));
   }
   if (!rateOk || rate < 0) return badUsage(QStringLiteral("simulate: --bitrate wants bits a second"));
   const bool toLog = parser.isSet(log);
@@ -155,11 +172,13 @@ int simulateCommand(const QStringList& arguments) {
     return badUsage(QStringLiteral("simulate: --plugin and --interface go together"));
   }
 
-  BenchRunner runner(seedValue);
-  MisbehavePlan plan;
+  BenchRunner runner(seedValue, monitorCount);
+  MisbehavePlan plan(monitorCount);
   for (const QString& text : parser.values(misbehave)) {
     if (!plan.add(text))
-      return badUsage(QStringLiteral("simulate: --misbehave '%1': %2").arg(text, misbehaveHelp()));
+      return badUsage(
+          QStringLiteral("simulate: --misbehave '%1' is not understood; '--misbehave help' lists what is")
+              .arg(text));
   }
   plan.apply(runner.bench());
   if (toLog) return writeLog(runner.bench(), secondsValue, parser.value(log));

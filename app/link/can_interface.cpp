@@ -90,8 +90,12 @@ CanInterface linkFacts(std::uint16_t messageType, Bytes message) {
   Bytes controller;
   forEachAttribute(message.subspan(aligned(sizeof(ifinfomsg))), [&](int type, Bytes value) {
     if (type == IFLA_IFNAME) out.name = text(value);
-    if (type == IFLA_STATS64) out.receivedFrames = load<std::uint64_t>(value);  // rx_packets stands first
     if (type == IFLA_MTU) out.hasFlexibleDataRate = load<std::uint32_t>(value) >= kFlexibleDataRateMtu;
+    if (type == IFLA_STATS64) {
+      const auto counted = load<rtnl_link_stats64>(value);
+      out.receivedFrames = counted.rx_packets;
+      out.overruns = counted.rx_over_errors + counted.rx_dropped;
+    }
     if (type != IFLA_LINKINFO) return;
     forEachAttribute(value, [&](int inner, Bytes innerValue) {
       if (inner == IFLA_INFO_KIND) out.kind = text(innerValue);

@@ -13,19 +13,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "bus/controller.h"
 
 namespace deckpipe {
-
-// Of the CAN controller, as the driver reports it; Unknown for interfaces without one (vcan).
-enum class ControllerState : std::uint8_t {
-  Unknown,
-  ErrorActive,
-  ErrorWarning,
-  ErrorPassive,
-  BusOff,
-  Stopped,
-  Sleeping
-};
 
 struct CanInterface {
   int index = 0;
@@ -41,6 +31,8 @@ struct CanInterface {
   std::uint16_t sendErrors = 0;
   std::uint16_t receiveErrors = 0;
   std::uint64_t receivedFrames = 0;  // since the interface was made, whoever listens
+  std::uint64_t overruns =
+      0;  // frames that controller and driver lost before any socket saw them; one may be several
   ControllerState controller = ControllerState::Unknown;
 };
 

@@ -4,6 +4,8 @@
 #include <QAbstractSocket>
 #include <QCanBus>
 #include <QCanBusDevice>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QSocketNotifier>
 #include <QTimer>
 #include <QVariant>
@@ -29,8 +31,20 @@ bool isAnyOf(const QString& text, std::initializer_list<int> errors) {
 
 }  // namespace
 
-CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock)
-    : QObject(parent), m_settings(std::move(settings)), m_clock(std::move(clock)) {
+CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock,
+                 std::unique_ptr<InterfaceSource> interfaces)
+    : QObject(parent),
+      m_settings(std::move(settings)),
+      m_clock(std::move(clock)),
+      m_interfaces(std::move(interfaces)) {
+  if (m_interfaces == nullptr && isSocketCan()) m_interfaces = std::make_unique<InterfaceWatch>();
+  if (m_interfaces != nullptr) {
+    connect(m_interfaces.get(), &InterfaceSource::changed, this, &CanLink::interfaceChanged);
+    connect(m_interfaces.get(), &InterfaceSource::overrun, this, [this] { readHardware(true); });
+  }
+  m_hardwareTimer = new QTimer(this);
+  m_hardwareTimer->setSingleShot(true);
+  connect(m_hardwareTimer, &QTimer::timeout, this, [this] { readHardware(false); });
   m_connectTimer = new QTimer(this);
   m_connectTimer->setSingleShot(true);
   connect(m_connectTimer, &QTimer::timeout, this, [this] { gone(LinkFault::NoAnswer, tr("No answer.")); });
@@ -57,6 +71,7 @@ void CanLink::open(PortListener& listener) {
   m_listener = &listener;
   m_status = {};
   m_own = OwnFrames(echoes() ? 512 : 64);
+  m_newOverruns = 0;
   tell(LinkState::Connecting, LinkFault::None, {});
   for (const auto step : {&CanLink::checkHardware, &CanLink::createDevice, &CanLink::connectDevice}) {
     if (m_status.state != LinkState::Connecting) return;  // the listener thought better of it
@@ -66,9 +81,12 @@ void CanLink::open(PortListener& listener) {
 }
 
 void CanLink::close() {
+  while (m_listener != nullptr && !deliverRest()) {
+  }
   if (m_listener == nullptr) return;
-  deliver();
+  ++m_session;
   dropDevice(Leave::Politely);
+  stopFollowing();
   PortListener* listener = std::exchange(m_listener, nullptr);
   if (std::exchange(m_status.state, LinkState::Closed) != LinkState::Closed && listener != nullptr) {
     listener->linkChanged(LinkState::Closed, {});
@@ -76,18 +94,20 @@ void CanLink::close() {
 }
 
 std::optional<CanLink::Obstacle> CanLink::checkHardware() {
-  if (!isSocketCan()) return {};
-  const std::string name = m_settings.interfaceName.toStdString();
-  const auto facts = readInterface(name);
+  if (m_interfaces == nullptr) return {};
+  const auto facts = m_interfaces->read(m_settings.interfaceName.toStdString());
   if (!facts) return Obstacle{LinkFault::NoInterface, QString::fromStdString(facts.error())};
   m_status.hardware = facts.value();
-  const CanInterface& hardware = *m_status.hardware;
-  if (!hardware.isCan) return Obstacle{LinkFault::NoInterface, tr("This is no CAN interface.")};
-  if (!hardware.isUp) return Obstacle{LinkFault::InterfaceDown, tr("The interface is down.")};
+  return obstacleIn(facts.value());
+}
+
+std::optional<CanLink::Obstacle> CanLink::obstacleIn(const CanInterface& facts) const {
+  if (!facts.isCan) return Obstacle{LinkFault::NoInterface, tr("This is no CAN interface.")};
+  if (!facts.isUp) return Obstacle{LinkFault::InterfaceDown, tr("The interface is down.")};
   const auto asked = static_cast<std::uint32_t>(m_settings.bitRate);
-  if (asked != 0 && hardware.bitRate != 0 && hardware.bitRate != asked) {
+  if (asked != 0 && facts.bitRate != 0 && facts.bitRate != asked) {
     return Obstacle{LinkFault::WrongBitRate,
-                    tr("The interface runs at %1 bit/s, not at %2.").arg(hardware.bitRate).arg(asked)};
+                    tr("The interface runs at %1 bit/s, not at %2.").arg(facts.bitRate).arg(asked)};
   }
   return {};
 }
@@ -105,8 +125,11 @@ std::optional<CanLink::Obstacle> CanLink::createDevice() {
     return Obstacle{LinkFault::NoInterface, m_device->errorString()};
   }
   if (pluginTakesBitRate(m_settings.plugin)) {
-    // The plugins' own 500,000 must not stand. Without a value socketcan leaves the interface alone.
-    const QVariant asked = m_settings.bitRate != 0 ? QVariant(m_settings.bitRate) : QVariant();
+    // The plugins' own 500,000 must not stand. Without a value socketcan leaves the interface alone, whose
+    // rate was just looked at; with one it would try to set it, through libsocketcan, and fail because it is
+    // up.
+    const QVariant asked =
+        m_settings.bitRate != 0 && !isSocketCan() ? QVariant(m_settings.bitRate) : QVariant();
     m_device->setConfigurationParameter(QCanBusDevice::BitRateKey, asked);
     const bool taken = m_device->configurationParameter(QCanBusDevice::BitRateKey) == asked;
     if (!taken || (m_settings.bitRate == 0 && !isSocketCan())) {
@@ -152,14 +175,22 @@ void CanLink::cameUp() {
     socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
   }
   if (isSocketCan()) {
-    const auto* notifier = m_device->findChild<QSocketNotifier*>(QString(), Qt::FindDirectChildrenOnly);
-    m_descriptor = notifier != nullptr ? static_cast<int>(notifier->socket()) : -1;
-    if (m_descriptor >= 0) growReceiveBuffer(m_descriptor, kReceiveBufferBytes);
+    m_notifier = m_device->findChild<QSocketNotifier*>(QString(), Qt::FindDirectChildrenOnly);
+    m_descriptor = m_notifier != nullptr ? static_cast<int>(m_notifier->socket()) : -1;
+    if (m_descriptor >= 0) {
+      startStamping(m_descriptor);
+      growReceiveBuffer(m_descriptor, kReceiveBufferBytes);
+    }
     m_drops = 0;
-    m_watch = std::make_unique<InterfaceWatch>(m_status.hardware->index);
-    connect(m_watch.get(), &InterfaceWatch::changed, this, &CanLink::hardwareChanged, Qt::QueuedConnection);
-    // Again, as the watch sees only what happens from now on.
+  }
+  if (m_interfaces != nullptr) {
+    const int index = m_status.hardware->index;
+    m_interfaces->start();
+    m_hardwareTimer->start(kHardwarePeriod);
+    // Again, as the source tells only what happens from now on.
     if (const auto obstacle = checkHardware()) return gone(obstacle->fault, obstacle->reason);
+    if (m_status.hardware->index != index) return wasRemoved();  // the socket is bound to the one before
+    m_overruns = m_status.hardware->overruns;
   }
   tell(LinkState::Up, LinkFault::None, {});
 }
@@ -167,7 +198,7 @@ void CanLink::cameUp() {
 void CanLink::deviceStateChanged() {
   if (m_device == nullptr) return;
   const auto state = m_device->state();
-  if (state == QCanBusDevice::ConnectedState && m_status.state == LinkState::Connecting) cameUp();
+  if (state == QCanBusDevice::ConnectedState && m_status.state != LinkState::Up) cameUp();
   if (state == QCanBusDevice::UnconnectedState) gone(LinkFault::Gone, m_device->errorString());
 }
 
@@ -189,36 +220,86 @@ void CanLink::deviceError() {
   }
 }
 
-// The socket stays bound while its interface is down, so the link may come up again by itself; not if the
-// interface was removed or set to another rate.
-void CanLink::hardwareChanged(const CanInterface& facts) {
-  if (m_device == nullptr || !m_status.hardware || facts.index != m_status.hardware->index) return;
-  const ControllerState before = m_status.hardware->controller;
-  if (facts.isRemoved) return gone(LinkFault::Gone, tr("The interface was removed."));
-  const auto obstacle = checkHardware();  // now, not as it was when this event was queued
-  if (obstacle && obstacle->fault == LinkFault::InterfaceDown) {
-    if (m_status.state == LinkState::Up) {
-      deliver();
-      m_own.clear();
-      tell(LinkState::Lost, obstacle->fault, obstacle->reason);
-    }
-  } else if (obstacle) {
-    gone(obstacle->fault, obstacle->reason);
-  } else if (m_status.state == LinkState::Lost) {
-    tell(LinkState::Up, LinkFault::None, {});
-  } else if (m_status.hardware->controller == ControllerState::BusOff && before != ControllerState::BusOff) {
+void CanLink::interfaceChanged(const CanInterface& facts) {
+  // An open socket is bound to the index, whatever happens to the name; without one the name is all there is.
+  const bool isOurs = m_device != nullptr ? m_status.hardware && facts.index == m_status.hardware->index
+                                          : facts.name == m_settings.interfaceName.toStdString();
+  if (!isOurs) return;
+  if (!facts.isRemoved) return follow(facts);
+  if (m_device != nullptr) wasRemoved();
+}
+
+void CanLink::readHardware(bool hasMissedEvents) {
+  m_hardwareTimer->start(kHardwarePeriod);
+  const auto facts = m_interfaces->read(m_settings.interfaceName.toStdString());
+  if (m_device != nullptr) {
+    const bool isOther = facts && facts.value().index != m_status.hardware->index;
+    if (isOther || (!facts && hasMissedEvents)) wasRemoved();
+  }
+  if (facts) follow(facts.value());
+}
+
+// The socket stays bound while its interface is down, so that nothing is missed when it comes up again; when
+// the interface was removed or runs at another rate the device is dropped, and a new one made when all is
+// well.
+void CanLink::follow(const CanInterface& facts) {
+  if (m_status.state != LinkState::Up && m_status.state != LinkState::Lost) return;
+  const bool wasBusOff = m_status.hardware && m_status.hardware->controller == ControllerState::BusOff;
+  countOverruns(facts);
+  m_status.hardware = facts;
+  if (const auto obstacle = obstacleIn(facts)) {
+    if (obstacle->fault == m_status.fault) return;
+    if (obstacle->fault == LinkFault::InterfaceDown) return wentDown(*obstacle);
+    return gone(obstacle->fault, obstacle->reason);
+  }
+  if (m_status.state == LinkState::Lost) {
+    if (m_device == nullptr) return reconnect();
+    if (m_device->state() == QCanBusDevice::ConnectedState) tell(LinkState::Up, LinkFault::None, {});
+  } else if (facts.controller == ControllerState::BusOff && !wasBusOff) {
     ++m_status.errors;
     m_status.reason = tr("The controller is bus-off.").toStdString();
     if (m_listener != nullptr) m_listener->linkChanged(LinkState::Up, m_status.reason);
   }
 }
 
-// The end of it: back to Closed if it was never up, otherwise Lost for good.
+// Hands over what came before the end; false where the listener closed or opened anew on it.
+bool CanLink::deliverRest() {
+  const int session = m_session;
+  takeRest();
+  deliver();
+  return m_session == session;
+}
+
+void CanLink::wentDown(const Obstacle& obstacle) {
+  if (!deliverRest()) return;
+  m_own.clear();
+  tell(LinkState::Lost, obstacle.fault, obstacle.reason);
+}
+
+void CanLink::reconnect() {
+  m_connectTimer->start(kConnectTimeout);
+  for (const auto step : {&CanLink::createDevice, &CanLink::connectDevice}) {
+    if (const auto obstacle = (this->*step)()) return gone(obstacle->fault, obstacle->reason);
+  }
+}
+
+// Back to Closed if it was never up; otherwise Lost, and still following the interface if it is one.
 void CanLink::gone(LinkFault fault, const QString& reason) {
   const bool wasUp = m_status.state == LinkState::Up || m_status.state == LinkState::Lost;
-  deliver();
+  if (!deliverRest()) return;
   dropDevice(Leave::AtOnce);  // nobody is there to take leave of
+  if (!wasUp) stopFollowing();
   tell(wasUp ? LinkState::Lost : LinkState::Closed, fault, reason);
+}
+
+void CanLink::wasRemoved() {
+  m_status.hardware.reset();
+  gone(LinkFault::Gone, tr("The interface was removed."));
+}
+
+void CanLink::stopFollowing() {
+  m_hardwareTimer->stop();
+  if (m_interfaces != nullptr) m_interfaces->stop();
 }
 
 void CanLink::tell(LinkState state, LinkFault fault, const QString& reason) {
@@ -230,7 +311,7 @@ void CanLink::tell(LinkState state, LinkFault fault, const QString& reason) {
 
 void CanLink::dropDevice(Leave leave) {
   m_connectTimer->stop();
-  m_watch.reset();
+  m_notifier = nullptr;
   m_descriptor = -1;
   m_own.clear();
   m_batch.clear();
@@ -296,6 +377,15 @@ void CanLink::takeFrames() {
   if (!m_batch.empty() || !m_missing.empty()) postDelivery();
 }
 
+// What the kernel still holds for us, before the socket goes: the plugin reads it when its notifier tells it
+// to, and once more if the first time gave only the socket's error.
+void CanLink::takeRest() {
+  for (int i = 0; i < 2 && m_notifier != nullptr && receiveBuffer() && receiveBuffer()->used > 0; ++i) {
+    QEvent ready(QEvent::SockAct);
+    QCoreApplication::sendEvent(m_notifier, &ready);
+  }
+}
+
 void CanLink::takeFrame(const QCanBusFrame& frame) {
   auto converted = fromCanBusFrame(frame, m_settings.channel);
   if (!converted) {
@@ -312,6 +402,8 @@ void CanLink::takeFrame(const QCanBusFrame& frame) {
     }
   }
   if ((out.flags & Frame::kSent) == 0) ++m_status.received;
+  const bool isSoon = m_hardwareTimer->remainingTimeAsDuration() <= kAfterError;
+  if (out.isError() && m_hardwareTimer->isActive() && !isSoon) m_hardwareTimer->start(kAfterError);
   m_batch.push_back(out);
 }
 
@@ -321,7 +413,7 @@ void CanLink::deliver() {
   takeFrames();
   auto batch = std::exchange(m_batch, {});
   const auto missing = std::exchange(m_missing, {});
-  const std::uint32_t drops = newDrops();
+  const std::uint32_t drops = newDrops() + std::exchange(m_newOverruns, 0);
   m_status.notKept += missing.size() + drops;
   std::size_t from = 0;
   const auto hand = [&](std::size_t to) {
@@ -349,6 +441,15 @@ std::optional<ReceiveBuffer> CanLink::receiveBuffer() const {
 std::uint32_t CanLink::newDrops() {
   const auto buffer = receiveBuffer();
   return buffer ? buffer->drops - std::exchange(m_drops, buffer->drops) : 0;
+}
+
+// On the same interface the counter only grows.
+void CanLink::countOverruns(const CanInterface& facts) {
+  if (m_device == nullptr || !m_status.hardware || facts.index != m_status.hardware->index) return;
+  const std::uint64_t before = std::exchange(m_overruns, std::max(m_overruns, facts.overruns));
+  if (m_overruns == before) return;
+  m_newOverruns += static_cast<std::uint32_t>(m_overruns - before);
+  postDelivery();
 }
 
 }  // namespace deckpipe

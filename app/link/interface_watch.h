@@ -1,39 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells when a network interface changes, goes down, comes up or goes away. Qt's socketcan plugin swallows
-// what its socket says of that, so CanLink holds one of these while it is open. Linux only; elsewhere it is
+// What the kernel says of its interfaces, over rtnetlink: set down, up again, unplugged, bus-off. Qt's
+// socketcan plugin says nothing of all that, so CanLink holds one of these. Linux only; elsewhere it is
 // silent.
 #pragma once
 
-#include <QObject>
-
-#include "link/can_interface.h"
+#include "link/interface_source.h"
 
 class QSocketNotifier;
 
 namespace deckpipe {
 
-class InterfaceWatch : public QObject {
+class InterfaceWatch : public InterfaceSource {
   Q_OBJECT
  public:
-  static constexpr int kEvery = 0;
-
-  // Watches the interface of that index, or every one, until destroyed. Needs the event loop of its thread.
-  explicit InterfaceWatch(int index, QObject* parent = nullptr);
+  using InterfaceSource::InterfaceSource;
   ~InterfaceWatch() override;
 
-  // False where the system cannot tell (no rtnetlink).
-  bool isWatching() const { return m_socket >= 0; }
-
- Q_SIGNALS:
-  // Everything that is known of it now. The kernel repeats itself; compare before reacting. Where every
-  // interface is watched and events were lost, the facts name none: look at all again.
-  void changed(const deckpipe::CanInterface& facts);
+  Result<CanInterface, std::string> read(const std::string& name) override;
+  // Needs the event loop of its thread. Without rtnetlink nothing will be told.
+  void start() override;
+  void stop() override;
 
  private:
   void readEvents();
 
-  int m_index;
   int m_socket = -1;
+  int m_stops = 0;
   QSocketNotifier* m_notifier = nullptr;
 };
 

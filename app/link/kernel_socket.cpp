@@ -3,7 +3,10 @@
 
 #ifdef __linux__
 #include <linux/sock_diag.h>
+#include <linux/sockios.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 
 #include <array>
 #endif
@@ -26,10 +29,17 @@ void growReceiveBuffer(int descriptor, int bytes) {
   }
 }
 
+void startStamping(int descriptor) {
+  // Asking for the stamp of the last frame is what switches stamps on; there is none yet.
+  timeval none{};
+  (void)::ioctl(descriptor, SIOCGSTAMP, &none);
+}
+
 #else
 
 std::optional<ReceiveBuffer> readReceiveBuffer(int) { return {}; }
 void growReceiveBuffer(int, int) {}
+void startStamping(int) {}
 
 #endif
 

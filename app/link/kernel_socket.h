@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The receive buffer of the socket behind Qt's socketcan plugin, which itself never says when the kernel had
-// to drop frames. CanLink finds the descriptor by the plugin's QSocketNotifier. Linux only.
+// The socket behind Qt's socketcan plugin, which itself never says when the kernel had to drop frames, and
+// asks for stamps only once it has read the first frame. CanLink finds the descriptor by the plugin's
+// QSocketNotifier. Linux only.
 #pragma once
 
 #include <cstdint>
@@ -18,5 +19,9 @@ std::optional<ReceiveBuffer> readReceiveBuffer(int descriptor);
 
 // Asks for room; the system's limit (net.core.rmem_max) may give less.
 void growReceiveBuffer(int descriptor, int bytes);
+
+// From now on frames are stamped as they come; otherwise those that wait when the first is read get the time
+// of reading.
+void startStamping(int descriptor);
 
 }  // namespace deckpipe

@@ -24,8 +24,10 @@ void AdapterScan::setRunning(bool isRunning) {
     return;
   }
   m_timer.start();
-  m_watch = std::make_unique<InterfaceWatch>(InterfaceWatch::kEvery);
+  m_watch = std::make_unique<InterfaceWatch>();
   connect(m_watch.get(), &InterfaceWatch::changed, this, &AdapterScan::look, Qt::QueuedConnection);
+  connect(m_watch.get(), &InterfaceWatch::overrun, this, &AdapterScan::look, Qt::QueuedConnection);
+  m_watch->start();
   search();
 }
 

@@ -4,6 +4,9 @@
 #include <QTimer>
 #include <algorithm>
 #include <ctime>
+#include <utility>
+
+#include "session/twin_faults.h"
 
 namespace deckpipe {
 namespace {
@@ -16,7 +19,8 @@ Instant monotonicTime() {
 
 }  // namespace
 
-BenchRunner::BenchRunner(std::uint64_t seed) : m_bench(simulator::standardBench(seed)) {}
+BenchRunner::BenchRunner(std::uint64_t seed, unsigned monitors)
+    : m_bench(simulator::standardBench(seed, {}, monitors)), m_wished(m_bench.bench.size()) {}
 BenchRunner::~BenchRunner() { stop(); }
 
 void BenchRunner::startDemo() {
@@ -75,10 +79,31 @@ void BenchRunner::run() {
   if (m_link == nullptr || !m_powered) return;
   m_bench.bench.timeCame(now());
   send();
+  publish();
   const Instant next = m_bench.bench.nextTime();
   if (next == kNever) return;
   const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - now());
   m_timer->start(std::max(wait, std::chrono::milliseconds{0}));
+}
+
+void BenchRunner::obey(const TwinWish& wish) {
+  if (m_link == nullptr || !m_powered || wish.device >= m_wished.size()) return;
+  if (const auto* faults = std::get_if<TwinFaults>(&wish.what)) {
+    m_wished[wish.device] = *faults;
+    m_bench.bench.misbehave(now(), wish.device, misbehaviourOf(*faults));
+  } else {
+    m_bench.bench.press(now(), wish.device, buttonOf(std::get<TwinButton>(wish.what)));
+  }
+  run();
+}
+
+// Only the demo's panel listens.
+void BenchRunner::publish() {
+  if (m_bus == nullptr) return;
+  TwinStatus status = twinStatus(m_bench, m_wished);
+  if (status == m_published) return;
+  m_published = std::move(status);
+  Q_EMIT twinChanged(m_published);
 }
 
 void BenchRunner::send() {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "bus/port.h"
+#include "control/twin_control.h"
 #include "link/can_link.h"
 #include "link/virtual_bus.h"
 #include "simulator/standard_bench.h"
@@ -19,7 +20,7 @@ namespace deckpipe {
 class BenchRunner : public QObject, private PortListener {
   Q_OBJECT
  public:
-  explicit BenchRunner(std::uint64_t seed = 1);
+  explicit BenchRunner(std::uint64_t seed = 1, unsigned monitors = 1);
   ~BenchRunner() override;
 
   // For setting up before it starts: what misbehaves, and when (relative to power-on, time 0).
@@ -30,11 +31,15 @@ class BenchRunner : public QObject, private PortListener {
   void startDemo();
   // On an interface that is there.
   void start(const deckpipe::LinkSettings& settings);
+  // At once. Nothing while it is not on a bus yet, or where it has no such device.
+  void obey(const deckpipe::TwinWish& wish);
 
  Q_SIGNALS:
   void busReady(const QString& interfaceName);
   // It will not start, or its link went away for good.
   void failed(const QString& reason);
+  // How its devices are, whenever that has changed: power, addresses, what was wished for.
+  void twinChanged(const deckpipe::TwinStatus& status);
 
  private:
   void stop();
@@ -44,6 +49,7 @@ class BenchRunner : public QObject, private PortListener {
   Instant now() const;
   void run();
   void send();
+  void publish();
 
   simulator::StandardBench m_bench;
   std::unique_ptr<VirtualBus> m_bus;
@@ -52,6 +58,8 @@ class BenchRunner : public QObject, private PortListener {
   Instant m_powerOn;
   bool m_powered = false;
   std::vector<simulator::DueFrame> m_due;
+  std::vector<TwinFaults> m_wished;  // of each device
+  TwinStatus m_published;
 };
 
 }  // namespace deckpipe

@@ -2,7 +2,10 @@
 #include "session/live_bus.h"
 
 #include <QTimer>
+#include <algorithm>
 #include <ctime>
+
+#include "link/plugins.h"
 
 namespace deckpipe {
 namespace {
@@ -17,9 +20,14 @@ Instant bootTime() {
   return Instant{std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec};
 }
 
-LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings)
-    : m_document(std::move(document)), m_settings(std::move(settings)), m_times(m_document->frames) {
+LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim)
+    : m_document(std::move(document)),
+      m_settings(std::move(settings)),
+      m_services({m_settings.channel, m_settings.bitRate,
+                  pluginEchoes(m_settings.plugin, m_settings.interfaceName), claim}),
+      m_times(m_document->frames) {
   m_published.state = std::make_shared<const State>();
+  m_published.services = std::make_shared<const ServiceStatus>();
 }
 
 LiveBus::~LiveBus() { stop(); }
@@ -34,13 +42,42 @@ void LiveBus::start() {
   m_tick->setTimerType(Qt::PreciseTimer);
   connect(m_tick, &QTimer::timeout, this, &LiveBus::publish);
   m_tick->start(kTick);
+  m_serviceTimer = new QTimer(this);
+  m_serviceTimer->setTimerType(Qt::PreciseTimer);
+  m_serviceTimer->setSingleShot(true);
+  connect(m_serviceTimer, &QTimer::timeout, this, [this] {
+    m_services.timeCame(bootTime(), m_state);
+    serve();
+  });
   m_link = std::make_unique<CanLink>(m_settings);
   m_link->open(*this);
+}
+
+void LiveBus::apply(const Intent& intent) {
+  m_services.apply(bootTime(), m_state, intent);
+  serve();
+  publish();
+}
+
+void LiveBus::serve() {
+  m_services.takeNotes(m_toNote);
+  for (Note& note : m_toNote) write(std::move(note));
+  m_toNote.clear();
+  m_services.takeFrames(m_toSend);
+  for (const Frame& frame : m_toSend) {
+    if (m_link == nullptr || m_link->write(frame) != WriteResult::Accepted) m_services.notTaken();
+  }
+  m_toSend.clear();
+  const Instant next = m_services.nextTime();
+  if (next == kNever) return m_serviceTimer->stop();
+  const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - bootTime());
+  m_serviceTimer->start(std::max(wait, std::chrono::milliseconds{0}));
 }
 
 void LiveBus::stop() {
   if (m_link == nullptr) return;
   m_tick->stop();
+  m_serviceTimer->stop();
   m_link->close();
   publish();
   m_link.reset();
@@ -52,11 +89,21 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
   for (std::uint64_t i = m_state.cursor().frames; i < count; ++i) {
     m_state.apply(m_document->frames[i], m_times.at(i));
   }
+  m_services.received(bootTime(), m_state, frames);
+  serve();
 }
 
 void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
   m_notKept += count;
-  if (reason == NotKept::Overflow) note(NoteKind::Dropped, count, {});
+  switch (reason) {
+    case NotKept::Overflow: note(NoteKind::Dropped, count, {}); break;
+    case NotKept::FlexibleDataRate:
+      for (std::uint32_t i = 0; i < count; ++i) {
+        m_document->unkept.add(m_document->frames.count(), Unkept::CanFd);
+      }
+      break;
+    case NotKept::Invalid: break;
+  }
 }
 
 void LiveBus::linkChanged(LinkState state, const std::string& reason) {
@@ -64,17 +111,19 @@ void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   m_linkState = state;
   if (state == LinkState::Up && !wasUp) note(NoteKind::LinkUp, 0, {});
   if (state != LinkState::Up && wasUp) note(NoteKind::LinkDown, 0, reason);
+  m_services.linkChanged(bootTime(), m_state, state == LinkState::Up);
+  serve();
   publish();
 }
 
 void LiveBus::note(NoteKind kind, std::uint64_t number, const std::string& text) {
-  const Note note{.frame = m_document->frames.count(),
-                  // Behind every cursor that was published: a note at a cursor's own time has happened there.
-                  .time = std::max(m_state.cursor().time, bootTime() - FrameStore::kLiveDrift) + 1ns,
-                  .kind = kind,
-                  .channel = m_settings.channel,
-                  .number = number,
-                  .text = text};
+  write({.kind = kind, .channel = m_settings.channel, .number = number, .text = text});
+}
+
+void LiveBus::write(Note note) {
+  note.frame = m_document->frames.count();
+  // Behind every cursor that was published: a note at a cursor's own time has happened there.
+  note.time = std::max(m_state.cursor().time, bootTime() - FrameStore::kLiveDrift) + 1ns;
   m_document->notes.append(note);
   m_state.apply(note);
 }
@@ -82,9 +131,11 @@ void LiveBus::note(NoteKind kind, std::uint64_t number, const std::string& text)
 void LiveBus::publish() {
   m_state.timeCame(bootTime() - FrameStore::kLiveDrift);
   auto state = std::make_shared<const State>(m_state);
+  auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));
   const std::lock_guard lock(m_lock);
   m_published.state = std::move(state);
   if (m_link != nullptr) m_published.link = m_link->status();
+  m_published.services = std::move(services);
   m_published.notKept = m_notKept;
   m_published.storeFull = m_storeFull;
 }

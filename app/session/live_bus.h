@@ -3,6 +3,9 @@
 // State, and publishes snapshots of it. Made by the session, moved to the bus thread, started and stopped by
 // queued calls; only latest() is for other threads.
 //
+// It runs the services too: each event of the link, an intent and their one timer are followed by writing
+// what they want sent. They see the State after the frames that came with the event.
+//
 // Time-outs are applied up to FrameStore::kLiveDrift before now: no later frame can get an earlier log time
 // than that (the store sets its offset anew first), so what was shown live is what a replay of the log will
 // show.
@@ -14,6 +17,7 @@
 
 #include "bus/port.h"
 #include "link/can_link.h"
+#include "service/services.h"
 #include "state/log_view.h"
 
 class QTimer;
@@ -29,17 +33,20 @@ class LiveBus : public QObject, private PortListener {
   struct Published {
     std::shared_ptr<const State> state;  // never null
     LinkStatus link;
+    std::shared_ptr<const ServiceStatus> services;  // never null
     std::uint64_t notKept = 0;
     bool storeFull = false;
   };
 
-  LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings);
+  LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim = {});
   ~LiveBus() override;
 
   Published latest() const;
 
  public Q_SLOTS:
   void start();
+  // Carried out or refused at once; a refusal is in the next Published.
+  void apply(const deckpipe::Intent& intent);
 
  private:
   void stop();
@@ -47,17 +54,24 @@ class LiveBus : public QObject, private PortListener {
   void framesNotKept(NotKept reason, std::uint32_t count) override;
   void linkChanged(LinkState state, const std::string& reason) override;
   void note(NoteKind kind, std::uint64_t number, const std::string& text);
+  void write(Note note);
+  // What the services want sent and noted, and when they want to be called again.
+  void serve();
   void publish();
 
   std::shared_ptr<LogDocument> m_document;
   LinkSettings m_settings;
   std::unique_ptr<CanLink> m_link;
+  Services m_services;
   QTimer* m_tick = nullptr;
+  QTimer* m_serviceTimer = nullptr;
   State m_state;
   LogTimes m_times;
   LinkState m_linkState = LinkState::Closed;
   std::uint64_t m_notKept = 0;
   bool m_storeFull = false;
+  std::vector<Frame> m_toSend;
+  std::vector<Note> m_toNote;
 
   mutable std::mutex m_lock;
   Published m_published;

@@ -76,7 +76,7 @@ void Session::openLink(const LinkSettings& wanted) {
   const QString channelName = settings.interfaceName;
   LinkSettings onChannel = settings;
   onChannel.channel = {m_document->frames.channel(channelName.toStdString())};
-  m_live = new LiveBus(m_document, onChannel);
+  m_live = new LiveBus(m_document, onChannel, m_claim);
   startOnBusThread(m_live, [live = m_live] { live->start(); });
   Q_EMIT changed();
 }
@@ -102,8 +102,8 @@ void Session::openDemo() {
   connect(m_bench, &BenchRunner::busReady, this, [this, own](const QString& interfaceName) {
     if (m_document == nullptr || own.lock() != m_document || m_live != nullptr) return;
     const Channel channel{m_document->frames.channel("can0")};
-    m_live = new LiveBus(m_document,
-                         {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel});
+    m_live = new LiveBus(
+        m_document, {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel}, m_claim);
     startOnBusThread(m_live, [live = m_live] { live->start(); });
   });
   connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {
@@ -114,6 +114,15 @@ void Session::openDemo() {
   });
   startOnBusThread(m_bench, [bench = m_bench] { bench->startDemo(); });
   Q_EMIT changed();
+}
+
+std::uint64_t Session::want(decltype(Intent::value) wish) {
+  const bool isLock = std::holds_alternative<wish::Lock>(wish);
+  if (m_live == nullptr || (!m_snapshot.view.atEnd && !isLock)) return 0;
+  const Intent intent{std::move(wish), bootTime(), ++m_serial};
+  QMetaObject::invokeMethod(
+      m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
+  return intent.serial;
 }
 
 Cursor Session::endCursor() const {
@@ -224,6 +233,7 @@ void Session::updateSource() {
   }
   if (m_live == nullptr) return;
   const LiveBus::Published published = m_live->latest();
+  m_snapshot.services = published.services;
   source.notKept = published.notKept;
   source.reason = QString::fromStdString(published.link.reason);
   source.fault = published.link.fault;
@@ -273,7 +283,7 @@ void Session::tick() {
   m_indexed = frames.count();
   const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
                     before.view.frameCount == view.frameCount && before.source == m_snapshot.source &&
-                    before.playing == m_snapshot.playing;
+                    before.playing == m_snapshot.playing && before.services == m_snapshot.services;
   if (!same) Q_EMIT changed();
 }
 

@@ -10,7 +10,9 @@
 #include <functional>
 #include <memory>
 
+#include "control/intent.h"
 #include "link/can_link.h"
+#include "service/claim_service.h"
 #include "session/snapshot.h"
 
 class QThread;
@@ -42,8 +44,14 @@ class Session : public QObject {
 
   // A person's note at a place of the log.
   void mark(Cursor at, const QString& text);
+  // Who we are on a bus; for links opened from now on.
+  void setClaim(const ClaimSettings& claim) { m_claim = claim; }
 
   const Snapshot& snapshot() const { return m_snapshot; }
+
+  // Hands a wish to the live link. Off the live edge only locking is heard; 0 where it was not handed on,
+  // otherwise its serial, by which the snapshot tells whether it was refused.
+  std::uint64_t want(decltype(Intent::value) wish);
 
   // Plays on from the cursor; from the end it starts over where the log does not grow.
   void play();
@@ -78,6 +86,8 @@ class Session : public QObject {
   QThread* m_busThread = nullptr;  // deletes what lives on it when it ends
   LiveBus* m_live = nullptr;
   BenchRunner* m_bench = nullptr;
+  ClaimSettings m_claim;
+  std::uint64_t m_serial = 0;
   QTimer m_timer;
   std::uint64_t m_indexed = 0;  // frames of the log when the walker was last told
   QElapsedTimer m_playClock;    // since the cursor was last moved by playing

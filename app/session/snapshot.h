@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include "control/status.h"
 #include "link/can_link.h"
 #include "state/log_view.h"
 
@@ -43,6 +44,8 @@ struct Snapshot {
   bool playing = false;
   double speed = 1;
   SourceStatus source;
+  // Of the live link, whatever the cursor shows; locked and empty without one. Never null.
+  std::shared_ptr<const ServiceStatus> services = std::make_shared<const ServiceStatus>();
 };
 
 }  // namespace deckpipe

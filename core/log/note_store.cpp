@@ -18,6 +18,10 @@ constexpr auto kKeys = std::to_array<std::pair<NoteKind, std::string_view>>({
     {NoteKind::Mark, "mark"},
     {NoteKind::DriveSaid, "drive_said"},
     {NoteKind::DriveUnsaid, "drive_unsaid"},
+    {NoteKind::OwnAddress, "own_address"},
+    {NoteKind::Asked, "asked"},
+    {NoteKind::AskEnded, "ask_ended"},
+    {NoteKind::Pipe, "pipe"},
 });
 
 // Cut at a whole UTF-8 character.

@@ -26,6 +26,10 @@ enum class NoteKind : std::uint8_t {
   Mark,         // text: the person's
   DriveSaid,    // channel, address: a person said that a Copley drive is there
   DriveUnsaid,  // channel, address: … and took it back
+  OwnAddress,   // channel; address: ours from here on, null = none; text: how it came to that
+  Asked,        // channel, address; number: Ask; text: the PIN
+  AskEnded,     // channel, address; number: Ask, in its second byte RequestEnd; text: the PIN
+  Pipe,         // channel, address; number: PipeEvent; text: the PIN, and the file's name
 };
 
 // The word for a kind in files; never changes once shipped. Back: nothing where there is no such word.

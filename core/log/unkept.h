@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a reader found in a file and could not put into the store, with its place and why: frames that the
-// store does not hold (CAN FD) and lines that cannot be read. Every reader fills one; windows and the
-// headless tool show it. Memory is bounded: the first kMaxPlaces are kept with their place, all are counted
-// by reason.
+// store does not hold (CAN FD) and lines that cannot be read. Every reader fills one, and so does the bus
+// thread; windows and the headless tool show it. Memory is bounded: the first kMaxPlaces are kept with their
+// place, all are counted by reason.
 #pragma once
 
 #include <array>
@@ -39,7 +39,8 @@ constexpr bool isUnreadable(Unkept reason) { return reason >= Unkept::Layout; }
 std::string_view unkeptText(Unkept reason);
 
 struct UnkeptPlace {
-  std::uint64_t place = 0;  // line number from 1, or of a binary format the byte offset
+  // Line number from 1, of a binary format the byte offset; live, so many frames stand before it.
+  std::uint64_t place = 0;
   Unkept reason = Unkept::Layout;
 
   friend constexpr bool operator==(const UnkeptPlace&, const UnkeptPlace&) = default;

@@ -8,7 +8,13 @@ namespace deckpipe::simulator {
 
 void AddressClaim::start(Instant now, Outbox& out) { claim(now, m_range.first, out); }
 
+void AddressClaim::startElsewhere(Instant now, Outbox& out) {
+  m_address = m_last == kNullAddress ? m_range.first : m_last;
+  claim(now, nextFree().value_or(m_range.first), out);
+}
+
 void AddressClaim::stop() {
+  if (m_state == State::Claimed) m_last = m_address;
   m_state = State::Off;
   m_address = kNullAddress;
   m_deadline = kNever;

@@ -40,6 +40,8 @@ class AddressClaim {
   AddressClaim(Name name, Range range, std::uint64_t seed) : m_name(name), m_range(range), m_random(seed) {}
 
   void start(Instant now, Outbox& out);
+  // At another address than the last, where there is one.
+  void startElsewhere(Instant now, Outbox& out);
   void stop();
   Event received(Instant now, const J1939Id& id, const Frame& frame, Outbox& out);
   Event timeCame(Instant now, Outbox& out);
@@ -62,6 +64,7 @@ class AddressClaim {
   Random m_random;
   State m_state = State::Off;
   Address m_address = kNullAddress;
+  Address m_last = kNullAddress;  // claimed before it was stopped
   Instant m_deadline = kNever;
   std::array<std::uint64_t, 256> m_holders{};  // NAMEs of others by their address, 0 = none heard
 };

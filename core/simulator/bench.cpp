@@ -24,10 +24,31 @@ void Bench::powerOn(Instant now) {
   for (const Member& member : m_members) member.device->powerOn(now, member.boot);
 }
 
-void Bench::misbehave(Instant when, std::size_t index, const Misbehaviour& how) {
-  const auto later = std::upper_bound(m_plan.begin(), m_plan.end(), when,
+void Bench::misbehave(Instant when, std::size_t index, const Misbehaviour& how) { plan({when, index, how}); }
+
+void Bench::press(Instant when, std::size_t index, Button button) { plan({when, index, button}); }
+
+void Bench::plan(Planned what) {
+  const auto later = std::upper_bound(m_plan.begin(), m_plan.end(), what.when,
                                       [](Instant t, const Planned& planned) { return t < planned.when; });
-  m_plan.insert(later, {when, index, how});
+  m_plan.insert(later, std::move(what));
+}
+
+void Bench::apply(Instant now, const Planned& planned) {
+  Member& member = m_members[planned.index];
+  if (const auto* how = std::get_if<Misbehaviour>(&planned.what)) {
+    member.device->misbehave(*how);
+    return;
+  }
+  switch (std::get<Button>(planned.what)) {
+    case Button::PowerOff: member.device->powerOff(); break;
+    case Button::PowerOn:
+      if (!member.device->isPowered()) member.device->powerOn(now, member.boot);
+      break;
+    case Button::Reset:
+      if (member.device->isPowered()) member.device->reset(now);
+      break;
+  }
 }
 
 Instant Bench::nextTime() const {
@@ -53,8 +74,9 @@ void Bench::takeFrames(std::vector<DueFrame>& out) {
 
 void Bench::step(Instant now) {
   while (!m_plan.empty() && m_plan.front().when <= now) {
-    device(m_plan.front().index).misbehave(m_plan.front().how);
+    const Planned due = std::move(m_plan.front());
     m_plan.erase(m_plan.begin());
+    apply(now, due);
   }
   for (Member& member : m_members) placeIntruder(now, member);
   forEach([&](Device& device) { device.timeCame(now); });

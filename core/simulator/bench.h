@@ -18,6 +18,7 @@
 
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "simulator/device.h"
@@ -48,6 +49,9 @@ class Bench {
   const Device& device(std::size_t index) const { return *m_members[index].device; }
   // From `when` on a device behaves like this. For at once there is Device::misbehave.
   void misbehave(Instant when, std::size_t index, const Misbehaviour& how);
+  // Its switch or its reset button. On is ready after the device's own boot time, and nothing where it is on.
+  enum class Button : std::uint8_t { PowerOff, PowerOn, Reset };
+  void press(Instant when, std::size_t index, Button button);
 
  private:
   struct Member {
@@ -58,9 +62,11 @@ class Bench {
   struct Planned {
     Instant when;
     std::size_t index;
-    Misbehaviour how;
+    std::variant<Misbehaviour, Button> what;
   };
 
+  void plan(Planned what);
+  void apply(Instant now, const Planned& planned);
   void step(Instant now);
   void placeIntruder(Instant now, Member& member);
   void exchange(Instant now);

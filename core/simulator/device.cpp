@@ -2,14 +2,25 @@
 #include "simulator/device.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
+
+#include "simulator/poll_answers.h"
 
 namespace deckpipe::simulator {
 namespace {
 
-// How long a controller takes to answer, and to come back after a reset: ours, the manual gives neither.
+// How long a controller takes to answer: ours, the manual does not give it.
 constexpr Duration kThinking = 2ms;
-constexpr Duration kReset = 1500ms;
+
+void shorten(Encoded& data) {
+  data.length = static_cast<std::uint8_t>(data.length > 1 ? data.length - 1 : 2);
+  std::fill(data.data.begin() + data.length, data.data.end(), std::uint8_t{0});
+}
+
+std::string versionText(std::uint16_t version) {
+  return std::to_string(version >> 8) + '.' + std::to_string(version & 0xFF);
+}
 
 }  // namespace
 
@@ -17,20 +28,39 @@ Device::Device(Identity identity, Duration period, std::uint64_t seed, AddressCl
     : m_identity(std::move(identity)),
       m_period(period),
       m_claim(m_identity.name, range, seed),
-      m_random(seed + 1) {}
+      m_random(seed + 1),
+      m_pipe(*this) {}
 
-void Device::powerOn(Instant now, Duration boot) {
+void Device::misbehave(const Misbehaviour& how) {
+  if (how.answers != m_misbehaviour.answers) m_answers = 0;
+  m_pipe.misbehave(how.pipe);
+  m_misbehaviour = how;
+}
+
+void Device::powerOff() {
   m_running = false;
   m_claim.stop();
   m_outbox.clear();
-  m_tickAt = kNever;
+  forget();
+  m_tickAt = m_startAt = kNever;
+}
+
+void Device::powerOn(Instant now, Duration boot) {
+  powerOff();
   m_startAt = now + boot;
 }
 
-void Device::reset(Instant now) { powerOn(now, kReset); }
+void Device::reset(Instant now) { powerOn(now, m_misbehaviour.resetTakes); }
+
+// What was under way with others, who knew it by the address it had.
+void Device::forget() {
+  m_late.clear();
+  m_pipe.clear();
+}
 
 Instant Device::nextTime() const {
-  return std::min({m_startAt, m_tickAt, m_claim.nextTime(), m_outbox.nextTime()});
+  return std::min({m_startAt, m_tickAt, m_claim.nextTime(), m_outbox.nextTime(), m_pipe.nextTime(),
+                   m_late.empty() ? kNever : m_late.front().time});
 }
 
 void Device::timeCame(Instant now) {
@@ -43,12 +73,24 @@ void Device::step(Instant now) {
     m_running = true;
     if (m_period > 0ns) m_tickAt = now + m_period;
     started(now);
-    m_claim.start(now, m_outbox);
+    if (std::exchange(m_hasRun, true) && m_misbehaviour.elsewhere) {
+      m_claim.startElsewhere(now, m_outbox);
+    } else {
+      m_claim.start(now, m_outbox);
+    }
   }
   if (m_claim.timeCame(now, m_outbox) == AddressClaim::Event::Claimed) announce(now);
   if (m_tickAt <= now) {
     m_tickAt = m_tickAt + m_period;
     tick(now);
+  }
+  if (m_pipe.nextTime() <= now) {
+    m_pipe.timeCame(now);
+    sendPipe(now);
+  }
+  while (!m_late.empty() && m_late.front().time <= now) {
+    m_outbox.post(m_late.front().time, m_late.front().frame);
+    m_late.erase(m_late.begin());
   }
   const std::size_t before = m_ready.size();
   m_outbox.takeDue(now, m_ready);
@@ -64,9 +106,32 @@ void Device::received(Instant now, const Frame& frame) {
   timeCame(now);
   if (!m_running || !frame.isExtended() || frame.isRemote() || frame.isError() || frame.length > 8) return;
   const J1939Id id = J1939Id::of(frame.identifier());
-  if (m_claim.received(now, id, frame, m_outbox) == AddressClaim::Event::Answered) announce(now);
-  if (isForUs(id) && frame.length == 1) answerPoll(now, id, frame);
+  switch (m_claim.received(now, id, frame, m_outbox)) {
+    case AddressClaim::Event::Answered: announce(now); break;
+    case AddressClaim::Event::Lost: forget(); break;
+    default: break;
+  }
+  if (isForUs(id) && frame.length > 0 && isAkron()) heardRequest(now, id, frame);
   heard(now, id, frame);
+}
+
+void Device::heardRequest(Instant now, const J1939Id& id, const Frame& frame) {
+  if (frame.data[0] == messageOf(MessageId::PipeData).firstByte) {
+    m_pipe.received(now, id.source, frame.bytes().subspan(1));
+    sendPipe(now);
+    if (!m_pipe.vanishes()) return;
+    const Duration away = m_misbehaviour.pipe.returnAfter;
+    powerOff();
+    if (away > 0ns) m_startAt = now + away;
+  } else if (frame.length == 1) {
+    const FaultReport faults{faultMap(), errorCode(), m_misbehaviour.answers.shortFault};
+    if (const auto poll = pollAnswer(frame.data[0], m_identity, faults))
+      answer(now, poll->message, poll->data, id.source);
+  }
+}
+
+std::uint32_t Device::faultMap() const {
+  return m_misbehaviour.faultBits | (m_outbox.dropped() > 0 ? faultBit("can_output_overrun") : 0);
 }
 
 // Appendix A: on every successful claim, and after every answer to a request for the NAME. Nothing but a NAME
@@ -76,43 +141,20 @@ void Device::announce(Instant now) {
     m_outbox.post(now, announcementFrame(*m_identity.pin, address()));
 }
 
-void Device::answerPoll(Instant now, const J1939Id& id, const Frame& frame) {
-  const auto isPoll = [&](MessageId poll) { return frame.data[0] == messageOf(poll).firstByte; };
-  if (isPoll(MessageId::FaultPoll)) {
-    const std::uint32_t overrun = m_outbox.dropped() > 0 ? faultBit("can_output_overrun") : 0;
-    answer(now, MessageId::FaultResponse,
-           encoded(MessageId::FaultResponse, {{"faults", Value::numbers(m_misbehaviour.faultBits | overrun)},
-                                              {"pcode_error", Value::integer(pcodeError())}}),
-           id.source);
-  } else if (isPoll(MessageId::FirmwarePoll)) {
-    const FirmwareVersions& v = m_identity.firmware;
-    answer(now, MessageId::FirmwareResponse,
-           encoded(MessageId::FirmwareResponse, {{"fixed_boot", versionValue(v.fixedBoot)},
-                                                 {"bootloader", versionValue(v.bootloader)},
-                                                 {"system", versionValue(v.system)}}),
-           id.source);
-  } else if (isPoll(MessageId::PcodePoll)) {
-    const PcodeVersion& v = m_identity.pcode;
-    answer(now, MessageId::PcodeResponse,
-           encoded(MessageId::PcodeResponse, {{"style", Value::integer(v.style)},
-                                              {"subtype", Value::integer(v.subtype)},
-                                              {"version", versionValue(v.version)}}),
-           id.source);
-  } else if (isPoll(MessageId::ConfigPoll)) {
-    const ConfigVersion& v = m_identity.config;
-    answer(now, MessageId::ConfigResponse,
-           encoded(MessageId::ConfigResponse,
-                   {{"config_type", Value::integer(v.type)}, {"version", versionValue(v.version)}}),
-           id.source);
-  }
+Frame Device::made(MessageId id, Encoded data, Address source, Address to) const {
+  if (m_misbehaviour.wrongLengths) shorten(data);
+  return j1939Frame(messageOf(id), data, source, to);
 }
 
-Frame Device::made(MessageId id, Encoded data, Address source, Address to) const {
-  if (m_misbehaviour.wrongLengths) {
-    data.length = static_cast<std::uint8_t>(data.length > 1 ? data.length - 1 : 2);
-    std::fill(data.data.begin() + data.length, data.data.end(), std::uint8_t{0});
+// Frames leave in the order they are posted, so one that is to come late is posted when its time has come.
+void Device::post(Instant due, Duration late, const Frame& frame) {
+  if (late <= 0ns) {
+    m_outbox.post(due, frame);
+    return;
   }
-  return j1939Frame(messageOf(id), data, source, to);
+  const auto after = std::upper_bound(m_late.begin(), m_late.end(), due + late,
+                                      [](Instant t, const DueFrame& f) { return t < f.time; });
+  m_late.insert(after, {due + late, frame});
 }
 
 void Device::broadcastFrom(Instant now, MessageId id, const Encoded& data, Address source) {
@@ -122,8 +164,49 @@ void Device::broadcastFrom(Instant now, MessageId id, const Encoded& data, Addre
   m_outbox.post(now + late, made(id, data, source, kGlobalAddress));
 }
 
-void Device::answer(Instant now, MessageId id, const Encoded& data, Address to) {
-  m_outbox.post(now + kThinking, made(id, data, address(), to));
+void Device::answer(Instant now, MessageId id, Encoded data, Address to) {
+  const AnswerFaults& faults = m_misbehaviour.answers;
+  if (faults.lost.hits(++m_answers)) return;
+  if (faults.wrongLength) shorten(data);
+  Address source = address();
+  if (faults.wrongSource) ++source.value;
+  const Frame frame = made(id, data, source, to);
+  for (int times = faults.twice ? 2 : 1; times > 0; --times) post(now + kThinking, faults.late, frame);
+}
+
+void Device::sendPipe(Instant now) {
+  m_pipeOut.clear();
+  m_pipe.takeOutgoing(m_pipeOut);
+  for (const PipeEnd::Outgoing& packet : m_pipeOut) {
+    const Duration wait = packet.due - now;
+    const Duration late = wait - PipeEnd::kThinking;
+    post(packet.due - late, late, made(packet.message, packet.data, address(), packet.to));
+  }
+}
+
+std::string Device::banner() const {
+  std::string text = m_identity.model;
+  if (m_identity.pin) text += ' ' + std::string(m_identity.pin->text());
+  return text + " v" + versionText(m_identity.firmware.system) + "\r\n";
+}
+
+std::string Device::versions() const {
+  const FirmwareVersions& firmware = m_identity.firmware;
+  char config[16];
+  std::snprintf(config, sizeof config, "%08u", static_cast<unsigned>(m_identity.config.type));
+  return "FIXED BOOT " + versionText(firmware.fixedBoot) + "\r\nBOOTLOADER " +
+         versionText(firmware.bootloader) + "\r\nSYSTEM " + versionText(firmware.system) + "\r\nPCODE " +
+         std::to_string(m_identity.pcode.style) + '.' + std::to_string(m_identity.pcode.subtype) + ' ' +
+         versionText(m_identity.pcode.version) + "\r\nCONFIG " + config + ' ' +
+         versionText(m_identity.config.version) + "\r\n";
+}
+
+std::string Device::status() const {
+  char line[64];
+  std::snprintf(line, sizeof line, "ADDRESS %02X\r\nFAULTS %08X\r\nERROR CODE %u\r\n",
+                static_cast<unsigned>(address().value), static_cast<unsigned>(faultMap()),
+                static_cast<unsigned>(errorCode()));
+  return line + m_pipe.status() + ownStatus();
 }
 
 }  // namespace deckpipe::simulator

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <string>
 
+#include "protocol/device_types.h"
+
 namespace deckpipe::simulator {
 
 Name akronName(std::uint32_t identityNumber) {
@@ -24,6 +26,7 @@ Identity identityOf(std::string_view pin, PcodeVersion pcode, ConfigVersion conf
   Identity identity;
   identity.pin = parsed.value_or(Pin());
   identity.name = akronName(static_cast<std::uint32_t>(identity.pin->serial() & kLowBits));
+  identity.model = deviceTypeName(identity.pin->deviceType());
   identity.pcode = pcode;
   identity.config = config;
   return identity;

@@ -5,6 +5,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "protocol/encode.h"
@@ -14,6 +15,7 @@ namespace deckpipe::simulator {
 
 struct Identity {
   Name name;
+  std::string model;       // as the manual calls it, for people on the pipe
   std::optional<Pin> pin;  // nothing: the device cannot announce itself (6039)
   FirmwareVersions firmware{0x010B, 0x0204, 0x0206};
   PcodeVersion pcode;

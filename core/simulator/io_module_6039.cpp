@@ -8,6 +8,7 @@ namespace {
 Identity ioModule(std::uint32_t identityNumber) {
   Identity result;
   result.name = akronName(identityNumber);
+  result.model = "6039 CAN I/O Module";
   result.pcode = {6039, 1, 0x0100};
   result.config = {60390001, 0x0100};
   return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/monitor_6032.h"
 
+#include <cstdio>
 #include <cstdlib>
 
 namespace deckpipe::simulator {
@@ -27,13 +28,11 @@ Monitor6032::Monitor6032(std::string_view pin, const MonitorSettings& settings, 
     : Device(identityOf(pin, kTrident, kNovotechnik), MonitorControl::kStep, seed),
       m_settings(settings),
       m_control(settings),
-      m_inputs(settings.aimAtNeutral),
-      m_shell("6032 Universal II " + std::string(pin) + " v2.6") {}
+      m_inputs(settings.aimAtNeutral) {}
 
 void Monitor6032::started(Instant now) {
   m_control.stop();
   m_inputs.clear();
-  m_shell.clear();
   m_permissiveHeard = kNotYet;
   m_startedAt = now;
   m_untilStatus = 1;
@@ -70,11 +69,10 @@ void Monitor6032::tick(Instant now) {
     m_untilStatus = static_cast<unsigned>(kStatusPeriod / MonitorControl::kStep);
     sendStatuses(now);
   }
-  sendPipePacket(now);
 }
 
 bool Monitor6032::isPanelLedOn(Instant now) const {
-  const int code = pcodeError();
+  const int code = errorCode();
   if (code == 0) return true;
   const Duration phase = (now - m_startedAt) % (2 * code * kFlash + kBetweenCodes);
   return phase < 2 * code * kFlash && phase % (2 * kFlash) < kFlash;
@@ -88,7 +86,7 @@ void Monitor6032::sendStatuses(Instant now) {
     position.plusStop[i] = statusOf(m_control.axes()[i].isAtHigh());
     position.minusStop[i] = statusOf(m_control.axes()[i].isAtLow());
   }
-  position.operationalError = statusOf(pcodeError() != 0);
+  position.operationalError = statusOf(errorCode() != 0);
   position.calibrated = statusOf(hasFeedback());
   broadcast(now, MessageId::PositionLimitStatus, position.encode());
   if (hasFeedback()) {
@@ -111,9 +109,7 @@ void Monitor6032::heard(Instant now, const J1939Id& id, const Frame& frame) {
   m_inputs.received(now, id, frame);
   if (!isForUs(id) || frame.length == 0) return;
   const auto is = [&](MessageId m) { return frame.data[0] == messageOf(m).firstByte; };
-  if (is(MessageId::PipeData)) {
-    heardPipe(now, id, frame);
-  } else if (is(MessageId::SoePermissive) && frame.length == 3) {
+  if (is(MessageId::SoePermissive) && frame.length == 3) {
     m_permissive = Permissive::of(frame);
     m_permissiveHeard = now;
   } else if (frame.length == 1) {
@@ -136,24 +132,16 @@ void Monitor6032::heardRequest(Instant now, const J1939Id& id, const Frame& fram
   }
 }
 
-void Monitor6032::heardPipe(Instant now, const J1939Id& id, const Frame& frame) {
-  if (frame.length == 1) {
-    m_shell.acknowledged(id.source);
-    return;
-  }
-  answer(now, MessageId::PipeAck, encoded(MessageId::PipeAck), id.source);
-  m_shell.received(now, id.source, frame.bytes().subspan(1));
-}
-
-void Monitor6032::sendPipePacket(Instant now) {
-  if (address() == kNullAddress) return;
-  const auto packet = m_shell.takePacket(now);
-  if (!packet) return;
-  Encoded data;
-  data.length = static_cast<std::uint8_t>(1 + packet->size());
-  data.data[0] = static_cast<std::uint8_t>(messageOf(MessageId::PipeData).firstByte);
-  for (std::size_t i = 0; i < packet->size(); ++i) data.data[1 + i] = static_cast<std::uint8_t>((*packet)[i]);
-  answer(now, MessageId::PipeData, data, m_shell.peer());
+std::string Monitor6032::ownStatus() const {
+  const auto percent = [&](std::size_t axis) {
+    return std::to_string(m_control.axes()[axis].travelled() / 10'000) + "%\r\n";
+  };
+  char position[48];
+  std::snprintf(position, sizeof position, "ROTATION %.1f\r\nELEVATION %.1f\r\n", m_control.rotation() / 10.0,
+                m_control.elevation() / 10.0);
+  return (hasFeedback() ? position : "NO FEEDBACK\r\n") + ("PATTERN " + percent(2)) + "FLOW " + percent(3) +
+         "VALVE " + percent(4) + (misbehaviour().enableOff ? "DISABLED\r\n" : "ENABLED\r\n") +
+         (m_setupMode ? "SETUP MODE\r\n" : "");
 }
 
 // One 21 and one 22. The manual gives no scales: the voltage and the positions are of the twin's own, a

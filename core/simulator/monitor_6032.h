@@ -2,12 +2,11 @@
 // The simulated 6032 Universal II on a Trident monitor: what it says on the bus and which messages it obeys.
 // What moves it is MonitorControl's. A control loop runs every 10 ms, so a time-out (200 ms of a joystick,
 // 300 ms of the permissive) takes effect within the 10 ms after it.
-// Source: CAN Messaging manual, message types 01, 81-83, A1, 02, 21, 22, 41, 45, 46, FE and Appendices A-C.
+// Source: CAN Messaging manual, message types 01, 81-83, A1, 02, 21, 22, 41, 45, 46 and Appendices A-C.
 #pragma once
 
 #include "simulator/device.h"
 #include "simulator/monitor_control.h"
-#include "simulator/pipe_shell.h"
 
 namespace deckpipe::simulator {
 
@@ -29,13 +28,12 @@ class Monitor6032 : public Device {
   void tick(Instant now) override;
   void heard(Instant now, const J1939Id& id, const Frame& frame) override;
   std::uint16_t pcodeError() const override;
+  std::string ownStatus() const override;
 
  private:
   MonitorControl::Conditions conditions(Instant now) const;
   void sendStatuses(Instant now);
-  void sendPipePacket(Instant now);
   void heardRequest(Instant now, const J1939Id& id, const Frame& frame);
-  void heardPipe(Instant now, const J1939Id& id, const Frame& frame);
   void answerVista(Instant now, Address to);
   bool hasFeedback() const { return !misbehaviour().feedbackNotFitted; }
   bool isPanelLedOn(Instant now) const;
@@ -43,7 +41,6 @@ class Monitor6032 : public Device {
   MonitorSettings m_settings;
   MonitorControl m_control;
   JoystickInputs m_inputs;
-  PipeShell m_shell;
   Permissive m_permissive;
   Instant m_permissiveHeard = kNotYet;
   Instant m_startedAt{};

@@ -1,40 +1,93 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The far end of the ASCII data pipe (CAN Messaging manual, message type FE) with a shell of one command: the
-// line "A?" is answered with a line that names the device. The manual gives no command's answer; this one is
-// the twin's own. Called by Monitor6032, which sends the acknowledgements.
+// The shell at the far end of the ASCII data pipe: characters in, characters out. PipeEnd owns one and does
+// the packets. The manual gives no command and no answer; those of kHelp are the twin's own.
+//
+// 1. A line ends with CR, LF or CR LF. An empty line is not answered, everything else is.
+// 2. After FILE n the next n bytes are the file, whatever they are; the answers before it still go out
+//    meanwhile. A LF after the CR of that line is not the file's, unless READY was acknowledged before it.
+// 3. What waits to go out is bounded. What did not fit or was given up is counted, and said with the next
+//    input.
 #pragma once
 
-#include <optional>
+#include <cstdint>
+#include <deque>
 #include <span>
 #include <string>
+#include <string_view>
 
-#include "base/ids.h"
 #include "base/time.h"
+#include "simulator/crc32.h"
 
 namespace deckpipe::simulator {
 
 class PipeShell {
  public:
-  static constexpr std::size_t kPacket = 7;        // characters
-  static constexpr std::size_t kLongestLine = 80;  // longer ones are dropped
-  static constexpr Duration kAckTimeout = 1s;      // then the rest of the answer is given up
+  static constexpr std::size_t kLongestLine = 80;
+  static constexpr std::size_t kMostWaiting = 4096;  // characters of answers
+  static constexpr std::uint32_t kLargest = 1u << 24;
+  static constexpr Duration kFileSilence = 10s;  // then a file is given up
+  static constexpr std::string_view kHelp =
+      "?, HELP          this list\r\n"
+      "A?               who this is\r\n"
+      "VER              versions\r\n"
+      "STAT             what it is doing\r\n"
+      "ECHO ON|OFF      echo of characters\r\n"
+      "ECHO TEXT        the text again\r\n"
+      "SEND N           N bytes and their CRC-32\r\n"
+      "FILE N           take N bytes, say their CRC-32\r\n"
+      "Ctrl+C           end SEND\r\n";
 
-  explicit PipeShell(std::string banner) : m_banner(std::move(banner)) {}
+  // What it says of its device. Lines end with CR LF.
+  class Facts {
+   public:
+    virtual ~Facts() = default;
+    virtual std::string banner() const = 0;
+    virtual std::string versions() const = 0;
+    virtual std::string status() const = 0;
+  };
 
-  void received(Instant now, Address from, std::span<const std::uint8_t> characters);
-  void acknowledged(Address from);
+  explicit PipeShell(const Facts& facts) : m_facts(facts) {}
+
+  void received(Instant now, std::span<const std::uint8_t> characters);
+  void timeCame(Instant now);
+  Instant nextTime() const { return m_fileBy; }
   void clear();
 
-  // The next packet, where one may be sent: one is on its way at a time.
-  std::optional<std::string> takePacket(Instant now);
-  Address peer() const { return m_peer; }
+  // The next characters to go out, none where nothing waits.
+  std::string take(std::size_t most);
+  // What was taken has arrived, or will never: then the rest is given up too.
+  void delivered();
+  void giveUp(std::size_t taken);
+
+  // In the middle of a line, a file or an answer.
+  bool isBusy() const { return !m_line.empty() || m_fileLeft > 0 || !m_out.empty(); }
 
  private:
-  std::string m_banner;
-  std::string m_line;    // received, not yet ended
-  std::string m_answer;  // not yet sent
-  Address m_peer = kNullAddress;
-  Instant m_ackBy = kNever;  // kNever: none is on its way
+  struct Piece {
+    std::string text;
+    std::uint32_t left = 0, total = 0;  // of SEND, before the text
+    Crc32 crc;
+  };
+
+  void say(std::string_view text);
+  void typed(Instant now, std::uint8_t c);
+  void lineEnded(Instant now);
+  void obey(Instant now, std::string_view command, std::string_view argument);
+  void startFile(Instant now, std::uint32_t bytes);
+  void fileByte(std::uint8_t byte);
+  static std::string summary(std::string_view what, std::uint32_t bytes, const Crc32& crc);
+
+  const Facts& m_facts;
+  std::string m_line;
+  bool m_lineTooLong = false;
+  bool m_afterReturn = false;  // a LF now belongs to the CR before it
+  bool m_echoes = false;
+  std::deque<Piece> m_out;
+  std::size_t m_waiting = 0;  // characters of all texts in m_out
+  std::uint64_t m_lost = 0;
+  std::uint32_t m_fileLeft = 0, m_fileSize = 0;
+  Crc32 m_fileCrc;
+  Instant m_fileBy = kNever;
 };
 
 }  // namespace deckpipe::simulator

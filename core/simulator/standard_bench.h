@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The truck of the demo: a 6032 on a Trident, a 6033 riser, a 6039 I/O module and a 6035 joystick whose hand
 // follows a script. They power up together and are ready after a boot time each, contending for addresses
-// from 80 hex up.
+// from 80 hex up. More 6032s can be on the bus, to see what a console does with many; a real bus of 250
+// kbit/s is full with forty.
 #pragma once
 
 #include "simulator/bench.h"
@@ -19,8 +20,10 @@ struct StandardBench {
   MiniUniversal6033* riser = nullptr;
   IoModule6039* ioModule = nullptr;
   Joystick6035* joystick = nullptr;
+  std::vector<Monitor6032*> others;  // more monitors, after the four
 };
 
-StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings = {});
+inline constexpr unsigned kMostMonitors = 60;
+StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings = {}, unsigned monitors = 1);
 
 }  // namespace deckpipe::simulator

@@ -32,6 +32,7 @@ void State::apply(const Frame& frame, Instant time) {
   channel.lastFrame = time;
   if (frame.isError()) {
     ++channel.errorFrames;
+    channel.controller = controllerStateOf(frame).value_or(channel.controller);
     return;
   }
   channel.bits += estimatedBits(frame);
@@ -88,7 +89,10 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
       case MessageId::ExtendedJoystick: channel.joysticks.heardExtended(id.source, frame, time); break;
       case MessageId::AddressAnnouncement:
         if (const auto pin = announcedPin(frame); pin && isNode(id.source)) {
+          const Device* device = m_devices.byPin(channelId, *pin);
+          const Address before = device == nullptr ? kNullAddress : device->address;
           m_devices.announced(channelId, id.source, *pin, time);
+          if (before != id.source && before != kNullAddress) channel.claims.left(before);
         }
         sender = m_devices.findAddress(channelId, id.source);
         break;
@@ -105,8 +109,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
     }
   }
   if (sender != nullptr) {
-    sender->lastHeard = time;
-    ++sender->frames;
+    sender->heard(time);
     if (what.malformed) ++sender->malformed;
   }
 }
@@ -129,8 +132,7 @@ void State::applyStandard(const Frame& frame, Instant time, const Classified& wh
     device->take(frame, what.message, time);
   }
   if (!fromNode) return;
-  device->lastHeard = time;
-  ++device->frames;
+  device->heard(time);
 }
 
 void State::apply(const Note& note) {
@@ -140,14 +142,21 @@ void State::apply(const Note& note) {
   if (note.channel.value >= kMaxChannels) return;
   ChannelState& channel = m_channels[note.channel.value];
   switch (note.kind) {
-    case NoteKind::LinkUp: channel.link = ChannelLink::Up; break;
+    case NoteKind::LinkUp:
+      channel.link = ChannelLink::Up;
+      channel.controller = ControllerState::Unknown;
+      break;
     case NoteKind::LinkDown: channel.link = ChannelLink::Down; break;
     case NoteKind::Dropped: channel.dropped += note.number; break;
     case NoteKind::DriveSaid: channel.roles.sayDrive(note.address, true); break;
     case NoteKind::DriveUnsaid: channel.roles.sayDrive(note.address, false); break;
+    case NoteKind::OwnAddress: channel.ownAddress = note.address; break;
     case NoteKind::Locked:
     case NoteKind::Unlocked:
-    case NoteKind::Mark: break;
+    case NoteKind::Mark:
+    case NoteKind::Asked:
+    case NoteKind::AskEnded:
+    case NoteKind::Pipe: break;
   }
 }
 

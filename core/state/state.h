@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 
+#include "bus/controller.h"
 #include "bus/frame.h"
 #include "log/note_store.h"
 #include "protocol/classify.h"
@@ -47,6 +48,8 @@ struct ChannelState {
   std::uint64_t dropped = 0;  // said lost by notes
   Instant lastFrame = kNotYet;
   ChannelLink link = ChannelLink::Unknown;
+  Address ownAddress;  // of the console that recorded this; null while it held none
+  ControllerState controller = ControllerState::Unknown;  // of the adapter, as its error frames said last
   friend bool operator==(const ChannelState&, const ChannelState&) = default;
 };
 

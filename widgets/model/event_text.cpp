@@ -8,6 +8,7 @@
 #include "model/field_text.h"
 #include "text/age_text.h"
 #include "text/device_text.h"
+#include "text/service_text.h"
 
 namespace deckpipe {
 namespace {
@@ -67,6 +68,23 @@ EventWeight weightOf(const Event& event) {
   return EventWeight::Plain;
 }
 
+namespace {
+
+QString ownAddressText(const Note& note, const QString& address) {
+  if (note.address != kNullAddress) return EventText::tr("The console holds address %1").arg(address);
+  if (note.text == "lost") return EventText::tr("The console lost its address to a lower NAME");
+  if (note.text == "cannot claim") return EventText::tr("The console cannot claim any address");
+  if (note.text == "same name") return EventText::tr("Another node has the console's NAME");
+  return EventText::tr("The console gave up its address");
+}
+
+// Of whom: the PIN, or where it has none the address.
+QString askedOf(const Note& note, const QString& address) {
+  return note.text.empty() ? EventText::tr("address %1").arg(address) : toQString(note.text);
+}
+
+}  // namespace
+
 QString noteText(const LogDocument& log, const Note& note) {
   const QString channel = toQString(log.frames.channelName(note.channel.value));
   const QString said = toQString(note.text);
@@ -86,6 +104,17 @@ QString noteText(const LogDocument& log, const Note& note) {
     case NoteKind::Mark: return said.isEmpty() ? EventText::tr("Mark") : said;
     case NoteKind::DriveSaid: return EventText::tr("%1: address %2 is a drive").arg(channel, address);
     case NoteKind::DriveUnsaid: return EventText::tr("%1: address %2 is no drive").arg(channel, address);
+    case NoteKind::OwnAddress: return ownAddressText(note, address);
+    case NoteKind::Asked:
+      return EventText::tr("%1 asked of %2")
+          .arg(askText(static_cast<Ask>(note.number)), askedOf(note, address));
+    case NoteKind::AskEnded:
+      return EventText::tr("%1 of %2: %3")
+          .arg(askText(static_cast<Ask>(note.number & 0xFF)), askedOf(note, address),
+               requestEndText(static_cast<RequestEnd>(note.number >> 8)));
+    case NoteKind::Pipe:
+      return EventText::tr("Data pipe %1: %2")
+          .arg(askedOf(note, address), pipeEventText(static_cast<PipeEvent>(note.number)));
   }
   return said;
 }
@@ -95,6 +124,11 @@ EventWeight weightOf(const Note& note) {
     case NoteKind::LinkDown: return EventWeight::Fault;
     case NoteKind::Dropped: return EventWeight::Attend;
     case NoteKind::Mark: return EventWeight::Mark;
+    case NoteKind::AskEnded:
+      return static_cast<RequestEnd>(note.number >> 8) == RequestEnd::Answered ? EventWeight::Plain
+                                                                               : EventWeight::Attend;
+    case NoteKind::OwnAddress:
+      return note.text == "claimed" || note.text == "locked" ? EventWeight::Plain : EventWeight::Attend;
     default: return EventWeight::Plain;
   }
 }

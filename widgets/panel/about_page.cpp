@@ -39,8 +39,8 @@ AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent)
     column->addWidget(label);
   };
   paragraph("aboutWhat",
-            tr("A diagnostic console for CAN-controlled fire monitors. This version receives and replays; "
-               "it sends nothing."));
+            tr("A diagnostic console for CAN-controlled fire monitors: who is on the bus, where each monitor "
+               "points and what stops it, live or from a log."));
   paragraph("aboutLicence",
             tr("Free software under the GNU General Public License, version 3 or later. It comes "
                "without any warranty; do not rely on it where people can be hurt."));

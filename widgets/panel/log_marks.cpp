@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/field_text.h"
+#include "model/event_text.h"
 
 namespace deckpipe {
 namespace {
@@ -13,26 +13,6 @@ namespace {
 struct LogMarksText {
   Q_DECLARE_TR_FUNCTIONS(LogMarks)
 };
-
-QString noteText(const LogDocument& log, const Note& note) {
-  const QString channel = toQString(log.frames.channelName(note.channel.value));
-  const QString said = toQString(note.text);
-  const auto withReason = [&said](const QString& text) {
-    return said.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, said);
-  };
-  const QString address = hexText(note.address.value, 2);
-  switch (note.kind) {
-    case NoteKind::LinkUp: return LogMarksText::tr("%1 up").arg(channel);
-    case NoteKind::LinkDown: return withReason(LogMarksText::tr("%1 down").arg(channel));
-    case NoteKind::Dropped: return LogMarksText::tr("%1: %2 frames lost").arg(channel).arg(note.number);
-    case NoteKind::Locked: return LogMarksText::tr("Transmit locked");
-    case NoteKind::Unlocked: return LogMarksText::tr("Transmit unlocked");
-    case NoteKind::Mark: return said.isEmpty() ? LogMarksText::tr("Mark") : said;
-    case NoteKind::DriveSaid: return LogMarksText::tr("%1: address %2 is a drive").arg(channel, address);
-    case NoteKind::DriveUnsaid: return LogMarksText::tr("%1: address %2 is no drive").arg(channel, address);
-  }
-  return said;
-}
 
 }  // namespace
 

@@ -12,6 +12,7 @@ class QLabel;
 
 namespace deckpipe {
 
+class FullButton;
 class GlyphLabel;
 
 class PageHeader : public QWidget {
@@ -22,6 +23,12 @@ class PageHeader : public QWidget {
 
   void setPage(const MonitorPageValues& page);
   void setColours(const Colours& colours);
+  // Whether the button is there that spreads the dial over the window, and what it does now.
+  void setFullOffered(bool isOffered);
+  void setFull(bool isFull);
+
+ Q_SIGNALS:
+  void fullRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -38,6 +45,7 @@ class PageHeader : public QWidget {
   GlyphLabel* m_sign;
   QLabel* m_word;
   QLabel* m_reason;
+  FullButton* m_full;
 };
 
 }  // namespace deckpipe

@@ -84,10 +84,16 @@ TEST(LoadFact, SaysThatALogDoesNotTellItsBitRate) {
 }
 
 TEST(LockFact, SaysThatNothingIsSent) {
-  const StatusFact fact = lockFact(link(Progress::Running).source);
+  Snapshot snapshot = link(Progress::Running);
+  const StatusFact fact = lockFact(snapshot);
   EXPECT_EQ(fact.text.toStdString(), "Transmit locked");
   EXPECT_EQ(fact.glyph, Glyph::Locked);
   EXPECT_TRUE(says(fact.story.toStdString(), "still acknowledges"));
+  ServiceStatus unlocked;
+  unlocked.locked = false;
+  snapshot.services = std::make_shared<const ServiceStatus>(unlocked);
+  EXPECT_EQ(lockFact(snapshot).text.toStdString(), "Transmit unlocked");
+  EXPECT_EQ(lockFact(snapshot).tone, StatusTone::Attend);
 }
 
 TEST(CompletenessFact, CountsWhatIsMissing) {

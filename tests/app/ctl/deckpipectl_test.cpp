@@ -151,17 +151,25 @@ QStringList words(const char* text) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Contract, BadUsage,
-    testing::Values(UsageCase{"Nothing", {}}, UsageCase{"NoSuchCommand", words("frobnicate")},
-                    UsageCase{"NoFile", words("decode")}, UsageCase{"TwoFiles", words("decode a b")},
-                    UsageCase{"NoSuchOption", words("decode --nope x")},
-                    UsageCase{"NoSuchFormat", words("decode --format xml -")},
-                    UsageCase{"DriveNotHex", words("decode --drive zz -")},
-                    UsageCase{"DriveGlobal", words("decode --drive FF -")},
-                    UsageCase{"DriveEmptyChannel", words("decode --drive :21 -")},
-                    UsageCase{"AbsentFile", words("decode /nonexistent/x.log")},
-                    UsageCase{"SimulateNowhere", words("simulate")},
-                    UsageCase{"SimulateNegative", words("simulate --log - --seconds -3")},
-                    UsageCase{"SimulateNoSuchFault", words("simulate --log - --misbehave monitor:dances")}),
+    testing::Values(
+        UsageCase{"Nothing", {}}, UsageCase{"NoSuchCommand", words("frobnicate")},
+        UsageCase{"NoFile", words("decode")}, UsageCase{"TwoFiles", words("decode a b")},
+        UsageCase{"NoSuchOption", words("decode --nope x")},
+        UsageCase{"NoSuchFormat", words("decode --format xml -")},
+        UsageCase{"DriveNotHex", words("decode --drive zz -")},
+        UsageCase{"DriveGlobal", words("decode --drive FF -")},
+        UsageCase{"DriveEmptyChannel", words("decode --drive :21 -")},
+        UsageCase{"AbsentFile", words("decode /nonexistent/x.log")},
+        UsageCase{"SimulateNowhere", words("simulate")},
+        UsageCase{"SimulateNegative", words("simulate --log - --seconds -3")},
+        UsageCase{"SimulateNoSuchFault", words("simulate --log - --misbehave monitor:dances")},
+        UsageCase{"SimulateValueMissing", words("simulate --log - --misbehave monitor:pcode")},
+        UsageCase{"SimulateValueEmpty", words("simulate --log - --misbehave monitor:late=")},
+        UsageCase{"SimulateValueUnwanted", words("simulate --log - --misbehave monitor:silent=3")},
+        UsageCase{"SimulateMoreLostThanThereAre", words("simulate --log - --misbehave io:acks-lost=3/2")},
+        UsageCase{"SimulateNoSuchFaultBit", words("simulate --log - --misbehave io:fault=32")},
+        UsageCase{"SimulateNoSuchMonitor", words("simulate --log - --misbehave monitor-2:silent")},
+        UsageCase{"SimulateTooManyMonitors", words("simulate --log - --monitors 61")}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Help, IsOnStandardOutputWithStatusZero) {
@@ -236,6 +244,32 @@ TEST(Simulate, MisbehavesFromTheTimeItWasAskedFor) {
   }
   EXPECT_FALSE(early);
   EXPECT_TRUE(late);
+}
+
+TEST(Simulate, ManyMonitorsEachWithItsPinAndOneGoneForAWhile) {
+  const Outcome r =
+      run(words("simulate --log - --seconds 12 --monitors 30 --misbehave monitor-30:off=2000@6 "
+                "--misbehave monitor-30:elsewhere"));
+  ASSERT_EQ(r.status, 0);
+  QSet<QString> pins;
+  QList<int> addresses;
+  for (const QByteArray& line : run(decode(), r.out).lines()) {
+    if (!line.contains("\"address_announcement\"")) continue;
+    const QJsonObject object = QJsonDocument::fromJson(line).object();
+    const QString pin = object[QStringLiteral("fields")][QStringLiteral("pin")].toString();
+    pins.insert(pin);
+    if (pin == QLatin1String("1032AE100801129")) addresses += object[QStringLiteral("source")].toInt();
+  }
+  EXPECT_EQ(pins.size(), 32) << "30 monitors, a riser and a joystick; the I/O module has no PIN";
+  ASSERT_GE(addresses.size(), 2);
+  EXPECT_NE(addresses.last(), addresses[addresses.size() - 2]);
+}
+
+TEST(Simulate, ListsEveryMisbehaviourOnRequest) {
+  const Outcome r = run(words("simulate --misbehave help"));
+  EXPECT_EQ(r.status, 0);
+  for (const char* part : {"off[=MS]", "reset-never", "acks-lost[=[K/]N]", "fault=FAULT", "vanish-after=N"})
+    EXPECT_TRUE(r.out.contains(part)) << part;
 }
 
 TEST(Info, CountsFramesByIdentifierAndUnreadableLines) {

@@ -11,12 +11,14 @@
 #include <linux/can/netlink.h>
 #include <linux/if_link.h>
 #include <linux/rtnetlink.h>
+#include <linux/sockios.h>
 #include <net/if.h>
 #include <net/if_arp.h>
 #include <netinet/in.h>
 #include <sched.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <QSignalSpy>
@@ -80,9 +82,12 @@ Datagram canLink(std::uint16_t type = RTM_NEWLINK, unsigned flags = IFF_UP) {
               attribute(IFLA_CAN_BERR_COUNTER, bytesOf(can_berr_counter{130, 5}))});
   const Datagram info =
       joined({attribute(IFLA_INFO_KIND, bytesOf("can")), attribute(IFLA_INFO_DATA | NLA_F_NESTED, data)});
+  rtnl_link_stats64 counted{};
+  counted.rx_over_errors = 3;
+  counted.rx_dropped = 4;
   return message(type, ARPHRD_CAN, flags,
-                 joined({attribute(IFLA_IFNAME, bytesOf("can0")), attribute(IFLA_MTU, bytesOf(16u)),
-                         attribute(IFLA_LINKINFO | NLA_F_NESTED, info)}));
+                 joined({attribute(IFLA_STATS64, bytesOf(counted)), attribute(IFLA_IFNAME, bytesOf("can0")),
+                         attribute(IFLA_MTU, bytesOf(16u)), attribute(IFLA_LINKINFO | NLA_F_NESTED, info)}));
 }
 
 TEST(LinkMessages, TellAllThatIsKnownOfAController) {
@@ -101,6 +106,7 @@ TEST(LinkMessages, TellAllThatIsKnownOfAController) {
   EXPECT_EQ(link.restartMs, 100u);
   EXPECT_EQ(link.sendErrors, 130);
   EXPECT_EQ(link.receiveErrors, 5);
+  EXPECT_EQ(link.overruns, 7u);
   EXPECT_EQ(link.controller, ControllerState::BusOff);
 }
 
@@ -185,15 +191,35 @@ TEST(InterfaceWatch, TellsOfUpAndDown) {
   ASSERT_TRUE(before);
   EXPECT_FALSE(before.value().isUp);
 
-  const InterfaceWatch watch(before.value().index);
-  ASSERT_TRUE(watch.isWatching());
+  InterfaceWatch watch;
   std::vector<bool> seen;
-  QObject::connect(&watch, &InterfaceWatch::changed, &watch,
-                   [&](const CanInterface& facts) { seen.push_back(facts.isUp); });
+  QObject::connect(&watch, &InterfaceWatch::changed, &watch, [&](const CanInterface& facts) {
+    if (facts.index == before.value().index) seen.push_back(facts.isUp);
+  });
+  watch.start();
   ASSERT_TRUE(OwnNetwork::setUp("lo", true));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !seen.empty() && seen.back(); }, 20'000));
   ASSERT_TRUE(OwnNetwork::setUp("lo", false));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !seen.back(); }, 20'000));
+}
+
+TEST(InterfaceWatch, TellsOfEachStepHoweverQuickAndMayBeStoppedFromInside) {
+  const OwnNetwork network;
+  if (!network.isThere()) GTEST_SKIP() << "this needs the right to make a network namespace";
+  InterfaceWatch watch;
+  std::vector<bool> seen;
+  QObject::connect(&watch, &InterfaceWatch::changed, &watch, [&](const CanInterface& facts) {
+    if (seen.empty() || seen.back() != facts.isUp) seen.push_back(facts.isUp);
+    if (seen.size() == 4) watch.stop();
+  });
+  watch.start();
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(OwnNetwork::setUp("lo", true));
+    ASSERT_TRUE(OwnNetwork::setUp("lo", false));
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seen.size() >= 4; }, 20'000));
+  QTest::qWait(50);
+  EXPECT_EQ(seen, (std::vector{true, false, true, false}));
 }
 
 TEST(KernelSocket, TellsWhatWasDropped) {
@@ -222,6 +248,28 @@ TEST(KernelSocket, TellsWhatWasDropped) {
   ::close(sender);
   ::close(receiver);
   EXPECT_FALSE(readReceiveBuffer(-1));
+}
+
+// A datagram that waits before the first is read has the time at which it came, not that of the reading.
+TEST(KernelSocket, StampsWhatComesBeforeTheFirstReading) {
+  const int receiver = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  ASSERT_EQ(::bind(receiver, reinterpret_cast<const sockaddr*>(&address), size), 0);
+  ASSERT_EQ(::getsockname(receiver, reinterpret_cast<sockaddr*>(&address), &size), 0);
+  startStamping(receiver);
+  QTest::qWait(50);  // the kernel switches its stamps on a moment later
+  char byte = 0;
+  ASSERT_EQ(::sendto(receiver, &byte, 1, 0, reinterpret_cast<const sockaddr*>(&address), size), 1);
+  timeval before{}, stamp{};
+  ::gettimeofday(&before, nullptr);
+  QTest::qWait(50);
+  ASSERT_EQ(::recv(receiver, &byte, 1, 0), 1);
+  ASSERT_EQ(::ioctl(receiver, SIOCGSTAMP, &stamp), 0);
+  EXPECT_FALSE(timercmp(&stamp, &before, >)) << "stamped when it was read";
+  ::close(receiver);
 }
 
 }  // namespace

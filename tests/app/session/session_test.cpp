@@ -178,5 +178,86 @@ TEST(Link, SaysWhyAnAdapterCannotBeOpened) {
   EXPECT_FALSE(session.snapshot().source.reason.isEmpty());
 }
 
+// What the console sends goes the whole way: intent, services, link, twin, and back into the log.
+class SendingDemo : public testing::Test {
+ protected:
+  void SetUp() override {
+    m_session.openDemo();
+    ASSERT_TRUE(waitFor([&] { return state().devices().byPin(kMonitor) != nullptr; }));
+  }
+  template <typename Condition>
+  bool waitFor(Condition condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+  const State& state() const { return *m_session.snapshot().view.state; }
+  const ServiceStatus& services() const { return *m_session.snapshot().services; }
+  const FrameStore& frames() const { return m_session.snapshot().view.document->frames; }
+  std::size_t sentFrames() const {
+    std::size_t sent = 0;
+    for (std::uint64_t i = 0; i < frames().count(); ++i) {
+      if ((frames()[i].flags & Frame::kSent) == 0) continue;
+      ++sent;
+      EXPECT_NE(frames()[i].flags & Frame::kConfirmed, 0) << "stored once, on its echo";
+    }
+    return sent;
+  }
+  bool unlock() {
+    m_session.want(wish::Unlock{});
+    return waitFor([&] { return services().canAsk(); });
+  }
+  const DeviceKey m_monitor = DeviceKey::of(kMonitor);
+  Session m_session;
+};
+
+TEST_F(SendingDemo, SendsNothingWhileLocked) {
+  EXPECT_TRUE(services().locked);
+  const std::uint64_t serial = m_session.want(wish::AskDevice{m_monitor, kPolls});
+  ASSERT_TRUE(waitFor([&] { return services().refusedSerial == serial; }));
+  EXPECT_EQ(services().refusal, Refusal::Locked);
+  EXPECT_EQ(sentFrames(), 0u);
+}
+
+TEST_F(SendingDemo, UnlockedItClaimsAnAddressAndIsAnswered) {
+  ASSERT_TRUE(unlock());
+  EXPECT_EQ(state().channel(Channel{}).ownAddress, Address{0xF9});
+  EXPECT_FALSE(state().isLocked());
+  m_session.want(wish::AskDevice{m_monitor, kPolls});
+  ASSERT_TRUE(waitFor([&] {
+    const DeviceServices* device = services().find(m_monitor);
+    return device != nullptr && device->of(Ask::Vista).end == RequestEnd::Answered &&
+           device->of(Ask::Config).end == RequestEnd::Answered;
+  }));
+  EXPECT_TRUE(waitFor([&] { return state().devices().byPin(kMonitor)->config.isKnown(); }));
+  EXPECT_EQ(sentFrames(), 2u + 5u) << "a request for NAMEs, a claim, five polls";
+}
+
+TEST_F(SendingDemo, TalksOverThePipeAndLocksAgain) {
+  ASSERT_TRUE(unlock());
+  m_session.want(wish::PipeWrite{m_monitor, "A?\r\n"});
+  ASSERT_TRUE(waitFor([&] {
+    const DeviceServices* device = services().find(m_monitor);
+    return device != nullptr && device->pipe && device->pipe->sent == 4 && device->pipe->received > 0;
+  }));
+  m_session.want(wish::Lock{});
+  ASSERT_TRUE(waitFor([&] { return state().isLocked(); }));
+  EXPECT_EQ(state().channel(Channel{}).ownAddress, kNullAddress);
+}
+
+TEST_F(SendingDemo, OffTheLiveEdgeOnlyTheLockIsHeard) {
+  ASSERT_TRUE(unlock());
+  m_session.pause();
+  EXPECT_EQ(m_session.want(wish::AskDevice{m_monitor, kPolls}), 0u);
+  EXPECT_NE(m_session.want(wish::Lock{}), 0u);
+  EXPECT_TRUE(waitFor([&] { return services().locked; }));
+}
+
+TEST_F(SendingDemo, AFreshOneIsLockedAgain) {
+  ASSERT_TRUE(unlock());
+  m_session.openDemo();
+  EXPECT_TRUE(services().locked);
+  ASSERT_TRUE(waitFor([&] { return state().devices().byPin(kMonitor) != nullptr; }));
+  EXPECT_TRUE(services().locked);
+}
+
 }  // namespace
 }  // namespace deckpipe

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bus/canopen.h"
+#include "bus/controller.h"
 #include "bus/j1939.h"
 #include "bus/load.h"
 
@@ -48,6 +49,28 @@ TEST(CobId, KnowsWhichFunctionsCarryANode) {
   EXPECT_FALSE(CobId::of(0x000).hasNode());
   EXPECT_FALSE(CobId::of(0x080).hasNode());
   EXPECT_FALSE(CobId::of(0x123).hasNode());
+}
+
+TEST(ErrorFrame, TellsTheControllersState) {
+  const auto told = [](std::uint32_t id, std::uint8_t second, std::uint8_t length = 8) {
+    Frame frame;
+    frame.id = id;
+    frame.length = length;
+    frame.data[1] = second;
+    return controllerStateOf(frame);
+  };
+  constexpr std::uint32_t kOfController = kErrorBit | 0x04;
+  EXPECT_EQ(told(kOfController, 0x04), ControllerState::ErrorWarning);
+  EXPECT_EQ(told(kOfController, 0x08), ControllerState::ErrorWarning);
+  EXPECT_EQ(told(kOfController, 0x10), ControllerState::ErrorPassive);
+  EXPECT_EQ(told(kOfController, 0x20 | 0x04), ControllerState::ErrorPassive) << "the worse of two";
+  EXPECT_EQ(told(kOfController, 0x40), ControllerState::ErrorActive);
+  EXPECT_EQ(told(kErrorBit | 0x40, 0), ControllerState::BusOff);
+  EXPECT_EQ(told(kErrorBit | 0x100, 0), ControllerState::ErrorActive) << "restarted";
+  EXPECT_FALSE(told(kOfController, 0x01)) << "an overrun is no state";
+  EXPECT_FALSE(told(kOfController, 0x10, 1)) << "cut short";
+  EXPECT_FALSE(told(kErrorBit | 0x20, 0x10)) << "a missing acknowledge";
+  EXPECT_FALSE(told(0x04, 0x10)) << "no error frame";
 }
 
 TEST(BusLoad, CountsTheBitsOfAFrameBetweenUnstuffedAndFullyStuffed) {

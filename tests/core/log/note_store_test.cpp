@@ -50,7 +50,7 @@ TEST(NoteStore, CutsLongTextBetweenCharacters) {
 }
 
 TEST(NoteStore, EveryKindHasAWordThatLeadsBack) {
-  for (int i = 0; i <= static_cast<int>(NoteKind::DriveUnsaid); ++i) {
+  for (int i = 0; i <= static_cast<int>(NoteKind::Pipe); ++i) {
     const auto kind = static_cast<NoteKind>(i);
     EXPECT_FALSE(noteKey(kind).empty()) << i;
     EXPECT_EQ(noteKind(noteKey(kind)), kind);

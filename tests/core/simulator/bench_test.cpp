@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <random>
+#include <set>
 
 #include "rig.h"
 
@@ -295,6 +296,50 @@ TEST(Bench, AFloodOfPollsIsBoundedAndItsLossIsAFault) {
   rig.send("18EF8005", "02");
   rig.run(10ms);
   EXPECT_EQ(rig.last(MessageId::FaultResponse), "faults=can_output_overrun; reserved_bits=; pcode_error=0");
+}
+
+TEST(Bench, SixtyMonitorsHaveTheirAddressesAndShareTheBusEvenly) {
+  Rig rig;
+  rig.bench = standardBench(1, {}, 60).bench;
+  ASSERT_EQ(rig.bench.size(), 63u);
+  rig.bench.powerOn(rig.now());
+  rig.run(10s);
+  std::set<std::string> pins;
+  std::set<unsigned> addresses;
+  for (const Seen& seen : rig.all(MessageId::AddressAnnouncement))
+    pins.emplace(announcedPin(seen.frame)->text());
+  for (std::size_t i = 0; i < rig.bench.size(); ++i) addresses.insert(rig.bench.device(i).address().value);
+  EXPECT_EQ(pins.size(), 62u);
+  EXPECT_EQ(addresses.size(), 63u);
+  EXPECT_EQ(addresses.count(kNullAddress.value), 0u);
+  std::map<std::int64_t, int> frames;  // in each 10 ms
+  for (const Seen& seen : rig.log) {
+    if (seen.time >= Instant{} + 8s && seen.what.message != MessageId::BasicJoystick)
+      ++frames[seen.time.ns / 10'000'000];
+  }
+  for (const auto& [at, count] : frames) EXPECT_LE(count, 30) << "a tenth of 4 x 60 and some";
+}
+
+TEST(Bench, SixtyMonitorsAreSteadyWhenAnotherTimeComesOften) {
+  const auto run = [](Duration every) {
+    StandardBench s = standardBench(1, {}, 60);
+    s.bench.powerOn({});
+    std::vector<DueFrame> frames;
+    for (Instant t{}; t <= Instant{} + 6s; t = t + every) s.bench.timeCame(t);
+    s.bench.takeFrames(frames);
+    return frames;
+  };
+  EXPECT_EQ(run(1ms), run(100ms));
+}
+
+TEST(Bench, SixtyMonitorsForTheRecord) {
+  constexpr int kSeconds = 20;
+  StandardBench s = standardBench(1, {}, 60);
+  s.bench.powerOn({});
+  const auto start = std::chrono::steady_clock::now();
+  for (Instant t{}; t <= Instant{} + kSeconds * Duration(1s); t = t + 1ms) s.bench.timeCame(t);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  std::printf("[   NOTE   ] 60 monitors: %.1f %% of a core\n", 100 * took.count() / kSeconds);
 }
 
 TEST(Bench, SpeedForTheRecord) {

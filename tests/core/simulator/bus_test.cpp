@@ -207,53 +207,6 @@ TEST(Setup, IsAcknowledgedAndLeftByAReset) {
   EXPECT_FALSE(rig.monitor.isInSetupMode());
 }
 
-// A terminal at F9 that acknowledges, or does not, and what came to it.
-std::string pipeText(Rig& rig, bool acknowledges, Duration d) {
-  std::string text;
-  const std::size_t before = rig.log.size();
-  std::size_t read = before;
-  for (const Instant end = rig.now() + d; rig.now() < end; rig.run(5ms)) {
-    for (; read < rig.log.size(); ++read) {
-      const Seen seen = rig.log[read];
-      if (seen.what.message != MessageId::PipeData || seen.source() != Address{0x80}) continue;
-      const auto bytes = seen.frame.bytes().subspan(1);
-      text.append(bytes.begin(), bytes.end());
-      if (acknowledges) rig.send("18EF80F9", "FE");
-    }
-  }
-  return text;
-}
-
-TEST(Pipe, AcknowledgesEachPacketAndAnswersWithAVersionLine) {
-  MonitorRig rig;
-  rig.send("18EF80F9", "FE413F");
-  rig.run(10ms);
-  EXPECT_EQ(rig.all(MessageId::PipeAck, Address{0x80}).size(), 1u);
-  EXPECT_TRUE(rig.all(MessageId::PipeData, Address{0x80}).empty()) << "the line has not ended";
-  rig.send("18EF80F9", "FE0D0A");
-  EXPECT_EQ(pipeText(rig, true, 1s), "6032 Universal II 1032AE100801035 v2.6\r\n");
-  EXPECT_EQ(rig.all(MessageId::PipeAck, Address{0x80}).size(), 2u);
-}
-
-TEST(Pipe, WaitsForEachAcknowledgementAndThenGivesUp) {
-  MonitorRig rig;
-  rig.send("18EF80F9", "FE413F0D0A");
-  EXPECT_EQ(pipeText(rig, false, 5s), "6032 Un");
-  rig.send("18EF80F9", "FE413F0D0A");
-  EXPECT_EQ(pipeText(rig, true, 1s), "6032 Universal II 1032AE100801035 v2.6\r\n");
-}
-
-TEST(Pipe, OtherLinesAreAcknowledgedAndNotAnswered) {
-  MonitorRig rig;
-  for (int i = 0; i < 100; ++i) {
-    rig.send("18EF80F9", "FE61626364656667");
-    rig.run(5ms);
-  }
-  rig.send("18EF80F9", "FE0D0A");
-  EXPECT_EQ(pipeText(rig, true, 1s), "");
-  EXPECT_EQ(rig.all(MessageId::PipeAck, Address{0x80}).size(), 101u);
-}
-
 TEST(Riser, TakesSixSecondsBetweenItsEnds) {
   Rig rig;
   auto& riser = rig.bench.add<MiniUniversal6033>(100ms, "1033AE100802117", 1u);

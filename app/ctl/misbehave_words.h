@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// WHAT[=VALUE] of `--misbehave DEVICE:WHAT[=VALUE][@SECONDS]`: every word for what can go wrong on a device
+// of the bench twin, what its value is, and what it changes. MisbehavePlan asks for them.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "simulator/misbehaviour.h"
+
+namespace deckpipe::ctl {
+
+struct WordValue {
+  unsigned number = 0;  // a count, milliseconds, a code, a fault's mask
+  simulator::Losses losses{};
+  Duration milliseconds() const { return std::chrono::milliseconds(number); }
+};
+
+struct MisbehaveWord {
+  enum class Takes : std::uint8_t { Nothing, Number, Milliseconds, Losses, Fault };
+
+  const char* word;
+  Takes takes;
+  unsigned leftOut;  // the number where none is given; 0: it must be given
+  unsigned most;
+  const char* help;
+  void (*change)(simulator::Misbehaviour&, const WordValue&);
+};
+
+std::span<const MisbehaveWord> misbehaveWords();
+const MisbehaveWord* misbehaveWord(QStringView word);
+// Of "=VALUE", null where none was written. Nothing where it is not what the word takes.
+std::optional<WordValue> valueFor(const MisbehaveWord& word, const QString& text);
+// "=MS", "[=MS]", ""
+QString valueHelp(const MisbehaveWord& word);
+
+}  // namespace deckpipe::ctl

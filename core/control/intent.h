@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person wants sent. A view makes one from a deliberate act, the session stamps it and hands it to the
+// bus thread, where the services carry it out or refuse it. Devices are named by DeviceKey, never by an
+// address that may be another's by then; the services look up where it is at the moment of sending.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "base/device_key.h"
+#include "base/time.h"
+#include "control/ask.h"
+
+namespace deckpipe {
+namespace wish {
+
+// The transmit lock. Unlocked, the console claims an address of its own.
+struct Unlock {};
+struct Lock {};
+// A request for the NAME to everyone.
+struct AskNames {};
+// Once; polls and commands alike. A null device means every device, and then polls only.
+struct AskDevice {
+  DeviceKey device;
+  AskSet asks;
+};
+// Polls again and again, every `period` (at least kShortestPeriod); zero ends it. Null device: every one.
+struct Repeat {
+  static constexpr Duration kShortestPeriod = 500ms;
+  DeviceKey device;
+  AskSet asks;
+  Duration period{0};
+};
+// Gives up what is asked of a device and not yet answered, repeated polls too. Null device: every one.
+struct Cancel {
+  DeviceKey device;
+};
+// Characters into the data pipe of a device.
+struct PipeWrite {
+  DeviceKey device;
+  std::string bytes;
+};
+struct PipeFile {
+  DeviceKey device;
+  std::string name;  // for people
+  std::shared_ptr<const std::string> content;
+};
+struct PipeAction {
+  enum class What : std::uint8_t {
+    Pause,   // after the packet in flight
+    Resume,  // goes on after a pause
+    Cancel,  // no more of the file
+    Resend,  // after a missing ack: the packet again. It may then arrive twice
+    Skip,    // … as if it had been acknowledged
+    Abort,   // … nothing more of all that waits
+  };
+  DeviceKey device;
+  What what = What::Pause;
+};
+
+}  // namespace wish
+
+struct Intent {
+  std::variant<wish::Lock, wish::Unlock, wish::AskNames, wish::AskDevice, wish::Repeat, wish::Cancel,
+               wish::PipeWrite, wish::PipeFile, wish::PipeAction>
+      value;
+  Instant stamp{};  // CLOCK_BOOTTIME when the person asked
+  std::uint64_t serial = 0;
+};
+
+}  // namespace deckpipe

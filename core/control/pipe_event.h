@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened to a data pipe, for notes of the log. Numbers stand in logs: never renumber.
+#pragma once
+
+#include <cstdint>
+
+namespace deckpipe {
+
+enum class PipeEvent : std::uint8_t {
+  FileBegan = 0,
+  FileDone = 1,
+  FileCancelled = 2,
+  FileAborted = 3,
+  Stalled = 4,  // no ack
+  AckLate = 5,  // it came after all
+  Resent = 6,   // by the person
+  Skipped = 7,  // by the person
+  Dropped = 8,  // what was typed and not sent
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the services are doing, as plain values: published with every snapshot, drawn by the panels. Answers
+// themselves are not here, they are in the State like everything else that was heard.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/device_key.h"
+#include "base/time.h"
+#include "control/ask.h"
+
+namespace deckpipe {
+
+// Why an intent was not carried out.
+enum class Refusal : std::uint8_t {
+  None,
+  Locked,     // the transmit lock is set
+  NoLink,     // the link is not up
+  NoAddress,  // the console holds no address on the bus yet, or cannot claim one
+  NoDevice,   // no such device, or it has no address now
+  NotTaken,   // this type of device does not take it
+  Busy,       // the same is under way already
+  TooMuch,    // more characters than may wait
+};
+
+struct ClaimStatus {
+  enum class Progress : std::uint8_t {
+    Off,
+    Asking,    // who is there
+    Claiming,  // an address is claimed, and may be contested yet
+    Claimed,
+    CannotClaim,  // none is free
+    SameName,     // another node on the bus has our NAME: the identity number must be changed
+  };
+  Progress progress = Progress::Off;
+  Address address;         // claiming or claimed; null otherwise
+  std::uint64_t name = 0;  // our NAME
+  std::uint16_t lost = 0;  // addresses lost to a lower NAME since unlocking
+  std::uint16_t won = 0;   // contests won
+  friend bool operator==(const ClaimStatus&, const ClaimStatus&) = default;
+};
+
+struct RequestStatus {
+  enum class Progress : std::uint8_t { Idle, Queued, Waiting, Ended };
+  Progress progress = Progress::Idle;
+  RequestEnd end = RequestEnd::None;  // of the last one that ended
+  std::uint8_t tries = 0;             // sent so often for the present request
+  Instant sent = kNotYet;             // the last try
+  Instant ended = kNotYet;
+  Duration latency{0};      // from the last try to the whole answer
+  Duration period{0};       // repeated so often; 0 = once
+  std::uint32_t asked = 0;  // requests, not tries
+  std::uint32_t answered = 0;
+  std::uint32_t wrong = 0;    // answers of a wrong length
+  std::uint32_t unasked = 0;  // answers that came twice, or without having been asked for
+  friend bool operator==(const RequestStatus&, const RequestStatus&) = default;
+};
+
+struct PipeStatus {
+  enum class Progress : std::uint8_t {
+    Idle,
+    Sending,
+    Settling,  // a second ack may come yet; nothing is sent until then
+    Paused,    // by the person
+    Stalled,   // until the person decides, or the ack comes after all
+  };
+  enum class Stall : std::uint8_t {
+    None,
+    NoAck,  // in time
+    Moved,  // and the device is at another address now
+    Gone,   // and the device has none
+  };
+  enum class FileEnd : std::uint8_t { None, Done, Cancelled, Aborted };
+
+  Progress progress = Progress::Idle;
+  Stall stall = Stall::None;
+  std::uint32_t waiting = 0;  // characters typed and not yet sent
+  std::uint64_t sent = 0;     // characters acknowledged or skipped
+  std::uint64_t received = 0;
+  std::uint32_t skipped = 0, resent = 0, lateAcks = 0, strayAcks = 0;
+
+  std::string file;  // name of the last one; empty: none yet
+  std::uint64_t fileSize = 0, fileSent = 0;
+  FileEnd fileEnd = FileEnd::None;
+  Instant fileBegan = kNotYet, fileEnded = kNotYet;
+  Duration filePaused{0};  // of that time it was paused or stalled
+
+  // Of the acks of this pipe, from a packet's being written to its ack.
+  std::uint32_t acks = 0;
+  Duration ackLast{0}, ackWorst{0}, ackSum{0};
+
+  bool isSendingFile() const { return !file.empty() && fileEnd == FileEnd::None; }
+  friend bool operator==(const PipeStatus&, const PipeStatus&) = default;
+};
+
+struct DeviceServices {
+  DeviceKey device;
+  Address address;
+  AskSet takes;  // what may be asked of it, by its type
+  std::array<RequestStatus, kAsks> requests{};
+  std::optional<PipeStatus> pipe;
+
+  const RequestStatus& of(Ask ask) const { return requests[static_cast<std::size_t>(ask)]; }
+  friend bool operator==(const DeviceServices&, const DeviceServices&) = default;
+};
+
+struct ServiceStatus {
+  bool locked = true;
+  bool linkUp = false;
+  ClaimStatus claim;
+  std::vector<DeviceServices> devices;  // that can be asked something, or were
+  double busLoad = 0;                   // of the last second, 0..1
+  std::uint64_t sent = 0;               // frames handed to the link
+  std::uint64_t notTaken = 0;           // of these the link did not take
+  Refusal refusal = Refusal::None;      // of the last intent that was refused
+  std::uint64_t refusedSerial = 0;
+
+  // An address of our own to send from.
+  bool canAsk() const { return !locked && linkUp && claim.progress == ClaimStatus::Progress::Claimed; }
+  const DeviceServices* find(const DeviceKey& key) const {
+    for (const DeviceServices& device : devices) {
+      if (device.device == key) return &device;
+    }
+    return nullptr;
+  }
+  friend bool operator==(const ServiceStatus&, const ServiceStatus&) = default;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/claim_service.h"
+
+#include "bus/j1939.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
+constexpr std::uint8_t kFirstDynamic = 0x80, kLastDynamic = 0xF7;
+constexpr Address kServiceTool2{0xFA};
+
+Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8}; }
+
+}  // namespace
+
+Name consoleName(std::uint32_t identityNumber) {
+  constexpr std::uint64_t kNoManufacturer = 0x7FF, kServiceTool = 129;
+  return {(identityNumber & 0x1F'FFFFu) | kNoManufacturer << 21 | kServiceTool << 40 | 1ull << 63};
+}
+
+ClaimService::ClaimService(const ClaimSettings& settings)
+    : m_settings(settings), m_spread(settings.identityNumber) {
+  m_status.name = consoleName(settings.identityNumber).value;
+}
+
+void ClaimService::start(Instant now, const Live& live, Outgoing& out) {
+  const std::uint64_t name = m_status.name;
+  m_status = {};
+  m_status.name = name;
+  m_status.progress = Progress::Asking;
+  m_lost.reset();
+  m_deadline = now + kListen;
+  askNames(live, out);
+}
+
+void ClaimService::stop() {
+  m_status.progress = Progress::Off;
+  m_status.address = kNullAddress;
+  m_deadline = kNever;
+}
+
+void ClaimService::askNames(const Live& live, Outgoing& out) {
+  Encoded data{.length = 3};
+  writeBits(data.data, kRequested, pgn::kAddressClaimed);
+  Live from = live;
+  from.own = address();
+  out.send(from, MessageId::Request, kGlobalAddress, data);
+}
+
+void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const {
+  Live sender = live;
+  sender.own = from;
+  out.send(sender, MessageId::Name, kGlobalAddress, encodedName({m_status.name}));
+}
+
+// Taken by a NAME, or in use without one.
+bool ClaimService::isFree(const Live& live, Address address) const {
+  const Node& node = live.bus().claims[address];
+  if (m_lost[address.value]) return false;
+  if (node.name.value == m_status.name) return true;
+  if (node.name.value != 0 && node.claim != ClaimState::CannotClaim) return false;
+  return m_ours[address.value] || !node.isHeard();
+}
+
+void ClaimService::claimNext(Instant now, const Live& live, Outgoing& out) {
+  for (const Address candidate : {m_settings.preferred, kServiceTool2}) {
+    if (isFree(live, candidate)) return claim(now, live, candidate, out);
+  }
+  // From the top: Akron's devices claim theirs from 80 hex up.
+  for (unsigned a = kLastDynamic; a >= kFirstDynamic; --a) {
+    const Address candidate{static_cast<std::uint8_t>(a)};
+    if (isFree(live, candidate)) return claim(now, live, candidate, out);
+  }
+  cannotClaim(now, live, out);
+}
+
+void ClaimService::claim(Instant now, const Live& live, Address address, Outgoing& out) {
+  m_status.progress = Progress::Claiming;
+  m_status.address = address;
+  m_ours.set(address.value);
+  m_deadline = now + kClaimTime;
+  sendName(live, address, out);
+}
+
+// J1939-81 spreads these over 153 ms, because all of them have the same identifier.
+void ClaimService::cannotClaim(Instant now, const Live& live, Outgoing& out) {
+  if (m_status.progress != Progress::CannotClaim)
+    out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "cannot claim");
+  m_status.progress = Progress::CannotClaim;
+  m_status.address = kNullAddress;
+  m_spread = m_spread * 1'664'525u + 1'013'904'223u;
+  m_deadline = now + (m_spread >> 24) * Duration(600us);
+}
+
+void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
+  if (now < m_deadline) return;
+  m_deadline = kNever;
+  switch (m_status.progress) {
+    case Progress::Asking: return claimNext(now, live, out);
+    case Progress::Claiming:
+      m_status.progress = Progress::Claimed;
+      out.note(NoteKind::OwnAddress, live.channel, m_status.address, 0, "claimed");
+      return;
+    case Progress::CannotClaim: return sendName(live, kNullAddress, out);
+    case Progress::Off:
+    case Progress::Claimed:
+    case Progress::SameName: return;
+  }
+}
+
+void ClaimService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
+  if (m_status.progress == Progress::Off || m_status.progress == Progress::SameName) return;
+  if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
+  const J1939Id id = J1939Id::of(frame.identifier());
+  if (id.pgn == pgn::kAddressClaimed && frame.length == 8)
+    return claimHeard(now, live, id.source, Name::of(frame), out);
+  if (id.pgn != pgn::kRequest || frame.length != 3 ||
+      readBits(frame.data, kRequested) != pgn::kAddressClaimed)
+    return;
+  const bool hasAddress = m_status.address != kNullAddress;
+  if (id.destination != kGlobalAddress && (!hasAddress || id.destination != m_status.address)) return;
+  if (hasAddress) sendName(live, m_status.address, out);
+  if (m_status.progress == Progress::CannotClaim) cannotClaim(now, live, out);
+}
+
+void ClaimService::claimHeard(Instant now, const Live& live, Address source, Name name, Outgoing& out) {
+  if (source == kGlobalAddress || name.value == 0) return;
+  if (name.value == m_status.name) {
+    m_status.progress = Progress::SameName;
+    m_status.address = kNullAddress;
+    m_deadline = kNever;
+    out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "same name");
+    return;
+  }
+  if (source == kNullAddress || m_status.address == kNullAddress || source != m_status.address) return;
+  if (m_status.name < name.value) {
+    ++m_status.won;
+    // Who has the address already keeps using it while it defends it.
+    return sendName(live, m_status.address, out);
+  }
+  ++m_status.lost;
+  m_lost.set(source.value);
+  out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "lost");
+  claimNext(now, live, out);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a service is given with every call besides the time, and where it puts what it wants sent and noted.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/device_key.h"
+#include "bus/frame.h"
+#include "protocol/encode.h"
+#include "state/state.h"
+
+namespace deckpipe {
+
+// The live State with every frame up to now applied, whatever the cursor shows.
+struct Live {
+  const State& state;
+  Channel channel;
+  // Ours on the bus; null while there is none to send from.
+  Address own = kNullAddress;
+
+  const ChannelState& bus() const { return state.channel(channel); }
+  const Device* find(const DeviceKey& key) const;
+  // Where it is now; nothing where it is not on this channel or has no address.
+  std::optional<Address> addressOf(const DeviceKey& key) const;
+  // An address that is a device's own with a PIN is that device.
+  DeviceKey canonical(const DeviceKey& key) const;
+};
+
+struct Outgoing {
+  std::vector<Frame> frames;
+  std::vector<Note> notes;
+
+  // Placed in the log (frame, time) by whoever writes them down.
+  void note(NoteKind kind, Channel channel, Address address, std::uint64_t number, std::string text = {}) {
+    notes.push_back(
+        {.kind = kind, .channel = channel, .address = address, .number = number, .text = std::move(text)});
+  }
+  void send(const Live& live, MessageId id, Address to, const Encoded& data) {
+    Frame frame = j1939Frame(messageOf(id), data, live.own, to);
+    frame.channel = live.channel.value;
+    frames.push_back(frame);
+  }
+};
+
+}  // namespace deckpipe

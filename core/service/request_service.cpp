@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/request_service.h"
+
+#include <algorithm>
+
+#include "bus/j1939.h"
+
+namespace deckpipe {
+namespace {
+
+using Progress = RequestStatus::Progress;
+
+constexpr Ask askAt(std::size_t i) { return static_cast<Ask>(i); }
+constexpr bool isOpen(Progress progress) {
+  return progress == Progress::Queued || progress == Progress::Waiting;
+}
+
+template <typename F>
+void forEachAsk(AskSet asks, F&& f) {
+  for (std::size_t i = 0; i < kAsks; ++i) {
+    if (asks.has(askAt(i))) f(askAt(i));
+  }
+}
+
+// What a request and its whole answer take of the bus.
+unsigned costOf(Ask ask) {
+  const auto bits = [](MessageId id) {
+    Frame frame;
+    frame.id = kExtendedBit;
+    frame.length = static_cast<std::uint8_t>(messageOf(id).maxLength());
+    return estimatedBits(frame);
+  };
+  unsigned sum = bits(ruleOf(ask).request);
+  for (const MessageId answer : ruleOf(ask).answers) sum += answer == kNoAnswer ? 0 : bits(answer);
+  return sum;
+}
+
+// All answers that a rule wants, as bits.
+constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
+
+}  // namespace
+
+RequestService::Asked& RequestService::asked(const DeviceKey& device) {
+  for (Asked& known : m_devices) {
+    if (known.device == device) return known;
+  }
+  return m_devices.emplace_back(Asked{device, {}});
+}
+
+const std::array<RequestStatus, kAsks>* RequestService::statusOf(const DeviceKey& device) const {
+  for (const Asked& known : m_devices) {
+    if (known.device == device) return &known.statuses;
+  }
+  return nullptr;
+}
+
+void RequestService::queue(RequestStatus& status, Timing& timing, Instant due) {
+  status.progress = Progress::Queued;
+  status.tries = 0;
+  timing = {.to = timing.to, .due = due};
+  ++status.asked;
+}
+
+Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice& wish, Outgoing& out) {
+  if (wish.device.isNull()) {
+    for (const DeviceKey& key : askableDevices(live)) ask(now, live, {key, wish.asks & kPolls}, out);
+    return Refusal::None;
+  }
+  const Device* device = live.find(wish.device);
+  if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
+  const AskSet takes = asksTakenBy(live, *device) & wish.asks;
+  if (takes.isEmpty()) return Refusal::NotTaken;
+  Asked& at = asked(live.canonical(wish.device));
+  Refusal refusal = Refusal::Busy;
+  forEachAsk(takes, [&](Ask ask) {
+    RequestStatus& status = at.status(ask);
+    // A repeated poll that waits for its turn may as well come now.
+    if (status.progress == Progress::Waiting || (isOpen(status.progress) && status.period == 0ns)) return;
+    queue(status, at.timing(ask), now);
+    refusal = Refusal::None;
+    if (isCommand(ask)) send(now, live, at, ask, out);
+  });
+  timeCame(now, live, out);
+  return refusal;
+}
+
+Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat& wish, Outgoing& out) {
+  if (wish.device.isNull()) {
+    std::vector<DeviceKey> keys = askableDevices(live);
+    if (wish.period == 0ns) {
+      for (const Asked& known : m_devices) keys.push_back(known.device);
+    }
+    for (const DeviceKey& key : keys) repeat(now, live, {key, wish.asks, wish.period}, out);
+    return Refusal::None;
+  }
+  const DeviceKey key = live.canonical(wish.device);
+  if (wish.period == 0ns) {
+    if (statusOf(key) == nullptr) return Refusal::None;
+    Asked& at = asked(key);
+    forEachAsk(wish.asks, [&](Ask ask) {
+      RequestStatus& status = at.status(ask);
+      if (status.period == 0ns) return;
+      status.period = 0ns;
+      if (status.progress != Progress::Queued) return;
+      status.progress = status.end == RequestEnd::None ? Progress::Idle : Progress::Ended;
+      at.timing(ask) = {};
+      --status.asked;
+    });
+    return Refusal::None;
+  }
+  const Device* device = live.find(key);
+  if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
+  const AskSet takes = asksTakenBy(live, *device) & wish.asks & kPolls;
+  if (takes.isEmpty()) return Refusal::NotTaken;
+  Asked& at = asked(key);
+  forEachAsk(takes, [&](Ask ask) {
+    RequestStatus& status = at.status(ask);
+    status.period = std::max<Duration>(wish.period, wish::Repeat::kShortestPeriod);
+    if (!isOpen(status.progress)) {
+      queue(status, at.timing(ask), now);
+    } else if (status.progress == Progress::Queued) {
+      at.timing(ask).due = std::min(at.timing(ask).due, now);
+    }
+  });
+  timeCame(now, live, out);
+  return Refusal::None;
+}
+
+void RequestService::cancel(Instant now, const Live& live, const DeviceKey& device, Outgoing& out) {
+  const DeviceKey key = live.canonical(device);
+  for (Asked& at : m_devices) {
+    if (key.isNull() || at.device == key) endDevice(now, live, at, RequestEnd::Cancelled, out);
+  }
+}
+
+void RequestService::endAll(Instant now, const Live& live, RequestEnd how, Outgoing& out) {
+  for (Asked& at : m_devices) endDevice(now, live, at, how, out);
+}
+
+void RequestService::endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out) {
+  for (std::size_t i = 0; i < kAsks; ++i) {
+    at.statuses[i].period = 0ns;
+    if (isOpen(at.statuses[i].progress)) end(now, live, at, askAt(i), how, out);
+  }
+}
+
+void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out) {
+  const auto to = live.addressOf(at.device);
+  if (!to) return end(now, live, at, ask, RequestEnd::Gone, out);
+  const AskRule& rule = ruleOf(ask);
+  RequestStatus& status = at.status(ask);
+  Timing& timing = at.timing(ask);
+  status.progress = Progress::Waiting;
+  ++status.tries;
+  status.sent = now;
+  timing.to = *to;
+  timing.answers = 0;
+  timing.deadline = now + rule.patience;
+  Encoded data{.length = 1};
+  data.data[0] = static_cast<std::uint8_t>(messageOf(rule.request).firstByte);
+  out.send(live, rule.request, *to, data);
+  m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(ask));
+  // Of what is repeated only changes are noted, at its end.
+  if (status.tries == 1 && status.period == 0ns)
+    out.note(NoteKind::Asked, live.channel, *to, static_cast<std::uint64_t>(ask),
+             std::string(at.device.pin.text()));
+}
+
+void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out) {
+  RequestStatus& status = at.status(ask);
+  Timing& timing = at.timing(ask);
+  const bool isNews = status.period == 0ns || how != status.end;
+  status.progress = Progress::Ended;
+  status.end = how;
+  status.ended = now;
+  if (how == RequestEnd::Answered) {
+    ++status.answered;
+    status.latency = now - status.sent;
+  }
+  if (isNews)
+    out.note(NoteKind::AskEnded, live.channel, timing.to,
+             static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(how) << 8,
+             std::string(at.device.pin.text()));
+  timing = {.to = timing.to};
+  if (status.period == 0ns) return;
+  const Instant next = status.sent == kNotYet ? now + status.period : status.sent + status.period;
+  queue(status, timing, std::max(next, now));
+}
+
+void RequestService::expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out) {
+  const AskRule& rule = ruleOf(ask);
+  if (at.status(ask).tries < rule.tries) return send(now, live, at, ask, out);
+  end(now, live, at, ask, at.timing(ask).wrong ? RequestEnd::WrongAnswer : RequestEnd::NoAnswer, out);
+}
+
+Instant RequestService::nextTime() const {
+  Instant next = kNever;
+  for (const Asked& at : m_devices) {
+    for (std::size_t i = 0; i < kAsks; ++i) {
+      if (at.statuses[i].progress == Progress::Waiting) next = std::min(next, at.timings[i].deadline);
+      if (at.statuses[i].progress == Progress::Queued)
+        next = std::min(next, std::max(at.timings[i].due, m_nextPoll));
+    }
+  }
+  return next;
+}
+
+void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
+  for (Asked& at : m_devices) {
+    for (std::size_t i = 0; i < kAsks; ++i) {
+      if (at.statuses[i].progress == Progress::Waiting && at.timings[i].deadline <= now)
+        expire(now, live, at, askAt(i), out);
+    }
+  }
+  // Who has waited longest is next; of two the one that is first in the list.
+  while (m_nextPoll <= now) {
+    Asked* next = nullptr;
+    std::size_t kind = 0;
+    Instant due = now;
+    for (Asked& at : m_devices) {
+      for (std::size_t i = 0; i < kAsks; ++i) {
+        if (at.statuses[i].progress != Progress::Queued || at.timings[i].due > due) continue;
+        if (next != nullptr && at.timings[i].due == due) continue;
+        next = &at;
+        kind = i;
+        due = at.timings[i].due;
+      }
+    }
+    if (next == nullptr) return;
+    send(now, live, *next, askAt(kind), out);
+  }
+}
+
+void RequestService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
+  if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
+  const J1939Id id = J1939Id::of(frame.identifier());
+  if (id.pgn != pgn::kProprietaryA || frame.length == 0) return;
+  if (id.destination == kGlobalAddress) return announced(now, live, id.source, frame, out);
+  if (live.own == kNullAddress || id.destination != live.own) return;
+  for (Asked& at : m_devices) {
+    for (std::size_t i = 0; i < kAsks; ++i) {
+      if (askAt(i) == Ask::Reset || at.timings[i].to != id.source) continue;
+      const AskRule& rule = kAskRules[i];
+      for (std::size_t part = 0; part < rule.answers.size(); ++part) {
+        if (rule.answers[part] == kNoAnswer || messageOf(rule.answers[part]).firstByte != frame.data[0])
+          continue;
+        // The address may have gone to somebody else since.
+        if (live.addressOf(at.device) != id.source) continue;
+        if (!allows(messageOf(rule.answers[part]).lengths, frame.length)) {
+          ++at.statuses[i].wrong;
+          at.timings[i].wrong = true;
+        } else {
+          answered(now, live, at, askAt(i), part, out);
+        }
+      }
+    }
+  }
+}
+
+void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask, std::size_t part,
+                              Outgoing& out) {
+  RequestStatus& status = at.status(ask);
+  Timing& timing = at.timing(ask);
+  if (status.progress == Progress::Waiting) {
+    const unsigned whole = wholeAnswer(ruleOf(ask));
+    if ((timing.answers >> part & 1u) != 0) ++status.unasked;
+    timing.answers = static_cast<std::uint8_t>(timing.answers | 1u << part);
+    if (timing.answers == whole) end(now, live, at, ask, RequestEnd::Answered, out);
+    return;
+  }
+  const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer;
+  if (!wasGivenUp || now - status.ended > kLate) {
+    ++status.unasked;
+    return;
+  }
+  status.end = RequestEnd::AnsweredLate;
+  status.latency = now - status.sent;
+  status.ended = now;
+  out.note(NoteKind::AskEnded, live.channel, timing.to,
+           static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(status.end) << 8,
+           std::string(at.device.pin.text()));
+}
+
+// A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address.
+void RequestService::announced(Instant now, const Live& live, Address source, const Frame& frame,
+                               Outgoing& out) {
+  const Message& message = messageOf(MessageId::AddressAnnouncement);
+  if (frame.data[0] != message.firstByte || !allows(message.lengths, frame.length)) return;
+  const auto pin = announcedPin(frame);
+  for (Asked& at : m_devices) {
+    const bool isIt =
+        at.device.kind == DeviceKey::Kind::Pin ? pin == at.device.pin : source == at.device.address;
+    if (isIt && at.status(Ask::Reset).progress == Progress::Waiting)
+      end(now, live, at, Ask::Reset, RequestEnd::Answered, out);
+  }
+}
+
+}  // namespace deckpipe

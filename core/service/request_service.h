@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polls and commands: each has a deadline and an end. Services calls it; answers are in the State anyhow,
+// here is only whether, when and how a request was answered.
+//
+// 1. Never two requests of one kind are in flight to one device.
+// 2. Polls wait for their turn so that they and their answers keep within the budget of the bus, in order of
+//    their being due; commands go out at once, and are never repeated by themselves.
+// 3. A try goes to where the device is at that moment, and only an answer from there, sent to us, counts.
+// 4. A device that loses its address, a link that is lost, and locking end what is open.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "control/intent.h"
+#include "control/status.h"
+#include "service/ask_rules.h"
+#include "service/bus_budget.h"
+#include "service/live.h"
+
+namespace deckpipe {
+
+class RequestService {
+ public:
+  // An answer this long after it was given up is still told from one that nobody asked for.
+  static constexpr Duration kLate = 5s;
+
+  explicit RequestService(BusBudget& budget) : m_budget(budget) {}
+
+  Refusal ask(Instant now, const Live& live, const wish::AskDevice& wish, Outgoing& out);
+  Refusal repeat(Instant now, const Live& live, const wish::Repeat& wish, Outgoing& out);
+  void cancel(Instant now, const Live& live, const DeviceKey& device, Outgoing& out);
+  // Locked, or the link is lost: everything ends, nothing is repeated any more.
+  void endAll(Instant now, const Live& live, RequestEnd end, Outgoing& out);
+
+  void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
+  void timeCame(Instant now, const Live& live, Outgoing& out);
+  Instant nextTime() const;
+
+  // Null where nothing was ever asked.
+  const std::array<RequestStatus, kAsks>* statusOf(const DeviceKey& device) const;
+  template <typename F>
+  void forEachDevice(F&& f) const {
+    for (const Asked& asked : m_devices) f(asked.device);
+  }
+
+ private:
+  struct Timing {
+    Address to;            // where the last try went
+    Instant due = kNever;  // of a queued one: not before
+    Instant deadline = kNever;
+    std::uint8_t answers = 0;  // bit n: the rule's n-th answer came
+    bool wrong = false;        // an answer of a wrong length came
+  };
+  struct Asked {
+    DeviceKey device;
+    std::array<RequestStatus, kAsks> statuses{};
+    std::array<Timing, kAsks> timings{};
+    RequestStatus& status(Ask ask) { return statuses[static_cast<std::size_t>(ask)]; }
+    Timing& timing(Ask ask) { return timings[static_cast<std::size_t>(ask)]; }
+  };
+
+  Asked& asked(const DeviceKey& device);
+  static void queue(RequestStatus& status, Timing& timing, Instant due);
+  void send(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
+  void expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
+  void end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out);
+  void endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out);
+  void answered(Instant now, const Live& live, Asked& at, Ask ask, std::size_t part, Outgoing& out);
+  void announced(Instant now, const Live& live, Address source, const Frame& frame, Outgoing& out);
+
+  BusBudget& m_budget;
+  std::vector<Asked> m_devices;
+  Instant m_nextPoll = kNotYet;  // not before: the budget
+};
+
+}  // namespace deckpipe

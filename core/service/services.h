@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that this console sends on one channel, behind the one transmit lock. The bus thread owns it and
+// gives it every live frame, the time when it asked for it, what the person wants and how the link is; it
+// takes from it the frames to write and the notes to put into the log. No clock, no IO.
+//
+//   1. Locked, nothing is sent at all: no claim, no ack, no answer to a request for the NAME.
+//   2. Unlocking lasts for this run and this link; a link that is lost and comes back is claimed on anew.
+//   3. What a person wants is done or refused at once, with the reason; nothing waits for an address.
+#pragma once
+
+#include <span>
+
+#include "control/intent.h"
+#include "service/bus_budget.h"
+#include "service/claim_service.h"
+#include "service/pipe_service.h"
+#include "service/request_service.h"
+
+namespace deckpipe {
+
+struct ServiceSettings {
+  Channel channel;
+  int bitRate = 250'000;
+  bool echoes = true;  // our own frames come back from the link
+  ClaimSettings claim;
+};
+
+class Services {
+ public:
+  explicit Services(const ServiceSettings& settings);
+
+  void linkChanged(Instant now, const State& live, bool isUp);
+  Refusal apply(Instant now, const State& live, const Intent& intent);
+  // Frames that the State has taken already, our own echoes among them.
+  void received(Instant now, const State& live, std::span<const Frame> frames);
+  void timeCame(Instant now, const State& live);
+  Instant nextTime() const;
+  // Appends what is to be written, in order, and forgets it.
+  void takeFrames(std::vector<Frame>& out);
+  void takeNotes(std::vector<Note>& out);
+  // The link did not take a frame. It counts as sent and lost: whoever waits for its answer will time out.
+  void notTaken() { ++m_status.notTaken; }
+
+  ServiceStatus status(Instant now, const State& live);
+
+ private:
+  Live liveOf(const State& state) const { return {state, m_settings.channel, m_claim.address()}; }
+  Refusal carryOut(Instant now, const Live& live, const Intent& intent);
+  void unlock(Instant now, const Live& live);
+  void lock(Instant now, const Live& live);
+  // Without an address of our own nothing goes on.
+  void addressChanged(Instant now, const Live& live, Address before);
+
+  ServiceSettings m_settings;
+  ServiceStatus m_status;
+  BusBudget m_budget;
+  ClaimService m_claim;
+  RequestService m_requests;
+  PipeService m_pipes;
+  Outgoing m_out;
+};
+
+}  // namespace deckpipe

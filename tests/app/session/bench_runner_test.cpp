@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wishes for the twin while it runs on its virtual bus, and what it says of its devices.
+#include "session/bench_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "session/twin_faults.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
+
+class RunningTwin : public testing::Test {
+ protected:
+  void SetUp() override {
+    QObject::connect(&m_twin, &BenchRunner::twinChanged, &m_twin,
+                     [this](const TwinStatus& status) { m_status = status; });
+    m_twin.startDemo();
+    ASSERT_TRUE(waitFor([&] { return m_status.devices.size() == 4 && has(0) && has(1); }));
+  }
+  template <typename F>
+  static bool waitFor(F&& f) {
+    return QTest::qWaitFor(std::forward<F>(f), kPatience);
+  }
+  bool has(std::size_t device) const { return m_status.devices[device].address != kNullAddress; }
+
+  BenchRunner m_twin;
+  TwinStatus m_status;
+};
+
+TEST_F(RunningTwin, SaysWhoItsDevicesAre) {
+  EXPECT_EQ(m_status.devices[0].pin.text(), "1032AE100801035");
+  const unsigned models[] = {6032, 6033, 6039, 6035};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(m_status.devices[i].model, models[i]);
+  EXPECT_TRUE(m_status.devices[2].pin.isNull());
+  EXPECT_TRUE(m_status.devices[0].possible.has(TwinFault::NotFitted));
+  EXPECT_FALSE(m_status.devices[1].possible.has(TwinFault::NotFitted));
+}
+
+TEST_F(RunningTwin, SwitchesTheirPower) {
+  m_twin.obey({1, TwinButton::PowerOff});
+  EXPECT_FALSE(m_status.devices[1].isPowered);
+  EXPECT_FALSE(has(1));
+  m_twin.obey({1, TwinButton::PowerOn});
+  EXPECT_TRUE(m_status.devices[1].isPowered);
+  EXPECT_TRUE(waitFor([&] { return has(1); }));
+}
+
+TEST_F(RunningTwin, LetsThemGoWrongAndRightAgain) {
+  const TwinFaults wrong{TwinFault::Silent, TwinFault::AcksLost};
+  m_twin.obey({0, wrong});
+  EXPECT_EQ(m_status.devices[0].faults, wrong);
+  EXPECT_TRUE(m_twin.bench().bench.device(0).misbehaviour().silent);
+  EXPECT_TRUE(m_status.devices[1].faults.isNone());
+  m_twin.obey({0, TwinFaults{}});
+  EXPECT_TRUE(m_status.devices[0].faults.isNone());
+  EXPECT_EQ(m_twin.bench().bench.device(0).misbehaviour(), simulator::Misbehaviour{});
+}
+
+TEST_F(RunningTwin, ResetsThemAndMovesThemElsewhere) {
+  const Address before = m_status.devices[0].address;
+  m_twin.obey({0, TwinFaults{TwinFault::ReturnsElsewhere}});
+  m_twin.obey({0, TwinButton::Reset});
+  EXPECT_FALSE(has(0));
+  ASSERT_TRUE(waitFor([&] { return has(0); }));
+  EXPECT_NE(m_status.devices[0].address, before);
+}
+
+TEST_F(RunningTwin, IgnoresADeviceItDoesNotHave) {
+  const TwinStatus before = m_status;
+  m_twin.obey({4, TwinButton::PowerOff});
+  EXPECT_EQ(m_status, before);
+}
+
+TEST(TwinFaultsOfTheBench, EachChangesSomethingOfItsOwn) {
+  std::vector<simulator::Misbehaviour> all{{}};
+  for (std::size_t i = 0; i < kTwinFaults; ++i) {
+    const simulator::Misbehaviour one = misbehaviourOf({static_cast<TwinFault>(i)});
+    for (const simulator::Misbehaviour& other : all) EXPECT_FALSE(one == other) << i;
+    all.push_back(one);
+  }
+}
+
+}  // namespace
+}  // namespace deckpipe

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "bus/j1939.h"
+#include "support/pair.h"
+
+namespace deckpipe::test {
+namespace {
+
+using Progress = ClaimStatus::Progress;
+
+Frame claimFrame(std::uint64_t name, std::uint8_t source) {
+  Frame f;
+  f.id = J1939Id{6, pgn::kAddressClaimed, Address{source}, kGlobalAddress}.frameId();
+  f.length = 8;
+  f.data = std::bit_cast<Payload>(name);
+  return f;
+}
+Frame requestNames(std::uint8_t source, std::uint8_t destination = 0xFF) {
+  Frame f = frame("18EAFFFE", "00EE00");
+  f.id = J1939Id{6, pgn::kRequest, Address{source}, Address{destination}}.frameId();
+  return f;
+}
+
+// A console alone on the bus.
+struct Claim : ::testing::Test {
+  Claim() { pair.addConsole(); }
+  Pair pair;
+  ClaimStatus status() { return pair.console().status(pair.now()).claim; }
+  std::vector<Pair::Seen> names(Instant from = kNotYet) {
+    std::vector<Pair::Seen> out = pair.sentBy(&pair.console(), from);
+    std::erase_if(out, [](const Pair::Seen& seen) { return seen.id().pgn != pgn::kAddressClaimed; });
+    return out;
+  }
+  std::uint64_t ours() { return status().name; }
+  // Another node holds every address from `first` on.
+  void takeAll(unsigned first) {
+    for (unsigned a = first; a <= 0xFD; ++a)
+      pair.inject(claimFrame(0x1000 + a, static_cast<std::uint8_t>(a)));
+  }
+};
+
+TEST_F(Claim, LockedNothingIsSentWhateverIsAsked) {
+  pair.inject(requestNames(0x80));
+  pair.inject(claimFrame(5, 0xF9));
+  pair.run(5s);
+  EXPECT_TRUE(pair.sentBy(&pair.console()).empty());
+  EXPECT_EQ(status().progress, Progress::Off);
+}
+
+TEST_F(Claim, UnlockedItAsksWhoIsThereFirstThenClaimsTheServiceTools) {
+  pair.want(wish::Unlock{});
+  ASSERT_EQ(pair.sentBy(&pair.console()).size(), 1u);
+  EXPECT_EQ(pair.log.back().frame.id, frame("18EAFFFE", "").id);
+  pair.run(ClaimService::kListen - 1ms);
+  EXPECT_TRUE(names().empty());
+  pair.run(1ms);
+  ASSERT_EQ(names().size(), 1u);
+  EXPECT_EQ(names()[0].frame.id, frame("18EEFFF9", "").id);
+  EXPECT_EQ(status().progress, Progress::Claiming);
+  pair.run(kClaimTime - 1ms);
+  EXPECT_EQ(status().progress, Progress::Claiming);
+  pair.run(1ms);
+  EXPECT_EQ(status().progress, Progress::Claimed);
+  EXPECT_EQ(status().address, Address{0xF9});
+  EXPECT_EQ(pair.console().state.channel(Channel{}).ownAddress, Address{0xF9});
+}
+
+TEST_F(Claim, ItsNameIsAServiceToolsWithItsOwnIdentityNumber) {
+  const Name name = consoleName(0x3FFFFF);
+  EXPECT_EQ(name.function(), 129u);
+  EXPECT_EQ(name.identityNumber(), 0x1FFFFFu) << "21 bits";
+  EXPECT_EQ(name.part(fieldOf(j1939::kNameFields, "industry_group").bits), 0u);
+  EXPECT_EQ(name.part(fieldOf(j1939::kNameFields, "arbitrary_address_capable").bits), 1u);
+}
+
+TEST_F(Claim, WhatOthersHoldOrUseWithoutANameIsLeftAlone) {
+  pair.inject(claimFrame(5, 0xF9));
+  pair.inject(frame("18FECAFA", "0000000000000000"));
+  pair.inject(claimFrame(6, 0xF7));
+  pair.unlock();
+  EXPECT_EQ(status().address, Address{0xF6});
+}
+
+TEST_F(Claim, AnAddressWhoseHolderCannotClaimIsFreeAgain) {
+  pair.inject(claimFrame(5, 0xF9));
+  pair.inject(claimFrame(5, 0xFE));
+  pair.unlock();
+  EXPECT_EQ(status().address, Address{0xFA}) << "it was used, and may be again";
+}
+
+TEST_F(Claim, AHigherNameIsAnsweredAtOnceAndLoses) {
+  pair.unlock();
+  const Instant before = pair.now();
+  pair.inject(claimFrame(~0ull, 0xF9));
+  pair.run(10ms);
+  ASSERT_EQ(names(before).size(), 1u);
+  EXPECT_EQ(names(before)[0].frame.id, frame("18EEFFF9", "").id);
+  EXPECT_EQ(status().progress, Progress::Claimed);
+  EXPECT_EQ(status().won, 1);
+}
+
+TEST_F(Claim, ALowerNameTakesTheAddressAndAnotherIsClaimed) {
+  pair.unlock();
+  pair.inject(claimFrame(1, 0xF9));
+  pair.run(1ms);
+  EXPECT_EQ(status().progress, Progress::Claiming);
+  EXPECT_EQ(status().address, Address{0xFA});
+  EXPECT_EQ(status().lost, 1);
+  EXPECT_EQ(pair.console().state.channel(Channel{}).ownAddress, kNullAddress);
+  pair.run(kClaimTime);
+  EXPECT_EQ(status().progress, Progress::Claimed);
+}
+
+TEST_F(Claim, ContestedWhileClaimingItNeverUsesTheAddress) {
+  pair.want(wish::Unlock{});
+  pair.run(ClaimService::kListen + 100ms);
+  pair.inject(claimFrame(1, 0xF9));
+  pair.run(kClaimTime - 1ms);
+  EXPECT_EQ(status().progress, Progress::Claiming);
+  EXPECT_EQ(status().address, Address{0xFA});
+  pair.run(2ms);
+  EXPECT_EQ(status().progress, Progress::Claimed);
+}
+
+TEST_F(Claim, WhereNoneIsFreeItSaysSoOnceAndWhenAsked) {
+  takeAll(0x80);
+  const Instant before = pair.now();
+  pair.unlock();
+  EXPECT_EQ(status().progress, Progress::CannotClaim);
+  EXPECT_EQ(status().address, kNullAddress);
+  ASSERT_EQ(names(before).size(), 1u);
+  EXPECT_EQ(names(before)[0].frame.id, frame("18EEFFFE", "").id);
+  EXPECT_LE(names(before)[0].time - before, ClaimService::kListen + 154ms);
+  const Instant asked = pair.now();
+  pair.inject(requestNames(0x80));
+  pair.run(1s);
+  ASSERT_EQ(names(asked).size(), 1u);
+  EXPECT_EQ(names(asked)[0].frame.id, frame("18EEFFFE", "").id);
+  EXPECT_EQ(pair.want(wish::AskDevice{{}, kPolls}), Refusal::NoAddress);
+}
+
+TEST_F(Claim, RequestsForItsNameAreAnsweredToAllAndToItself) {
+  pair.unlock();
+  for (const std::uint8_t destination : {std::uint8_t{0xFF}, std::uint8_t{0xF9}}) {
+    const Instant before = pair.now();
+    pair.inject(requestNames(0x80, destination));
+    pair.run(50ms);
+    ASSERT_EQ(names(before).size(), 1u) << static_cast<unsigned>(destination);
+    EXPECT_EQ(loadLittle(names(before)[0].frame.data), ours());
+  }
+  const Instant before = pair.now();
+  pair.inject(requestNames(0x80, 0x42));
+  pair.inject(frame("18EAFF80", "00EF00"));  // another PGN
+  pair.inject(frame("18EAFF80", "00EE"));    // a byte short
+  pair.run(50ms);
+  EXPECT_TRUE(names(before).empty());
+}
+
+TEST_F(Claim, ClaimsThatAreNoneChangeNothing) {
+  pair.unlock();
+  const Instant before = pair.now();
+  pair.inject(claimFrame(0, 0xF9));
+  pair.inject(claimFrame(1, 0xFF));
+  Frame tooShort = claimFrame(1, 0xF9);
+  tooShort.length = 7;
+  pair.inject(tooShort);
+  pair.run(1s);
+  EXPECT_EQ(status().address, Address{0xF9});
+  EXPECT_TRUE(names(before).empty());
+}
+
+TEST_F(Claim, AnotherNodeWithOurVeryNameEndsOurSending) {
+  pair.unlock();
+  pair.inject(claimFrame(ours(), 0x90));
+  pair.run(1ms);
+  EXPECT_EQ(status().progress, Progress::SameName);
+  const Instant before = pair.now();
+  pair.inject(requestNames(0x80));
+  pair.run(1s);
+  EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
+  EXPECT_EQ(pair.want(wish::AskDevice{{}, kPolls}), Refusal::NoAddress);
+}
+
+TEST_F(Claim, LockingFallsSilentAndUnlockingClaimsAnew) {
+  pair.unlock();
+  pair.want(wish::Lock{});
+  const Instant before = pair.now();
+  pair.inject(requestNames(0x80));
+  pair.run(1s);
+  EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
+  pair.unlock();
+  EXPECT_EQ(status().address, Address{0xF9}) << "that it was heard there itself is no hindrance";
+}
+
+TEST_F(Claim, ALinkThatComesBackIsClaimedOnAnew) {
+  pair.unlock();
+  pair.setLink(pair.console(), false);
+  EXPECT_EQ(status().progress, Progress::Off);
+  const Instant before = pair.now();
+  pair.run(1s);
+  pair.setLink(pair.console(), true);
+  pair.run(1s);
+  EXPECT_EQ(names(before).size(), 1u);
+  EXPECT_EQ(status().progress, Progress::Claimed);
+}
+
+TEST_F(Claim, TwoConsolesOnOneBusShareTheServiceTools) {
+  ServiceSettings other;
+  other.claim.identityNumber = 2;
+  Console& second = pair.addConsole(other);
+  pair.want(wish::Unlock{});
+  pair.want(second, wish::Unlock{});  // at the same instant
+  pair.run(2s);
+  EXPECT_EQ(status().progress, Progress::Claimed);
+  EXPECT_EQ(status().address, Address{0xF9}) << "the lower NAME";
+  EXPECT_EQ(second.status(pair.now()).claim.progress, Progress::Claimed);
+  EXPECT_EQ(second.status(pair.now()).claim.address, Address{0xFA});
+}
+
+}  // namespace
+}  // namespace deckpipe::test

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "control/pipe_event.h"
+#include "support/pair.h"
+
+namespace deckpipe::test {
+namespace {
+
+using Progress = PipeStatus::Progress;
+using Stall = PipeStatus::Stall;
+using FileEnd = PipeStatus::FileEnd;
+using What = wish::PipeAction::What;
+
+constexpr std::uint8_t kPipe = 0xFE;
+
+struct Pipe : ::testing::Test {
+  Pipe() { pair.unlock(); }
+  TruckPair pair;
+  const DeviceKey monitor = TruckPair::monitor();
+
+  Refusal type(std::string text) { return pair.want(wish::PipeWrite{monitor, std::move(text)}); }
+  Refusal send(std::string content) {
+    return pair.want(
+        wish::PipeFile{monitor, "menu.txt", std::make_shared<const std::string>(std::move(content))});
+  }
+  Refusal act(What what) { return pair.want(wish::PipeAction{monitor, what}); }
+  PipeStatus status() { return pair.console().pipe(pair.now(), monitor); }
+  std::uint8_t address() { return pair.addressOf(monitor).value; }
+
+  // The characters that we sent to the monitor, packets as they went.
+  std::vector<std::string> packets(Instant from = kNotYet) {
+    std::vector<std::string> out;
+    for (const Pair::Seen& seen : pair.sent(kPipe, &pair.console(), from)) {
+      if (seen.frame.length < 2) continue;
+      out.emplace_back(seen.frame.data.begin() + 1, seen.frame.data.begin() + seen.frame.length);
+    }
+    return out;
+  }
+  std::string sentText(Instant from = kNotYet) {
+    std::string all;
+    for (const std::string& packet : packets(from)) all += packet;
+    return all;
+  }
+  std::size_t acksSent() {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        pair.sent(kPipe, &pair.console()), [](const Pair::Seen& seen) { return seen.frame.length == 1; }));
+  }
+  static bool isAck(const Frame& f) { return f.length == 1 && f.data[0] == kPipe; }
+  static bool isOfDevice(const Frame& f) { return J1939Id::of(f.identifier()).source != Address{0xF9}; }
+  // Acks of the device, counted from 0 on, of which `fate` tells what becomes.
+  void acks(std::function<Pair::Fate(int)> fate) {
+    pair.wire = [fate, n = 0](const Frame& f) mutable {
+      return isAck(f) && isOfDevice(f) ? fate(n++) : Pair::Fate{};
+    };
+  }
+  Frame fromDevice(std::string_view data, std::uint8_t source) {
+    Frame f = frame("18EF0000", data);
+    f.id = J1939Id{6, pgn::kProprietaryA, Address{source}, Address{0xF9}}.frameId();
+    return f;
+  }
+};
+
+TEST_F(Pipe, SendsSevenCharactersAPacketAndTheNextOnlyAfterTheAck) {
+  acks([](int) { return Pair::Fate{1, 100ms}; });
+  type("Good morning");
+  EXPECT_EQ(packets(), (std::vector<std::string>{"Good mo"}));
+  pair.run(90ms);
+  EXPECT_EQ(packets().size(), 1u);
+  pair.run(30ms);
+  EXPECT_EQ(packets(), (std::vector<std::string>{"Good mo", "rning"}));
+  pair.run(200ms);
+  EXPECT_EQ(status().progress, Progress::Idle);
+  EXPECT_EQ(status().sent, 12u);
+  EXPECT_GE(status().ackWorst, 100ms);
+}
+
+TEST_F(Pipe, WhatComesInIsAcknowledgedAtOnceWhileWeSend) {
+  type("A?\n");
+  pair.run(2s);
+  EXPECT_GT(status().received, 0u);
+  EXPECT_EQ(acksSent(), (status().received + 6) / 7);
+  const Instant before = pair.now();
+  pair.inject(fromDevice("FE4142", address()));
+  pair.run(Pair::kFlight);
+  EXPECT_EQ(pair.sent(kPipe, &pair.console(), before).size(), 1u) << "at once";
+}
+
+TEST_F(Pipe, AFileGoesWholeAndInOrder) {
+  std::string content;
+  for (int i = 0; i < 1000; ++i) content += static_cast<char>(i * 7);
+  ASSERT_EQ(send(content), Refusal::None);
+  ASSERT_TRUE(pair.runUntil([&] { return status().fileEnd == FileEnd::Done; }, 60s));
+  EXPECT_EQ(sentText(), content);
+  EXPECT_EQ(status().fileSent, 1000u);
+  EXPECT_EQ(status().acks, 143u);
+  EXPECT_GT(status().fileEnded - status().fileBegan, 0ns);
+}
+
+TEST_F(Pipe, AnEmptyFileIsDoneAtOnce) {
+  EXPECT_EQ(send(""), Refusal::None);
+  EXPECT_EQ(status().fileEnd, FileEnd::Done);
+  EXPECT_TRUE(packets().empty());
+}
+
+TEST_F(Pipe, WhileAFileGoesNothingElseGetsIntoIt) {
+  send(std::string(500, 'x'));
+  EXPECT_EQ(type("y"), Refusal::Busy);
+  EXPECT_EQ(send("z"), Refusal::Busy);
+  pair.run(10s);
+  EXPECT_EQ(sentText(), std::string(500, 'x'));
+  EXPECT_EQ(type("y"), Refusal::None);
+}
+
+TEST_F(Pipe, AMissingAckStopsItAndNothingIsSentAgainByItself) {
+  acks([](int n) { return Pair::Fate{n == 1 ? 0 : 1, 0ns}; });
+  send("0123456789abcdefghijk");
+  pair.run(900ms);
+  EXPECT_EQ(status().progress, Progress::Sending);
+  pair.run(10s);
+  EXPECT_EQ(status().progress, Progress::Stalled);
+  EXPECT_EQ(status().stall, Stall::NoAck);
+  EXPECT_EQ(packets().size(), 2u);
+}
+
+struct Stalled : Pipe {
+  Stalled() {
+    acks([](int n) { return Pair::Fate{n == 1 ? 0 : 1, 0ns}; });
+    send("0123456789abcdefghijk");
+    pair.run(2s);
+  }
+};
+
+TEST_F(Stalled, ResendSendsThatPacketAgainAndGoesOnAfterASecond) {
+  ASSERT_EQ(status().progress, Progress::Stalled);
+  EXPECT_EQ(act(What::Resend), Refusal::None);
+  pair.run(100ms);
+  EXPECT_EQ(packets(), (std::vector<std::string>{"0123456", "789abcd", "789abcd"}));
+  EXPECT_EQ(status().progress, Progress::Settling);
+  pair.run(5s);
+  EXPECT_EQ(status().fileEnd, FileEnd::Done);
+  EXPECT_EQ(packets().size(), 4u);
+  EXPECT_EQ(status().resent, 1u);
+}
+
+TEST_F(Stalled, SkipGoesOnBehindIt) {
+  EXPECT_EQ(act(What::Skip), Refusal::None);
+  pair.run(5s);
+  EXPECT_EQ(sentText(), "0123456789abcdefghijk");
+  EXPECT_EQ(packets().size(), 3u);
+  EXPECT_EQ(status().fileEnd, FileEnd::Done);
+  EXPECT_EQ(status().skipped, 1u);
+}
+
+TEST_F(Stalled, AbortSendsNothingMore) {
+  EXPECT_EQ(act(What::Abort), Refusal::None);
+  pair.run(5s);
+  EXPECT_EQ(packets().size(), 2u);
+  EXPECT_EQ(status().fileEnd, FileEnd::Aborted);
+  EXPECT_EQ(status().progress, Progress::Idle);
+  EXPECT_EQ(type("on"), Refusal::None);
+}
+
+TEST_F(Stalled, AnAckThatComesAfterAllResolvesTheDoubt) {
+  pair.inject(fromDevice("FE", address()));
+  pair.run(5s);
+  EXPECT_EQ(sentText(), "0123456789abcdefghijk");
+  EXPECT_EQ(status().fileEnd, FileEnd::Done);
+  EXPECT_EQ(status().lateAcks, 1u);
+}
+
+TEST_F(Stalled, TheSecondAckOfAPacketSentAgainIsNotTakenForTheNext) {
+  pair.wire = [](const Frame&) { return Pair::Fate{}; };
+  act(What::Resend);
+  pair.run(20ms);
+  pair.inject(fromDevice("FE", address()));  // the first one's, very late
+  pair.run(100ms);
+  EXPECT_EQ(packets().size(), 3u);
+  EXPECT_EQ(status().strayAcks, 1u);
+  pair.run(5s);
+  EXPECT_EQ(packets().size(), 4u);
+}
+
+TEST_F(Stalled, WithoutADecisionOnlyThoseOfAStallAreRefused) {
+  act(What::Abort);
+  pair.run(2s);
+  for (const What what : {What::Resend, What::Skip}) EXPECT_EQ(act(what), Refusal::Busy);
+}
+
+TEST_F(Pipe, AnAckFromBeforeThePacketWasOnTheBusIsNotItsOwn) {
+  type("0123456789abcd");
+  // Before our own echo has come back.
+  pair.console().services.received(pair.now(), pair.console().state, std::array{fromDevice("FE", address())});
+  EXPECT_EQ(packets().size(), 1u);
+  EXPECT_EQ(status().strayAcks, 1u);
+  pair.run(1s);
+  EXPECT_EQ(packets().size(), 2u);
+}
+
+TEST_F(Pipe, DoubledAcksAreCountedAndEveryPacketGoesOnce) {
+  acks([](int) { return Pair::Fate{2, 0ns}; });
+  std::string content(350, 'a');
+  for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>('a' + i % 26);
+  send(content);
+  ASSERT_TRUE(pair.runUntil([&] { return status().fileEnd != FileEnd::None; }, 60s));
+  pair.run(1s);
+  EXPECT_EQ(sentText(), content);
+  EXPECT_EQ(status().resent, 0u);
+}
+
+TEST_F(Pipe, PauseHoldsAfterThePacketInFlightAndCancelEndsTheFile) {
+  acks([](int) { return Pair::Fate{1, 50ms}; });
+  send(std::string(200, 'x'));
+  pair.run(120ms);
+  act(What::Pause);
+  pair.run(1s);
+  const std::size_t paused = packets().size();
+  EXPECT_EQ(status().progress, Progress::Paused);
+  pair.run(3s);
+  EXPECT_EQ(packets().size(), paused);
+  act(What::Resume);
+  pair.run(200ms);
+  EXPECT_GT(packets().size(), paused);
+  EXPECT_GE(status().filePaused, 3s);
+  act(What::Cancel);
+  pair.run(1s);
+  const std::size_t cancelled = packets().size();
+  EXPECT_EQ(status().fileEnd, FileEnd::Cancelled);
+  EXPECT_EQ(status().progress, Progress::Idle);
+  pair.run(3s);
+  EXPECT_EQ(packets().size(), cancelled);
+}
+
+TEST_F(Pipe, ADeviceThatIsElsewhereByThenStopsIt) {
+  acks([](int) { return Pair::Fate{0, 0ns}; });
+  type("0123456789");
+  const std::uint8_t old = address();
+  pair.inject(frame(old == 0x80 ? "18EEFF80" : "18EEFF81", "0100000000000000"));  // its address is taken
+  pair.run(3s);
+  EXPECT_EQ(status().progress, Progress::Stalled);
+  EXPECT_EQ(status().stall, Stall::Moved);
+  EXPECT_EQ(packets().size(), 1u);
+  ASSERT_NE(address(), old);
+  const Instant before = pair.now();
+  pair.wire = [](const Frame&) { return Pair::Fate{}; };
+  act(What::Resend);
+  pair.run(3s);
+  EXPECT_EQ(sentText(before), "0123456789");
+  EXPECT_EQ(pair.sent(kPipe, &pair.console(), before)[0].id().destination, Address{address()});
+}
+
+TEST_F(Pipe, OthersFramesThatLookTheSameAreNotAnswered) {
+  const Instant before = pair.now();
+  pair.inject(frame("18EEFFA0", "1234560000000000"));  // another maker's NAME
+  pair.inject(frame("18EFF9A0", "FE41424344454647"));
+  pair.inject(frame("18EFF9B7", "FE41424344454647"));  // nobody knows who that is
+  pair.inject(frame("18EF8081", "FE4142"));            // not to us
+  pair.run(100ms);
+  EXPECT_TRUE(pair.sent(kPipe, &pair.console(), before).empty());
+}
+
+TEST_F(Pipe, LockingDropsWhatWaits) {
+  send(std::string(5000, 'x'));
+  pair.run(100ms);
+  pair.want(wish::Lock{});
+  const Instant before = pair.now();
+  EXPECT_EQ(status().fileEnd, FileEnd::Aborted);
+  pair.run(5s);
+  EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
+}
+
+TEST_F(Pipe, MoreThanMayWaitIsRefusedWhole) {
+  EXPECT_EQ(type(std::string(PipeService::kMostTyped + 1, 'x')), Refusal::TooMuch);
+  EXPECT_TRUE(packets().empty());
+  EXPECT_EQ(pair.want(wish::PipeWrite{DeviceKey::of(*Pin::parse("1032AE000000001")), "x"}),
+            Refusal::NoDevice);
+}
+
+TEST_F(Pipe, BeginAndEndOfAFileAndWhatThePersonDecidedAreNotes) {
+  acks([](int n) { return Pair::Fate{n == 0 ? 0 : 1, 0ns}; });
+  send("0123456789");
+  pair.run(2s);
+  act(What::Resend);
+  pair.run(5s);
+  std::vector<PipeEvent> events;
+  for (const Note& note : pair.console().notes) {
+    if (note.kind == NoteKind::Pipe) events.push_back(static_cast<PipeEvent>(note.number));
+  }
+  EXPECT_EQ(events,
+            (std::vector{PipeEvent::FileBegan, PipeEvent::Stalled, PipeEvent::Resent, PipeEvent::FileDone}));
+}
+
+}  // namespace
+}  // namespace deckpipe::test

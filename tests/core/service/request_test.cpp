@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "support/pair.h"
+
+namespace deckpipe::test {
+namespace {
+
+using Progress = RequestStatus::Progress;
+
+struct Request : ::testing::Test {
+  Request() { pair.unlock(); }
+  TruckPair pair;
+  const DeviceKey monitor = TruckPair::monitor();
+
+  Refusal ask(Ask what) { return pair.want(wish::AskDevice{monitor, AskSet{what}}); }
+  RequestStatus status(Ask what) { return pair.console().request(pair.now(), monitor, what); }
+  RequestEnd end(Ask what) {
+    const RequestStatus s = status(what);
+    return s.progress == Progress::Ended ? s.end : RequestEnd::None;
+  }
+  std::size_t sent(unsigned type, Instant from = kNotYet) {
+    return pair.sent(static_cast<std::uint8_t>(type), &pair.console(), from).size();
+  }
+  // An answer from the monitor to us, forged.
+  Frame answer(std::string_view data, std::uint8_t source) {
+    Frame f = frame("18EF0000", data);
+    f.id = J1939Id{6, pgn::kProprietaryA, Address{source}, Address{0xF9}}.frameId();
+    return f;
+  }
+  std::uint8_t monitorAddress() { return pair.addressOf(monitor).value; }
+  // The monitor hears no polls of this type.
+  void deafen(std::uint8_t type) {
+    pair.wire = [type, own = &pair.console(), this](const Frame& f) {
+      const bool isOurs = J1939Id::of(f.identifier()).source == Address{0xF9};
+      return Pair::Fate{isOurs && f.data[0] == type ? 0 : 1, 0ns};
+    };
+  }
+};
+
+TEST_F(Request, EachPollIsAnsweredOnceAndInTheState) {
+  ASSERT_EQ(pair.want(wish::AskDevice{monitor, kPolls}), Refusal::None);
+  pair.run(1s);
+  for (const Ask poll : {Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config, Ask::Vista}) {
+    EXPECT_EQ(end(poll), RequestEnd::Answered) << static_cast<int>(poll);
+    EXPECT_EQ(status(poll).tries, 1);
+    EXPECT_GT(status(poll).latency, 0ns);
+  }
+  const Device& device = *pair.console().state.devices().byPin(monitor.pin);
+  EXPECT_TRUE(device.faults.isKnown() && device.firmware.isKnown() && device.pcode.isKnown() &&
+              device.config.isKnown());
+  for (const unsigned type : {0x02u, 0x03u, 0x04u, 0x05u, 0x21u}) EXPECT_EQ(sent(type), 1u) << type;
+}
+
+TEST_F(Request, GoesToTheDeviceFromOurAddressAtPrioritySix) {
+  ask(Ask::Fault);
+  const Pair::Seen poll = pair.sent(0x02, &pair.console()).at(0);
+  EXPECT_EQ(poll.id().source, Address{0xF9});
+  EXPECT_EQ(poll.id().destination, Address{monitorAddress()});
+  EXPECT_EQ(poll.id().priority, 6);
+  EXPECT_EQ(poll.frame.length, 1);
+}
+
+TEST_F(Request, NoAnswerIsSaidAfterThreeTries) {
+  deafen(0x03);
+  const Instant begin = pair.now();
+  ask(Ask::Firmware);
+  pair.run(499ms);
+  EXPECT_EQ(sent(0x03), 1u);
+  pair.run(1001ms);
+  EXPECT_EQ(end(Ask::Firmware), RequestEnd::NoAnswer);
+  EXPECT_EQ(sent(0x03), 3u);
+  EXPECT_EQ(status(Ask::Firmware).ended - begin, 1500ms);
+  pair.run(5s);
+  EXPECT_EQ(sent(0x03), 3u);
+}
+
+TEST_F(Request, ASecondTryThatIsAnsweredIsAnAnswer) {
+  pair.wire = [n = 0](const Frame& f) mutable {
+    return Pair::Fate{f.data[0] == 0x04 && f.length == 1 && n++ == 0 ? 0 : 1, 0ns};
+  };
+  ask(Ask::Pcode);
+  pair.run(1s);
+  EXPECT_EQ(end(Ask::Pcode), RequestEnd::Answered);
+  EXPECT_EQ(status(Ask::Pcode).tries, 2);
+}
+
+TEST_F(Request, NeverTwoOfOneKindInFlight) {
+  deafen(0x02);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::Busy);
+  EXPECT_EQ(
+      pair.want(wish::AskDevice{DeviceKey::at(Channel{}, Address{monitorAddress()}), AskSet{Ask::Fault}}),
+      Refusal::Busy)
+      << "the same device by its address";
+  EXPECT_EQ(sent(0x02), 1u);
+}
+
+TEST_F(Request, AVistaPollWantsBothMessages) {
+  pair.wire = [](const Frame& f) { return Pair::Fate{f.data[0] == 0x22 ? 0 : 1, 0ns}; };
+  ask(Ask::Vista);
+  pair.run(2s);
+  EXPECT_EQ(end(Ask::Vista), RequestEnd::NoAnswer);
+  pair.wire = [](const Frame&) { return Pair::Fate{}; };
+  ask(Ask::Vista);
+  pair.run(1s);
+  EXPECT_EQ(end(Ask::Vista), RequestEnd::Answered);
+}
+
+TEST_F(Request, AnAnswerOfAWrongLengthIsNone) {
+  deafen(0x02);
+  ask(Ask::Fault);
+  pair.inject(answer("0200000000", monitorAddress()));  // 5 bytes: older firmware, that is an answer
+  pair.run(10ms);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
+  pair.run(100ms);
+  ask(Ask::Fault);
+  pair.inject(answer("020000000000", monitorAddress()));
+  pair.run(10ms);
+  EXPECT_EQ(status(Ask::Fault).progress, Progress::Waiting);
+  pair.run(2s);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::WrongAnswer);
+  EXPECT_EQ(status(Ask::Fault).wrong, 1u);
+}
+
+TEST_F(Request, AnAnswerOfAnotherDeviceIsNotIts) {
+  deafen(0x02);
+  ask(Ask::Fault);
+  pair.inject(answer("02000000000000", pair.addressOf(TruckPair::riser()).value));
+  pair.run(2s);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::NoAnswer);
+}
+
+TEST_F(Request, AnAnswerThatComesTwiceIsOneAnswer) {
+  pair.wire = [](const Frame& f) { return Pair::Fate{f.data[0] == 0x02 && f.length == 7 ? 2 : 1, 0ns}; };
+  ask(Ask::Fault);
+  pair.run(1s);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
+  EXPECT_EQ(status(Ask::Fault).answered, 1u);
+  EXPECT_EQ(status(Ask::Fault).unasked, 1u);
+}
+
+TEST_F(Request, AnAnswerAfterItWasGivenUpIsSaidToBeLate) {
+  deafen(0x02);
+  ask(Ask::Fault);
+  pair.run(2s);
+  ASSERT_EQ(end(Ask::Fault), RequestEnd::NoAnswer);
+  pair.inject(answer("02000000000000", monitorAddress()));
+  pair.run(10ms);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::AnsweredLate);
+}
+
+TEST_F(Request, RepeatedPollsKeepTheirPeriodUntilTheyAreEnded) {
+  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+  pair.run(10500ms);
+  EXPECT_EQ(sent(0x02), 11u);
+  EXPECT_EQ(status(Ask::Fault).answered, 11u);
+  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 0s});
+  pair.run(5s);
+  EXPECT_EQ(sent(0x02), 11u);
+  EXPECT_EQ(status(Ask::Fault).progress, Progress::Ended);
+}
+
+TEST_F(Request, OfRepeatedPollsOnlyWhatChangesIsNoted) {
+  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+  pair.run(5500ms);
+  deafen(0x02);
+  pair.run(6s);
+  std::vector<RequestEnd> ends;
+  for (const Note& note : pair.console().notes) {
+    if (note.kind == NoteKind::AskEnded) ends.push_back(static_cast<RequestEnd>(note.number >> 8));
+  }
+  EXPECT_EQ(ends, (std::vector{RequestEnd::Answered, RequestEnd::NoAnswer}));
+}
+
+TEST_F(Request, TheShortestPeriodIsKept) {
+  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1ms});
+  pair.run(5s);
+  EXPECT_LE(sent(0x02), 11u);
+}
+
+TEST_F(Request, CommandsGoOnceAndAreAcknowledged) {
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None);
+  EXPECT_EQ(ask(Ask::SetupMode), Refusal::None);
+  pair.run(100ms);
+  EXPECT_EQ(end(Ask::ZeroAxes), RequestEnd::Answered);
+  EXPECT_EQ(end(Ask::SetupMode), RequestEnd::Answered);
+}
+
+TEST_F(Request, ACommandWithoutAckIsNeverRepeated) {
+  deafen(0x41);
+  ask(Ask::ZeroAxes);
+  pair.run(10s);
+  EXPECT_EQ(sent(0x41), 1u);
+  EXPECT_EQ(end(Ask::ZeroAxes), RequestEnd::NoAnswer);
+}
+
+TEST_F(Request, AResetIsSeenWhenTheDeviceAnnouncesItself) {
+  ask(Ask::Reset);
+  pair.run(1s);
+  EXPECT_EQ(status(Ask::Reset).progress, Progress::Waiting);
+  pair.run(3s);
+  EXPECT_EQ(end(Ask::Reset), RequestEnd::Answered);
+  EXPECT_EQ(sent(0x45), 1u);
+}
+
+TEST_F(Request, AResetThatIsNotSeenWithinTenSecondsIsSaidSo) {
+  deafen(0x45);
+  ask(Ask::Reset);
+  pair.run(9900ms);
+  EXPECT_EQ(status(Ask::Reset).progress, Progress::Waiting);
+  pair.run(200ms);
+  EXPECT_EQ(end(Ask::Reset), RequestEnd::NoAnswer);
+}
+
+TEST_F(Request, OnlyWhatTheTypeTakesIsOfferedAndDone) {
+  const ServiceStatus status = pair.console().status(pair.now());
+  EXPECT_TRUE(status.find(monitor)->takes.has(Ask::ZeroAxes));
+  const AskSet riser = status.find(TruckPair::riser())->takes;
+  EXPECT_TRUE(riser.has(Ask::Fault));
+  for (const Ask ask : {Ask::Vista, Ask::ZeroAxes, Ask::Reset, Ask::SetupMode}) EXPECT_FALSE(riser.has(ask));
+  EXPECT_EQ(pair.want(wish::AskDevice{TruckPair::riser(), AskSet{Ask::Reset}}), Refusal::NotTaken);
+  EXPECT_EQ(pair.want(wish::AskDevice{DeviceKey::of(*Pin::parse("1032AE000000001")), kPolls}),
+            Refusal::NoDevice);
+}
+
+TEST_F(Request, OfEveryoneOnlyPollsAreAsked) {
+  EXPECT_EQ(pair.want(wish::AskDevice{{}, AskSet{Ask::Fault, Ask::Reset, Ask::ZeroAxes}}), Refusal::None);
+  pair.run(3s);
+  EXPECT_EQ(sent(0x02), pair.console().status(pair.now()).devices.size());
+  EXPECT_EQ(sent(0x45) + sent(0x41), 0u);
+}
+
+TEST_F(Request, LockingEndsWhatIsOpenAndRepeated) {
+  deafen(0x02);
+  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+  pair.want(wish::Lock{});
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::Cancelled);
+  const Instant before = pair.now() + 1ns;
+  pair.run(10s);
+  EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
+  EXPECT_EQ(ask(Ask::Fault), Refusal::Locked);
+}
+
+TEST_F(Request, ALostLinkEndsWhatIsOpen) {
+  deafen(0x02);
+  ask(Ask::Fault);
+  pair.setLink(pair.console(), false);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::LinkLost);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::NoLink);
+}
+
+TEST_F(Request, OurAddressLostToAnotherEndsWhatIsOpen) {
+  deafen(0x02);
+  ask(Ask::Fault);
+  Frame claim = frame("18EEFFF9", "0100000000000000");
+  pair.inject(claim);
+  pair.run(10ms);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::Cancelled);
+}
+
+TEST_F(Request, ACopleyDriveIsNeverPolled) {
+  pair.console().state.apply(
+      Note{.time = pair.now(), .kind = NoteKind::DriveSaid, .address = Address{monitorAddress()}});
+  EXPECT_EQ(ask(Ask::Fault), Refusal::NotTaken);
+}
+
+TEST_F(Request, LockUnlockPollsAndTheirEndsAreNotes) {
+  ask(Ask::Fault);
+  pair.run(1s);
+  std::vector<NoteKind> kinds;
+  for (const Note& note : pair.console().notes) kinds.push_back(note.kind);
+  EXPECT_EQ(kinds,
+            (std::vector{NoteKind::Unlocked, NoteKind::OwnAddress, NoteKind::Asked, NoteKind::AskEnded}));
+  EXPECT_EQ(pair.console().notes[2].text, TruckPair::kMonitor);
+}
+
+// Thirty monitors that all answer, and thirty that do not: what polling everyone takes of the bus.
+struct Crowd : ::testing::Test {
+  Crowd() {
+    pair.addConsole();
+    for (int i = 0; i < 30; ++i) {
+      char pin[16];
+      std::snprintf(pin, sizeof pin, "1032AE%09d", 100 + i);
+      simulator::MonitorSettings settings;
+      pair.bench.add<simulator::Monitor6032>(i * 37ms, pin, settings, static_cast<std::uint64_t>(i) + 1);
+    }
+    pair.bench.powerOn(pair.now());
+    pair.run(10s);
+    pair.unlock();
+  }
+  // Of the bus, what is between us and others, in the busiest second.
+  double worstShare(Instant from) {
+    std::map<std::int64_t, double> seconds;
+    for (const Pair::Seen& seen : pair.log) {
+      const J1939Id id = seen.id();
+      const bool isOurs =
+          id.source == Address{0xF9} || (id.hasDestination() && id.destination == Address{0xF9});
+      if (seen.time >= from && isOurs) seconds[(seen.time - from) / 1s] += estimatedBits(seen.frame);
+    }
+    double worst = 0;
+    for (const auto& [second, bits] : seconds) worst = std::max(worst, bits / 250'000);
+    return worst;
+  }
+  Pair pair;
+};
+
+TEST_F(Crowd, PollingEveryoneGetsAllAnswersWithinTheBudget) {
+  const Instant from = pair.now();
+  pair.want(wish::AskDevice{{}, kPolls});
+  pair.run(20s);
+  std::size_t answered = 0;
+  for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
+    for (const RequestStatus& request : device.requests) answered += request.answered;
+  }
+  EXPECT_EQ(answered, 150u);
+  EXPECT_LE(worstShare(from), BusBudget::kShare * 1.1);
+}
+
+TEST_F(Crowd, RepeatedFasterThanTheBudgetAllowsEveryoneStillHasHisTurn) {
+  const Instant from = pair.now();
+  pair.want(wish::Repeat{{}, kPolls, 500ms});
+  pair.run(30s);
+  EXPECT_LE(worstShare(from), BusBudget::kShare * 1.1);
+  std::uint32_t least = ~0u, most = 0;
+  for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
+    for (const Ask poll : {Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config, Ask::Vista}) {
+      least = std::min(least, device.of(poll).answered);
+      most = std::max(most, device.of(poll).answered);
+    }
+  }
+  EXPECT_GT(least, 0u);
+  EXPECT_LE(most - least, 1u);
+}
+
+TEST_F(Crowd, OfSilentOnesTheRetriesStayWithinTheBudgetToo) {
+  pair.wire = [](const Frame& f) {
+    return Pair::Fate{J1939Id::of(f.identifier()).source == Address{0xF9} ? 0 : 1, 0ns};
+  };
+  const Instant from = pair.now();
+  pair.want(wish::AskDevice{{}, kPolls});
+  pair.run(40s);
+  EXPECT_LE(worstShare(from), BusBudget::kShare * 1.1);
+  for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
+    for (const Ask poll : {Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config, Ask::Vista})
+      EXPECT_EQ(device.of(poll).end, RequestEnd::NoAnswer);
+  }
+}
+
+}  // namespace
+}  // namespace deckpipe::test

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An interface of Linux that does what a test says, for links that follow one. Put under a link on a virtual
+// bus it shows what the link makes of the kernel's news, on a machine without CAN.
+//
+//   auto source = std::make_unique<FakeInterfaces>(name);   FakeInterfaces& fake = *source;
+//   CanLink link(settings, nullptr, CanLink::systemClock, std::move(source));
+//   fake.set([](CanInterface& facts) { facts.isUp = false; });           happens, and is told
+//   fake.setSilently(...); fake.loseNews();                              happens, and is not told; then 'read
+//   anew'
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "link/interface_source.h"
+
+namespace deckpipe {
+
+class FakeInterfaces : public InterfaceSource {
+ public:
+  explicit FakeInterfaces(std::string name) : m_name(std::move(name)) { plug(); }
+
+  using Change = std::function<void(CanInterface&)>;
+  void setSilently(const Change& change) { change(*m_now); }
+  void set(const Change& change) {
+    change(*m_now);
+    tell(*m_now);
+  }
+  void unplugSilently() { m_now.reset(); }
+  void unplug() {
+    CanInterface last = *m_now;
+    last.isRemoved = true;
+    m_now.reset();
+    tell(last);
+  }
+  // Anew, under another index as the kernel does it; up at 250 kbit/s unless told otherwise.
+  void plug(const Change& change = {}) {
+    m_now.emplace();
+    m_now->index = ++m_lastIndex;
+    m_now->name = m_name;
+    m_now->isCan = true;
+    m_now->isUp = true;
+    m_now->bitRate = 250'000;
+    if (change) change(*m_now);
+    tell(*m_now);
+  }
+  // Of any interface.
+  void tell(const CanInterface& facts) {
+    if (m_isStarted) Q_EMIT changed(facts);
+  }
+  void loseNews() {
+    if (m_isStarted) Q_EMIT overrun();
+  }
+  bool isStarted() const { return m_isStarted; }
+
+  Result<CanInterface, std::string> read(const std::string& name) override {
+    if (!m_now || name != m_name) return Failure{std::string("No such device")};
+    return *m_now;
+  }
+  void start() override { m_isStarted = true; }
+  void stop() override { m_isStarted = false; }
+
+ private:
+  std::string m_name;
+  std::optional<CanInterface> m_now;
+  int m_lastIndex = 6;
+  bool m_isStarted = false;
+};
+
+}  // namespace deckpipe

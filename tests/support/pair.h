@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The console's services and the bench twin back to back on one simulated bus, time jumping from deadline to
+// deadline. The wire in between may lose, delay and double frames, by a function that a test sets. What each
+// side sends the other hears after kFlight; the console's own frames come back to it as echoes.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "protocol/classify.h"
+#include "service/services.h"
+#include "simulator/standard_bench.h"
+#include "support/frames.h"
+
+namespace deckpipe::test {
+
+// One console: its State fed with all that is on the bus, its notes.
+struct Console {
+  explicit Console(ServiceSettings settings = {}) : services(settings) {}
+
+  State state;
+  Services services;
+  std::vector<Note> notes;
+  std::uint64_t serial = 0;
+
+  ServiceStatus status(Instant now) { return services.status(now, state); }
+  RequestStatus request(Instant now, const DeviceKey& key, Ask ask) {
+    const ServiceStatus all = status(now);
+    const DeviceServices* device = all.find(key);
+    return device != nullptr ? device->of(ask) : RequestStatus{};
+  }
+  PipeStatus pipe(Instant now, const DeviceKey& key) {
+    const ServiceStatus all = status(now);
+    const DeviceServices* device = all.find(key);
+    return device != nullptr && device->pipe ? *device->pipe : PipeStatus{};
+  }
+};
+
+class Pair {
+ public:
+  static constexpr Duration kFlight = 700us;
+
+  struct Fate {
+    int copies = 1;
+    Duration delay{0};
+  };
+  struct Seen {
+    Instant time;
+    Frame frame;
+    const Console* sender;  // null: the bench, or a frame of the test's own
+    J1939Id id() const { return J1939Id::of(frame.identifier()); }
+  };
+
+  simulator::Bench bench;
+  // What happens to a frame on its way to whoever is not its sender.
+  std::function<Fate(const Frame&)> wire = [](const Frame&) { return Fate{}; };
+  std::vector<Seen> log;  // as sent
+
+  Console& console() { return *m_consoles.front(); }
+  Console& addConsole(const ServiceSettings& settings = {}) {
+    Console& console = *m_consoles.emplace_back(std::make_unique<Console>(settings));
+    console.services.linkChanged(m_now, console.state, true);
+    return console;
+  }
+  Instant now() const { return m_now; }
+
+  template <typename Wish>
+  Refusal want(Console& console, Wish wish) {
+    const Refusal refusal =
+        console.services.apply(m_now, console.state, {std::move(wish), m_now, ++console.serial});
+    pump();
+    return refusal;
+  }
+  template <typename Wish>
+  Refusal want(Wish wish) {
+    return want(console(), std::move(wish));
+  }
+  // Unlocks and waits until the address is held.
+  void unlock() {
+    want(wish::Unlock{});
+    run(1s);
+  }
+  // From outside, to everyone.
+  void inject(const Frame& frame) {
+    post(m_now, frame, nullptr, true);
+    pump();
+  }
+  void setLink(Console& console, bool isUp) {
+    console.services.linkChanged(m_now, console.state, isUp);
+    pump();
+  }
+
+  void run(Duration d) { runTo(m_now + d); }
+  void runTo(Instant end) {
+    for (Instant next = nextTime(); next <= end; next = nextTime()) {
+      m_now = std::max(m_now, next);
+      step();
+    }
+    m_now = end;
+    step();
+  }
+  // Until so, or the patience ends; says whether it is so.
+  template <typename Condition>
+  bool runUntil(Condition condition, Duration patience) {
+    const Instant end = m_now + patience;
+    while (!condition()) {
+      const Instant next = nextTime();
+      if (next > end) return false;
+      m_now = std::max(m_now, next);
+      step();
+    }
+    return true;
+  }
+
+  // Sent by anyone, of this type in EF00.
+  std::vector<Seen> sent(std::uint8_t type, const Console* sender, Instant from = kNotYet) const {
+    std::vector<Seen> out;
+    for (const Seen& seen : log) {
+      if (seen.time >= from && seen.sender == sender && seen.id().pgn == pgn::kProprietaryA &&
+          seen.frame.length > 0 && seen.frame.data[0] == type)
+        out.push_back(seen);
+    }
+    return out;
+  }
+  std::vector<Seen> sentBy(const Console* sender, Instant from = kNotYet) const {
+    std::vector<Seen> out;
+    for (const Seen& seen : log) {
+      if (seen.time >= from && seen.sender == sender) out.push_back(seen);
+    }
+    return out;
+  }
+
+ private:
+  struct Flying {
+    Instant due;
+    std::uint64_t order;
+    Frame frame;
+    Console* to;  // null: the bench
+  };
+
+  void post(Instant at, const Frame& frame, Console* sender, bool toBench) {
+    log.push_back({at, frame, sender});
+    const auto fly = [&](Console* to, const Frame& f, const Fate& fate) {
+      for (int i = 0; i < fate.copies; ++i) {
+        m_flying.push_back({at + kFlight + fate.delay + i * kFlight, m_order++, f, to});
+      }
+    };
+    const Fate fate = wire(frame);
+    for (auto& console : m_consoles) {
+      if (console.get() == sender) {
+        Frame echo = frame;
+        echo.flags |= Frame::kSent | Frame::kConfirmed;
+        fly(sender, echo, Fate{});
+      } else {
+        fly(console.get(), frame, fate);
+      }
+    }
+    if (toBench) fly(nullptr, frame, fate);
+  }
+
+  Instant nextTime() const {
+    Instant next = bench.nextTime();
+    for (const Flying& flying : m_flying) next = std::min(next, flying.due);
+    for (const auto& console : m_consoles) next = std::min(next, console->services.nextTime());
+    return next;
+  }
+
+  void step() {
+    bench.timeCame(m_now);
+    for (auto& console : m_consoles) {
+      console->state.timeCame(m_now);
+      console->services.timeCame(m_now, console->state);
+    }
+    pump();
+    std::vector<Flying> due;
+    std::erase_if(m_flying, [&](const Flying& flying) {
+      if (flying.due > m_now) return false;
+      due.push_back(flying);
+      return true;
+    });
+    std::ranges::sort(due, {}, [](const Flying& f) { return std::pair(f.due.ns, f.order); });
+    for (const Flying& flying : due) {
+      if (flying.to == nullptr) {
+        bench.received(m_now, flying.frame);
+      } else {
+        flying.to->state.apply(flying.frame, m_now);
+        flying.to->services.received(m_now, flying.to->state, {&flying.frame, 1});
+      }
+      pump();
+    }
+  }
+
+  // What everyone wants sent now goes onto the bus.
+  void pump() {
+    m_due.clear();
+    bench.takeFrames(m_due);
+    for (const simulator::DueFrame& due : m_due) post(m_now, due.frame, nullptr, false);
+    for (auto& console : m_consoles) {
+      std::vector<Frame> frames;
+      console->services.takeFrames(frames);
+      for (const Frame& frame : frames) post(m_now, frame, console.get(), true);
+      std::vector<Note> notes;
+      console->services.takeNotes(notes);
+      for (Note& note : notes) {
+        note.time = m_now;
+        console->state.apply(note);
+        console->notes.push_back(note);
+      }
+    }
+  }
+
+  Instant m_now{};
+  std::vector<std::unique_ptr<Console>> m_consoles;
+  std::vector<Flying> m_flying;
+  std::uint64_t m_order = 0;
+  std::vector<simulator::DueFrame> m_due;
+};
+
+// The standard truck, up for two seconds, and one console that has listened.
+class TruckPair : public Pair {
+ public:
+  static constexpr std::string_view kMonitor = "1032AE100801035", kRiser = "1033AE100802117";
+
+  explicit TruckPair(std::uint64_t seed = 1) {
+    simulator::StandardBench truck = simulator::standardBench(seed);
+    bench = std::move(truck.bench);
+    addConsole();
+    bench.powerOn(now());
+    run(4s);
+  }
+  static DeviceKey monitor() { return DeviceKey::of(*Pin::parse(kMonitor)); }
+  static DeviceKey riser() { return DeviceKey::of(*Pin::parse(kRiser)); }
+  ClaimStatus claim() { return console().status(now()).claim; }
+  Address addressOf(const DeviceKey& key) {
+    const Device* device = console().state.devices().byPin(key.pin);
+    return device != nullptr ? device->address : kNullAddress;
+  }
+};
+
+}  // namespace deckpipe::test

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/twin_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QScrollArea>
+#include <QTest>
+
+#include "widgets/panel/twin_samples.h"
+
+namespace deckpipe {
+namespace {
+
+struct TwinPanelTest : testing::Test {
+  TwinPanel panel;
+  std::vector<TwinWish> wishes;
+
+  TwinPanelTest() {
+    QObject::connect(&panel, &TwinPanel::wished, [this](const TwinWish& wish) { wishes.push_back(wish); });
+    panel.resize(320, 700);
+    panel.show();
+  }
+  template <typename T>
+  T* child(const char* name) const {
+    return panel.findChild<T*>(QString::fromLatin1(name));
+  }
+  void click(const char* name) {
+    auto* button = child<QAbstractButton>(name);
+    QTest::mouseClick(button, Qt::LeftButton, {}, {10, button->height() / 2});
+  }
+  void choose(int device) { child<QComboBox>("twinDevices")->setCurrentIndex(device); }
+  QString state() const { return child<QLabel>("twinState")->text(); }
+};
+
+TEST_F(TwinPanelTest, SaysThatNothingRunsUntilSomethingDoes) {
+  EXPECT_TRUE(child<QLabel>("noTwin")->isVisible());
+  panel.setStatus(test::twinSample());
+  EXPECT_FALSE(child<QLabel>("noTwin")->isVisible());
+  panel.setStatus({});
+  EXPECT_TRUE(child<QLabel>("noTwin")->isVisible());
+}
+
+TEST_F(TwinPanelTest, NamesTheDevicesAndTheirStates) {
+  panel.setStatus(test::twinSample());
+  const auto* devices = child<QComboBox>("twinDevices");
+  ASSERT_EQ(devices->count(), 4);
+  EXPECT_EQ(devices->itemText(0), QStringLiteral("6032 Universal II, 1032AE100801035"));
+  EXPECT_EQ(devices->itemText(2), QStringLiteral("6039 without a PIN"));
+  EXPECT_EQ(state(), QStringLiteral("On the bus at 80 hex"));
+  choose(1);
+  EXPECT_EQ(state(), QStringLiteral("No power"));
+  choose(2);
+  EXPECT_EQ(state(), QStringLiteral("Powered, without an address"));
+}
+
+TEST_F(TwinPanelTest, ButtonsWishForTheDeviceThatIsShown) {
+  panel.setStatus(test::twinSample());
+  click("twinPowerOff");
+  click("twinReset");
+  click("twinPowerOn");  // it is on: nothing to press
+  choose(1);
+  click("twinPowerOn");
+  click("twinPowerOff");
+  EXPECT_EQ(wishes, (std::vector<TwinWish>{
+                        {0, TwinButton::PowerOff}, {0, TwinButton::Reset}, {1, TwinButton::PowerOn}}));
+}
+
+TEST_F(TwinPanelTest, ATickWishesForAllThatIsTickedOnThatDevice) {
+  panel.setStatus(test::twinSample());
+  click("twinFault_silent");
+  EXPECT_EQ(wishes, (std::vector<TwinWish>{{0, TwinFaults{TwinFault::Silent, TwinFault::AnswersLate}}}));
+  panel.setStatus(test::twinSample({TwinFault::Silent, TwinFault::AnswersLate}));
+  QTest::keyClick(child<QCheckBox>("twinFault_answersLate"), Qt::Key_Space);
+  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinFaults{TwinFault::Silent}}));
+  click("twinAllWell");
+  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinFaults{}}));
+}
+
+TEST_F(TwinPanelTest, ShowsWhatTheTwinSaysAndWishesNothingByItself) {
+  panel.setStatus(test::twinSample({TwinFault::AcksLost}));
+  EXPECT_TRUE(child<QCheckBox>("twinFault_acksLost")->isChecked());
+  EXPECT_TRUE(child<QAbstractButton>("twinAllWell")->isEnabled());
+  panel.setStatus(test::twinSample({}));
+  EXPECT_FALSE(child<QCheckBox>("twinFault_acksLost")->isChecked());
+  EXPECT_FALSE(child<QAbstractButton>("twinAllWell")->isEnabled());
+  EXPECT_TRUE(wishes.empty());
+}
+
+TEST_F(TwinPanelTest, OffersOnlyWhatADeviceCanDoWrong) {
+  panel.setStatus(test::twinSample());
+  EXPECT_TRUE(child<QCheckBox>("twinFault_notFitted")->isVisible());
+  choose(3);
+  EXPECT_FALSE(child<QCheckBox>("twinFault_notFitted")->isVisible());
+  EXPECT_TRUE(child<QCheckBox>("twinFault_acksLost")->isVisible());
+}
+
+TEST_F(TwinPanelTest, KeepsTheDeviceThatWasChosen) {
+  panel.setStatus(test::twinSample());
+  choose(3);
+  panel.setStatus(test::twinSample({TwinFault::Silent}));
+  EXPECT_EQ(child<QComboBox>("twinDevices")->currentIndex(), 3);
+}
+
+TEST_F(TwinPanelTest, EveryControlHasANameAndIsLargeEnoughToHit) {
+  panel.setStatus(test::twinSample());
+  for (const auto* button : panel.findChildren<QAbstractButton*>()) {
+    if (!button->isVisible()) continue;
+    EXPECT_FALSE(button->objectName().isEmpty());
+    EXPECT_FALSE(button->accessibleName().isEmpty()) << button->objectName().toStdString();
+    EXPECT_GE(button->height(), 32) << button->objectName().toStdString();
+  }
+}
+
+TEST_F(TwinPanelTest, NothingIsCutOffAtItsSmallestWidth) {
+  panel.setStatus(test::twinSample());
+  panel.resize(panel.minimumSizeHint());
+  const auto* list = child<QScrollArea>("twinFaults");
+  for (const auto* box : panel.findChildren<QCheckBox*>())
+    EXPECT_LE(box->sizeHint().width() + 16, list->viewport()->width()) << box->text().toStdString();
+}
+
+}  // namespace
+}  // namespace deckpipe

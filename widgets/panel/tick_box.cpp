@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/tick_box.h"
+
+#include <QPainter>
+#include <QStyle>
+#include <algorithm>
+
+#include "paint/glyph.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kBox = 18, kGap = 8, kMargin = 2, kLeastHeight = 32;
+
+}  // namespace
+
+TickBox::TickBox(const QString& text, QWidget* parent)
+    : QCheckBox(text, parent), m_colours(coloursOf(Theme::Light)) {}
+
+void TickBox::setColours(const Colours& colours) {
+  m_colours = colours;
+  update();
+}
+
+QSize TickBox::sizeHint() const {
+  const QFontMetrics metrics(font());
+  return {kMargin + kBox + kGap + metrics.horizontalAdvance(text()) + 2 * kMargin,
+          std::max(kLeastHeight, metrics.height() + 8)};
+}
+
+void TickBox::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto placed = [&](const QRect& r) { return QStyle::visualRect(layoutDirection(), rect(), r); };
+  const QRectF box = QRectF(placed({kMargin, (height() - kBox) / 2, kBox, kBox})).adjusted(1, 1, -1, -1);
+  const QColor& line = isEnabled() ? m_colours.accent.ink : m_colours.stale.ink;
+  painter.setPen(
+      QPen(isChecked() || hasFocus() || underMouse() ? line : m_colours.outline, 1.5 * m_colours.stroke));
+  painter.setBrush(isChecked() ? m_colours.accent.fill : m_colours.surface);
+  painter.drawRoundedRect(box, 3, 3);
+  if (isChecked())
+    drawGlyph(painter, box.adjusted(2, 2, -2, -2), Glyph::Fine, m_colours.accent.onFill, Qt::transparent,
+              1.5);
+  const int left = kMargin + kBox + kGap;
+  const QRect words = placed({left, 0, width() - left, height()});
+  painter.setPen(isEnabled() ? m_colours.text : m_colours.textSecondary);
+  painter.drawText(words, static_cast<int>(Qt::AlignVCenter | Qt::AlignLeading | Qt::TextShowMnemonic),
+                   text());
+  if (!hasFocus()) return;
+  painter.setPen(QPen(m_colours.accent.ink, m_colours.stroke));
+  painter.setBrush(Qt::NoBrush);
+  const int length = std::min(words.width(), QFontMetrics(font()).horizontalAdvance(text()) + 4);
+  painter.drawRoundedRect(
+      QRectF(placed({left - 4, 4, length + 4, height() - 8})).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+}
+
+}  // namespace deckpipe

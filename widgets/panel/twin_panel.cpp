@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/twin_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+#include "panel/glyph_label.h"
+#include "panel/label_ink.h"
+#include "panel/secondary_font.h"
+#include "panel/tick_box.h"
+#include "text/device_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kTarget = 40;  // pixels high
+
+struct Group {
+  const char* title;
+  TwinFault first;  // up to the next group's
+};
+constexpr Group kGroups[] = {
+    {QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Device"), TwinFault::Silent},
+    {QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Fault status"), TwinFault::InternalFuse},
+    {QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Answers to polls and commands"), TwinFault::AnswersLost},
+    {QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Data pipe"), TwinFault::AcksLost},
+};
+
+// In the order of TwinFault.
+struct FaultText {
+  const char* name;
+  const char* text;
+};
+constexpr FaultText kFaults[] = {
+    {"silent", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sends nothing")},
+    {"addressTaken", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Another controller takes its address")},
+    {"returnsElsewhere", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Comes back at another address")},
+    {"enableOff", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Not enabled: nothing moves")},
+    {"rotationSensorError", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Rotation sensor error")},
+    {"notFitted", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No position feedback")},
+    {"resetNever", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Does not come back from a reset")},
+    {"internalFuse", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Internal fuse")},
+    {"motorAxis1", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Motor of axis 1, which stands still")},
+    {"olderFaults", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Bits 17–20 and 22, of older manuals")},
+    {"olderFirmware", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "5 bytes, as older firmware answers")},
+    {"answersLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Two of three lost")},
+    {"answersLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "800 ms late")},
+    {"answersTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sent twice")},
+    {"answersWrongLength", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "A byte short")},
+    {"answersWrongSource", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "From the next address")},
+    {"acksLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Every tenth acknowledgement lost")},
+    {"acksLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements 400 ms late")},
+    {"acksTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements sent twice")},
+    {"packetsLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Every tenth packet of its own lost")},
+    {"vanishesInTransfer", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No power after 50 packets, for 3 s")},
+};
+static_assert(std::size(kFaults) == kTwinFaults);
+
+}  // namespace
+
+TwinPanel::TwinPanel(QWidget* parent)
+    : QWidget(parent),
+      m_colours(coloursOf(Theme::Light)),
+      m_pages(new QStackedLayout(this)),
+      m_empty(new QLabel(tr("No simulated truck is running."), this)) {
+  setObjectName(QStringLiteral("twinPanel"));
+  setAccessibleName(tr("Simulated truck"));
+  m_empty->setObjectName(QStringLiteral("noTwin"));
+  m_empty->setAccessibleName(tr("Why there is nothing to set"));
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_empty->setMargin(24);
+  m_pages->addWidget(m_empty);
+  m_pages->addWidget(makeControls());
+  setFocusProxy(m_devices);
+  setColours(m_colours);
+}
+
+QPushButton* TwinPanel::makeButton(const char* name, const QString& text, QVBoxLayout* layout) {
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(QString::fromLatin1(name));
+  button->setAccessibleName(text);
+  button->setMinimumHeight(kTarget);
+  button->setAutoDefault(false);
+  if (layout != nullptr) layout->addWidget(button);
+  return button;
+}
+
+QWidget* TwinPanel::makeControls() {
+  auto* page = new QWidget(this);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(8);
+  m_remark = new QLabel(tr("What is set here goes wrong on the simulated truck alone."), page);
+  m_remark->setWordWrap(true);
+  m_remark->setFont(secondaryFont(font()));
+  m_devices = new QComboBox(page);
+  m_devices->setObjectName(QStringLiteral("twinDevices"));
+  m_devices->setAccessibleName(tr("Simulated device"));
+  m_devices->setMinimumHeight(kTarget);
+  m_devices->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_devices->setMinimumContentsLength(12);
+  m_sign = new GlyphLabel(page);
+  m_state = new QLabel(page);
+  m_state->setObjectName(QStringLiteral("twinState"));
+  m_state->setAccessibleName(tr("State of the simulated device"));
+  m_state->setWordWrap(true);
+  m_powerOff = makeButton("twinPowerOff", tr("Power off"), nullptr);
+  m_powerOn = makeButton("twinPowerOn", tr("Power on"), nullptr);
+  m_reset = makeButton("twinReset", tr("Reset"), nullptr);
+
+  auto* state = new QHBoxLayout;
+  state->addWidget(m_sign);
+  state->addWidget(m_state, 1);
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* button : {m_powerOff, m_powerOn, m_reset}) buttons->addWidget(button);
+  layout->addWidget(m_remark);
+  layout->addWidget(m_devices);
+  layout->addLayout(state);
+  layout->addLayout(buttons);
+  layout->addWidget(makeFaults(), 1);
+  m_allWell = makeButton("twinAllWell", tr("All is well again"), layout);
+
+  connect(m_devices, &QComboBox::currentIndexChanged, this, &TwinPanel::showDevice);
+  connect(m_powerOff, &QPushButton::clicked, this, [this] { press(TwinButton::PowerOff); });
+  connect(m_powerOn, &QPushButton::clicked, this, [this] { press(TwinButton::PowerOn); });
+  connect(m_reset, &QPushButton::clicked, this, [this] { press(TwinButton::Reset); });
+  connect(m_allWell, &QPushButton::clicked, this, [this] { wishFaults({}); });
+  return page;
+}
+
+QWidget* TwinPanel::makeFaults() {
+  auto* list = new QWidget;
+  auto* layout = new QVBoxLayout(list);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(0);
+  QString group;
+  for (std::size_t i = 0; i < kTwinFaults; ++i) {
+    const auto fault = static_cast<TwinFault>(i);
+    for (const Group& g : kGroups) {
+      if (g.first != fault) continue;
+      group = tr(g.title);
+      auto* title = new QLabel(group, list);
+      QFont bold = title->font();
+      bold.setWeight(QFont::DemiBold);
+      title->setFont(bold);
+      title->setContentsMargins(0, i == 0 ? 0 : 12, 0, 4);
+      layout->addWidget(title);
+    }
+    auto* box = new TickBox(tr(kFaults[i].text), list);
+    box->setObjectName(QStringLiteral("twinFault_") + QLatin1String(kFaults[i].name));
+    box->setAccessibleName(tr("%1: %2").arg(group, box->text()));
+    connect(box, &TickBox::clicked, this, [this, fault](bool on) {
+      if (device() == nullptr) return;
+      TwinFaults faults = device()->faults;
+      faults.set(fault, on);
+      wishFaults(faults);
+    });
+    layout->addWidget(box);
+    m_faults[i] = box;
+  }
+  layout->addStretch(1);
+  m_scroll = new QScrollArea(this);
+  m_scroll->setObjectName(QStringLiteral("twinFaults"));
+  m_scroll->setAccessibleName(tr("What goes wrong"));
+  m_scroll->setWidgetResizable(true);
+  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_scroll->setWidget(list);
+  m_scroll->setFocusPolicy(Qt::NoFocus);
+  // Whatever the font and the language, no line is cut off.
+  m_scroll->setMinimumWidth(list->sizeHint().width() + m_scroll->verticalScrollBar()->sizeHint().width() +
+                            2 * m_scroll->frameWidth());
+  list->setBackgroundRole(QPalette::Base);
+  list->setAutoFillBackground(true);
+  return m_scroll;
+}
+
+const TwinDevice* TwinPanel::device() const {
+  const auto index = static_cast<std::size_t>(m_devices->currentIndex());
+  return index < m_status.devices.size() ? &m_status.devices[index] : nullptr;
+}
+
+void TwinPanel::wishFaults(const TwinFaults& faults) {
+  if (device() != nullptr) Q_EMIT wished({static_cast<std::size_t>(m_devices->currentIndex()), faults});
+}
+
+void TwinPanel::press(TwinButton button) {
+  if (device() != nullptr) Q_EMIT wished({static_cast<std::size_t>(m_devices->currentIndex()), button});
+}
+
+void TwinPanel::setStatus(const TwinStatus& status) {
+  m_status = status;
+  listDevices();
+  m_pages->setCurrentIndex(m_status.devices.empty() ? 0 : 1);
+  showDevice();
+}
+
+void TwinPanel::listDevices() {
+  const QSignalBlocker blocker(m_devices);
+  const int count = static_cast<int>(m_status.devices.size());
+  while (m_devices->count() > count) m_devices->removeItem(m_devices->count() - 1);
+  for (int i = 0; i < count; ++i) {
+    const TwinDevice& d = m_status.devices[static_cast<std::size_t>(i)];
+    const QString text = d.pin.isNull()
+                             ? tr("%1 without a PIN").arg(d.model)
+                             : tr("%1, %2").arg(deviceTypeText(d.pin.deviceType()), pinText(d.pin));
+    if (i >= m_devices->count()) {
+      m_devices->addItem(text);
+    } else if (m_devices->itemText(i) != text) {
+      m_devices->setItemText(i, text);
+    }
+  }
+}
+
+void TwinPanel::showDevice() {
+  const TwinDevice* d = device();
+  if (d == nullptr) return;
+  showState(*d);
+  m_powerOff->setEnabled(d->isPowered);
+  m_powerOn->setEnabled(!d->isPowered);
+  m_reset->setEnabled(d->isPowered);
+  m_allWell->setEnabled(!d->faults.isNone());
+  for (std::size_t i = 0; i < kTwinFaults; ++i) {
+    const auto fault = static_cast<TwinFault>(i);
+    m_faults[i]->setChecked(d->faults.has(fault));
+    m_faults[i]->setVisible(d->possible.has(fault));
+  }
+}
+
+void TwinPanel::showState(const TwinDevice& d) {
+  if (!d.isPowered) {
+    setText(*m_state, tr("No power"));
+    m_sign->setGlyph(Glyph::Off, m_colours.stale.ink, m_colours.stroke);
+  } else if (d.address == kNullAddress) {
+    setText(*m_state, tr("Powered, without an address"));
+    m_sign->setGlyph(Glyph::Attend, m_colours.attend.ink, m_colours.stroke);
+  } else {
+    setText(*m_state, tr("On the bus at %1").arg(addressText(d.address)));
+    m_sign->setGlyph(Glyph::On, m_colours.fine.ink, m_colours.stroke);
+  }
+}
+
+void TwinPanel::setColours(const Colours& colours) {
+  m_colours = colours;
+  setPalette(qtPalette(colours));
+  setInk(*m_remark, colours.textSecondary);
+  setInk(*m_empty, colours.textSecondary);
+  for (TickBox* box : m_faults) box->setColours(colours);
+  if (const TwinDevice* d = device()) showState(*d);
+}
+
+}  // namespace deckpipe

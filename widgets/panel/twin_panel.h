@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The demo's own panel: breaks the devices of the simulated truck while a person watches what the console
+// makes of it. The window has it in the demo only, gives it each TwinStatus that the twin publishes, and
+// passes its wishes on. What is ticked is what the twin says, so a wish that was not obeyed does not stay.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "control/twin_control.h"
+#include "paint/palette.h"
+
+class QAbstractButton;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QStackedLayout;
+class QVBoxLayout;
+
+namespace deckpipe {
+
+class GlyphLabel;
+class TickBox;
+
+class TwinPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TwinPanel(QWidget* parent = nullptr);
+
+  void setColours(const Colours& colours);
+
+  QSize sizeHint() const override { return {320, 560}; }
+
+ public Q_SLOTS:
+  void setStatus(const deckpipe::TwinStatus& status);
+
+ Q_SIGNALS:
+  void wished(const deckpipe::TwinWish& wish);
+
+ private:
+  QWidget* makeControls();
+  QWidget* makeFaults();
+  QPushButton* makeButton(const char* name, const QString& text, QVBoxLayout* layout);
+  const TwinDevice* device() const;
+  void wishFaults(const TwinFaults& faults);
+  void press(TwinButton button);
+  void listDevices();
+  void showDevice();
+  void showState(const TwinDevice& device);
+
+  Colours m_colours;
+  TwinStatus m_status;
+  QStackedLayout* m_pages;
+  QLabel* m_empty;
+  QLabel* m_remark = nullptr;
+  QComboBox* m_devices = nullptr;
+  GlyphLabel* m_sign = nullptr;
+  QLabel* m_state = nullptr;
+  QPushButton* m_powerOff = nullptr;
+  QPushButton* m_powerOn = nullptr;
+  QPushButton* m_reset = nullptr;
+  QPushButton* m_allWell = nullptr;
+  QScrollArea* m_scroll = nullptr;
+  std::array<TickBox*, kTwinFaults> m_faults{};
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/service_text.h"
+
+#include <QCoreApplication>
+
+namespace deckpipe {
+namespace {
+
+struct ServiceText {
+  Q_DECLARE_TR_FUNCTIONS(ServiceText)
+};
+
+}  // namespace
+
+QString askText(Ask ask) {
+  switch (ask) {
+    case Ask::Fault: return ServiceText::tr("Faults");
+    case Ask::Firmware: return ServiceText::tr("Firmware");
+    case Ask::Pcode: return ServiceText::tr("pCode");
+    case Ask::Config: return ServiceText::tr("Configuration");
+    case Ask::Vista: return ServiceText::tr("Vista status");
+    case Ask::ZeroAxes: return ServiceText::tr("Zero axes");
+    case Ask::Reset: return ServiceText::tr("Reset");
+    case Ask::SetupMode: return ServiceText::tr("Setup mode");
+    case Ask::Count: break;
+  }
+  return {};
+}
+
+QString requestEndText(RequestEnd end) {
+  switch (end) {
+    case RequestEnd::None: return {};
+    case RequestEnd::Answered: return ServiceText::tr("answered");
+    case RequestEnd::WrongAnswer: return ServiceText::tr("answered with a wrong length");
+    case RequestEnd::NoAnswer: return ServiceText::tr("no answer");
+    case RequestEnd::Cancelled: return ServiceText::tr("cancelled");
+    case RequestEnd::LinkLost: return ServiceText::tr("link lost");
+    case RequestEnd::Gone: return ServiceText::tr("device has no address");
+    case RequestEnd::AnsweredLate: return ServiceText::tr("answered too late");
+  }
+  return {};
+}
+
+QString refusalText(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::None: return {};
+    case Refusal::Locked: return ServiceText::tr("Sending is locked.");
+    case Refusal::NoLink: return ServiceText::tr("The link is not up.");
+    case Refusal::NoAddress: return ServiceText::tr("The console has no address on the bus.");
+    case Refusal::NoDevice: return ServiceText::tr("The device is not there or has no address.");
+    case Refusal::NotTaken: return ServiceText::tr("This type of device does not take it.");
+    case Refusal::Busy: return ServiceText::tr("It is under way already.");
+    case Refusal::TooMuch: return ServiceText::tr("That is more than may wait to be sent.");
+  }
+  return {};
+}
+
+QString claimText(const ClaimStatus& claim) {
+  const QString address = QString::number(claim.address.value, 16).toUpper();
+  switch (claim.progress) {
+    case ClaimStatus::Progress::Off: return ServiceText::tr("no address");
+    case ClaimStatus::Progress::Asking: return ServiceText::tr("asking who is there");
+    case ClaimStatus::Progress::Claiming: return ServiceText::tr("claiming address %1").arg(address);
+    case ClaimStatus::Progress::Claimed: return ServiceText::tr("address %1").arg(address);
+    case ClaimStatus::Progress::CannotClaim: return ServiceText::tr("no address free");
+    case ClaimStatus::Progress::SameName: return ServiceText::tr("another node has our NAME");
+  }
+  return {};
+}
+
+QString pipeEventText(PipeEvent event) {
+  switch (event) {
+    case PipeEvent::FileBegan: return ServiceText::tr("file begun");
+    case PipeEvent::FileDone: return ServiceText::tr("file sent");
+    case PipeEvent::FileCancelled: return ServiceText::tr("file cancelled");
+    case PipeEvent::FileAborted: return ServiceText::tr("file given up");
+    case PipeEvent::Stalled: return ServiceText::tr("no ack");
+    case PipeEvent::AckLate: return ServiceText::tr("the ack came late");
+    case PipeEvent::Resent: return ServiceText::tr("packet sent again");
+    case PipeEvent::Skipped: return ServiceText::tr("packet skipped");
+    case PipeEvent::Dropped: return ServiceText::tr("what waited was dropped");
+  }
+  return {};
+}
+
+QString stallText(PipeStatus::Stall stall) {
+  switch (stall) {
+    case PipeStatus::Stall::None: return {};
+    case PipeStatus::Stall::NoAck: return ServiceText::tr("No ack from the device within 1 s.");
+    case PipeStatus::Stall::Moved: return ServiceText::tr("No ack; the device is at another address now.");
+    case PipeStatus::Stall::Gone: return ServiceText::tr("No ack; the device has no address any more.");
+  }
+  return {};
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The services in words: what is asked, how it ended, why something was refused, how our own address and a
+// data pipe are doing. For panels and for the notes of a log.
+#pragma once
+
+#include <QString>
+
+#include "control/pipe_event.h"
+#include "control/status.h"
+
+namespace deckpipe {
+
+// "Faults", "Firmware".
+QString askText(Ask ask);
+// "answered", "no answer".
+QString requestEndText(RequestEnd end);
+// A whole sentence.
+QString refusalText(Refusal refusal);
+// "address F9", "claiming address F9", "no address free".
+QString claimText(const ClaimStatus& claim);
+// "file sent", "no ack".
+QString pipeEventText(PipeEvent event);
+// "no ack from the device within 1 s".
+QString stallText(PipeStatus::Stall stall);
+
+}  // namespace deckpipe
