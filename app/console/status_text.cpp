@@ -177,8 +177,9 @@ StatusFact errorFact(const Snapshot& snapshot) {
 StatusFact lockFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (!snapshot.services->locked) {
-    return {StatusTone::Attend, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
-            StatusText::tr("Deckpipe may send on this bus: its address claim, and what is asked for by hand.")};
+    return {
+        StatusTone::Attend, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
+        StatusText::tr("Deckpipe may send on this bus: its address claim, and what is asked for by hand.")};
   }
   QString story =
       StatusText::tr("Deckpipe receives only: it sends nothing, no claim, no request, no command.");
