@@ -93,12 +93,12 @@ Other devices in the list: %n.</numerusform>
     </message>
 </context>
 <context>
-    <name>deckpipe::TracePanel</name>
+    <name>deckpipe::RequestPanel</name>
     <message numerus="yes">
-        <source>%n frame(s)</source>
+        <source>%Ln answers too many</source>
         <translation>
-            <numerusform>%n frame</numerusform>
-            <numerusform>%n frames</numerusform>
+            <numerusform>%Ln answer too many</numerusform>
+            <numerusform>%Ln answers too many</numerusform>
         </translation>
     </message>
 </context>

@@ -284,7 +284,7 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
                      .arg(request.asked > 0 && request.progress == Progress::Queued ? request.asked - 1
                                                                                     : request.asked));
   if (request.unasked > 0)
-    parts.append(tr("%n answer(s) too many", nullptr, static_cast<int>(request.unasked)));
+    parts.append(tr("%Ln answers too many", nullptr, static_cast<int>(request.unasked)));
   return parts.join(QStringLiteral(" · "));
 }
 
