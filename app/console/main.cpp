@@ -5,6 +5,8 @@
 #include <QTimer>
 #include <cstdio>
 
+#include "appearance.h"
+#include "language.h"
 #include "main_window.h"
 #include "options.h"
 
@@ -19,19 +21,14 @@ void grabLater(deckpipe::MainWindow& window, const deckpipe::Options& options) {
   });
 }
 
-deckpipe::Theme themeNamed(const QString& name) {
-  if (name == QLatin1String("dark")) return deckpipe::Theme::Dark;
-  return name == QLatin1String("sunlight") ? deckpipe::Theme::Sunlight : deckpipe::Theme::Light;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
-  QApplication::setStyle(QStringLiteral("Fusion"));
   QApplication::setOrganizationName(QStringLiteral("Deckpipe"));
   QApplication::setApplicationName(QStringLiteral("deckpipe"));
   QApplication::setApplicationVersion(QStringLiteral(DECKPIPE_VERSION));
+  deckpipe::installLanguage(application);
   // Qt tells on standard error what its adapters do; what matters of it comes back as reasons.
   QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
   deckpipe::Options options;
@@ -40,7 +37,8 @@ int main(int argc, char** argv) {
   deckpipe::Session session;
   deckpipe::MainWindow window(session);
   if (options.grabFile.isEmpty()) window.restoreLayout();
-  if (!options.theme.isEmpty()) window.setTheme(themeNamed(options.theme));
+  if (const auto theme = deckpipe::themeOfKey(options.theme)) window.setTheme(*theme);
+  if (const auto density = deckpipe::densityOfKey(options.density)) window.setDensity(*density);
   window.show();
   if (!options.logFile.isEmpty()) session.openLog(options.logFile);
   if (options.demo) session.openDemo();

@@ -6,31 +6,34 @@
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMenuBar>
+#include <QFontDatabase>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
+#include "appearance.h"
+#include "connection.h"
+#include "mark_bar.h"
+#include "notice_of.h"
 #include "pane_cycle.h"
+#include "panel/about_page.h"
+#include "panel/connection_page.h"
+#include "panel/settings_page.h"
+#include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
-#include "start_page.h"
+#include "recent_logs.h"
+#include "save_bar.h"
+#include "sending_actions.h"
 #include "status_strip.h"
 #include "workspace.h"
 
 namespace deckpipe {
 namespace {
 
-struct NamedTheme {
-  Theme theme;
-  const char* key;  // in settings
-  const char* text;
-};
-constexpr NamedTheme kThemeNames[] = {
-    {Theme::Light, "light", QT_TRANSLATE_NOOP("deckpipe::MainWindow", "&Light")},
-    {Theme::Dark, "dark", QT_TRANSLATE_NOOP("deckpipe::MainWindow", "&Dark")},
-    {Theme::Sunlight, "sunlight", QT_TRANSLATE_NOOP("deckpipe::MainWindow", "&Sunlight")},
-};
+const QString kThemeKey = QStringLiteral("window/theme");
+const QString kDensityKey = QStringLiteral("window/density");
 
 }  // namespace
 
@@ -38,27 +41,43 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     : QMainWindow(parent),
       m_session(session),
       m_status(new StatusStrip(this)),
+      m_notice(new NoticeBar(this)),
       m_pages(new QStackedWidget(this)),
-      m_workspace(new Workspace(m_pages)),
+      m_connection(new Connection(m_pages)),
+      m_workspace(new Workspace(m_labels, m_pages)),
+      m_settings(new SettingsPage(m_pages)),
+      m_markBar(new MarkBar(this)),
+      m_saveBar(new SaveBar(this)),
       m_transport(new TransportBar(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
-  auto* start = new StartPage(m_pages);
-  m_pages->addWidget(start);
+  m_pages->addWidget(m_connection->page());
   m_pages->addWidget(m_workspace);
+  m_pages->addWidget(m_settings);
+  m_settings->setPath(QSettings().fileName());
+  auto* about = new AboutPage({QStringLiteral(DECKPIPE_VERSION), QSettings().fileName(),
+                               QString::fromStdString(StoreLimits{}.spillFolder)},
+                              m_pages);
+  m_about = about;
+  m_pages->addWidget(about);
+  connect(about, &AboutPage::closeRequested, this, [this] { showExtra(nullptr); });
   auto* central = new QWidget(this);
   auto* layout = new QVBoxLayout(central);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(m_status);
+  layout->addWidget(m_notice);
   layout->addWidget(m_pages, 1);
+  layout->addWidget(m_markBar);
+  layout->addWidget(m_saveBar);
   layout->addWidget(m_transport);
   setCentralWidget(central);
+  m_sending = new SendingActions(m_session, this);
+  m_session.setClaim(claimSettings());
   makeMenus();
-  connect(start, &StartPage::logRequested, this, &MainWindow::openLogByHand);
-  connect(start, &StartPage::demoRequested, &m_session, &Session::openDemo);
   connect(&m_session, &Session::changed, this, &MainWindow::showSnapshot);
   connectPanels();
+  setDensity(m_density);
   setTheme(m_theme);
   resize(1366, 720);
   showSnapshot();
@@ -66,70 +85,55 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::makeMenus() {
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(tr("&Open log…"), QKeySequence::Open, this, &MainWindow::openLogByHand)
-      ->setObjectName(QStringLiteral("openLogAction"));
-  file->addAction(tr("Start the &simulated truck"), &m_session, &Session::openDemo)
-      ->setObjectName(QStringLiteral("demoAction"));
-  file->addAction(tr("&Close"), QKeySequence::Close, this,
-                  [this] {
-                    m_session.closeSource();
-                    showSnapshot();
-                  })
-      ->setObjectName(QStringLiteral("closeAction"));
-  file->addSeparator();
-  file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close)
-      ->setObjectName(QStringLiteral("quitAction"));
-
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  m_themes = new QActionGroup(this);
-  for (const NamedTheme& named : kThemeNames) {
-    QAction* action = view->addAction(tr(named.text), this, [this, theme = named.theme] { setTheme(theme); });
-    action->setObjectName(QLatin1String(named.key) + QStringLiteral("ThemeAction"));
-    action->setCheckable(true);
-    action->setData(static_cast<int>(named.theme));
-    m_themes->addAction(action);
-  }
-  view->addSeparator();
-  view->addActions(m_workspace->dockActions());
-  view->addSeparator();
-  view->addAction(tr("&Next pane"), QKeySequence(Qt::Key_F6), this, [this] { focusNextPane(panes(), false); })
-      ->setObjectName(QStringLiteral("nextPaneAction"));
-  view->addAction(tr("&Previous pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), this,
-                  [this] { focusNextPane(panes(), true); })
-      ->setObjectName(QStringLiteral("previousPaneAction"));
-  view->addAction(tr("&Reset layout"), m_workspace, &Workspace::resetLayout)
-      ->setObjectName(QStringLiteral("resetLayoutAction"));
-}
-
 QList<QWidget*> MainWindow::panes() const {
-  if (m_pages->currentWidget() != m_workspace) return {m_pages->currentWidget()};
-  return m_workspace->panes() << m_transport;
+  if (m_pages->currentWidget() != m_workspace) return {m_pages->currentWidget(), m_status};
+  return m_workspace->panes() << m_transport << m_status;
 }
 
 void MainWindow::connectPanels() {
+  const ConnectionPage* page = m_connection->page();
+  connect(page, &ConnectionPage::browseRequested, this, &MainWindow::openLogByHand);
+  connect(page, &ConnectionPage::logRequested, this, &MainWindow::openLog);
+  connect(page, &ConnectionPage::demoRequested, &m_session, &Session::openDemo);
+  connect(m_connection, &Connection::linkRequested, &m_session, &Session::openLink);
+  connect(m_settings, &SettingsPage::themeChosen, this, &MainWindow::setTheme);
+  connect(m_settings, &SettingsPage::densityChosen, this, &MainWindow::setDensity);
+  connect(m_settings, &SettingsPage::resetLayoutRequested, m_workspace, &Workspace::resetLayout);
+  connect(m_settings, &SettingsPage::forgetLogsRequested, this, [] { forgetLogs(); });
+  connect(m_settings, &SettingsPage::closeRequested, this, [this] { showExtra(nullptr); });
+  connect(m_notice, &NoticeBar::actionRequested, this, &MainWindow::follow);
+  connect(m_markBar, &MarkBar::marked, &m_session, &Session::mark);
+  connect(m_saveBar, &SaveBar::saved, this, [](const QString& path) { rememberLog(path); });
   connect(m_workspace, &Workspace::frameRequested, this,
           [this](std::uint64_t frame) { m_session.seekFrames(frame + 1); });
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
+  connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
+  connect(m_workspace, &Workspace::wished, m_sending, &SendingActions::wish);
+  connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);
+  connect(m_workspace, &Workspace::twinWished, &m_session, &Session::wantOfTwin);
+  connect(&m_session, &Session::twinChanged, m_workspace, &Workspace::setTwin);
   connect(m_transport, &TransportBar::playRequested, &m_session, &Session::play);
   connect(m_transport, &TransportBar::pauseRequested, &m_session, &Session::pause);
   connect(m_transport, &TransportBar::seekRequested, &m_session, &Session::seek);
   connect(m_transport, &TransportBar::stepRequested, &m_session, &Session::step);
+  connect(m_transport, &TransportBar::rowStepRequested, m_workspace->trace(), &TracePanel::stepCursor);
+  connect(m_transport, &TransportBar::spanRequested, m_workspace->trace(), &TracePanel::setFilter);
+  connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
   connect(m_transport, &TransportBar::endRequested, &m_session, &Session::goToEnd);
   connect(m_transport, &TransportBar::speedRequested, &m_session, &Session::setSpeed);
 }
 
-void MainWindow::showSnapshot() {
-  const Snapshot& snapshot = m_session.snapshot();
+void MainWindow::showSnapshot() { setSnapshot(m_session.snapshot()); }
+
+void MainWindow::setSnapshot(const Snapshot& snapshot) {
+  m_snapshot = snapshot;
   const LogView& view = snapshot.view;
+  // Whoever opened something wants to see it.
+  if (std::exchange(m_shown, view.document.get()) != view.document.get()) m_extra = nullptr;
   m_status->setSnapshot(snapshot);
-  if (view.document == nullptr) {
-    m_pages->setCurrentIndex(0);
-  } else {
-    m_pages->setCurrentWidget(m_workspace);
-  }
-  m_transport->setVisible(view.document != nullptr);
+  m_sending->setSnapshot(snapshot);
+  m_notice->setNotice(noticeOf(snapshot, m_status->rates()));
+  showPage();
   const bool isFile = snapshot.source.kind == SourceStatus::Kind::File;
   setWindowTitle(isFile ? tr("%1 – Deckpipe").arg(QFileInfo(snapshot.source.name).fileName())
                         : tr("Deckpipe"));
@@ -140,10 +144,80 @@ void MainWindow::showSnapshot() {
              snapshot.speed});
 }
 
+void MainWindow::showPage() {
+  // What could not be opened leaves nothing to look at: the page on which to try again is more use.
+  const bool hasFrames = m_snapshot.view.frameCount > 0;
+  const bool isOpen = m_snapshot.view.document != nullptr &&
+                      (hasFrames || m_snapshot.source.progress != SourceStatus::Progress::Failed);
+  QWidget* page = isOpen ? static_cast<QWidget*>(m_workspace) : m_connection->page();
+  if (m_extra != nullptr) page = m_extra;
+  m_transport->setVisible(isOpen);
+  m_saveAction->setEnabled(isOpen && hasFrames);
+  m_markAction->setEnabled(isOpen && hasFrames);
+  m_helpAction->setEnabled(page == m_workspace);
+  if (!isOpen) m_markBar->hide();
+  if (page == m_pages->currentWidget()) return;
+  m_pages->setCurrentWidget(page);
+  focusNextPane({panes().first()}, false);
+}
+
+void MainWindow::showExtra(QWidget* page) {
+  m_extra = page;
+  showPage();
+}
+
+void MainWindow::openLog(const QString& path) {
+  rememberLog(path);
+  m_session.openLog(path);
+}
+
+// Dialogs for files are asynchronous: the bus goes on behind them.
+QFileDialog* MainWindow::fileDialog(const QString& title) {
+  auto* dialog = new QFileDialog(this, title);
+  dialog->setObjectName(QStringLiteral("fileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setNameFilters({tr("candump logs (*.log *.txt *.candump)"), tr("All files (*)")});
+  if (const QStringList recent = recentLogs(); !recent.isEmpty())
+    dialog->setDirectory(QFileInfo(recent.first()).absolutePath());
+  return dialog;
+}
+
 void MainWindow::openLogByHand() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Open a log"), {}, tr("candump logs (*.log *.txt *.candump);;All files (*)"));
-  if (!path.isEmpty()) m_session.openLog(path);
+  QFileDialog* dialog = fileDialog(tr("Open a log"));
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openLog);
+  dialog->open();
+}
+
+void MainWindow::saveLogByHand() {
+  QFileDialog* dialog = fileDialog(tr("Save the log as candump text"));
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("log"));
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::saveLog);
+  dialog->open();
+}
+
+void MainWindow::saveLog(const QString& path) {
+  if (const auto& document = m_snapshot.view.document) m_saveBar->save(document, path);
+}
+
+void MainWindow::closeSource() {
+  m_session.closeSource();
+  showSnapshot();
+}
+
+void MainWindow::follow(Notice::Action action) {
+  if (action == Notice::Action::GoToEnd) m_session.goToEnd();
+  if (action == Notice::Action::Reconnect) m_session.reconnect();
+}
+
+void MainWindow::setDensity(Density density) {
+  m_density = density;
+  QApplication::setStyle(new DensityStyle(density));
+  QApplication::setFont(fontFor(density, QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
+  QApplication::setPalette(qtPalette(coloursOf(m_theme)));  // a style brings its own
+  m_settings->setDensity(density);
+  m_fieldAction->setChecked(density == Density::Field);
 }
 
 void MainWindow::setTheme(Theme theme) {
@@ -151,6 +225,10 @@ void MainWindow::setTheme(Theme theme) {
   const Colours colours = coloursOf(theme);
   QApplication::setPalette(qtPalette(colours));
   m_status->setColours(colours);
+  m_notice->setColours(colours);
+  m_connection->page()->setColours(colours);
+  m_settings->setColours(colours);
+  m_settings->setTheme(theme);
   m_workspace->setColours(colours);
   m_transport->setColours(colours);
   for (QAction* action : m_themes->actions())
@@ -161,19 +239,21 @@ void MainWindow::restoreLayout() {
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   m_workspace->restoreFrom(settings);
-  const QString key = settings.value(QStringLiteral("window/theme")).toString();
-  for (const NamedTheme& named : kThemeNames) {
-    if (key == QLatin1String(named.key)) setTheme(named.theme);
-  }
+  if (const auto theme = themeOfKey(settings.value(kThemeKey).toString())) setTheme(*theme);
+  if (const auto density = densityOfKey(settings.value(kDensityKey).toString())) setDensity(*density);
 }
 
 void MainWindow::saveLayout() const {
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   m_workspace->saveTo(settings);
-  for (const NamedTheme& named : kThemeNames) {
-    if (named.theme == m_theme) settings.setValue(QStringLiteral("window/theme"), QLatin1String(named.key));
-  }
+  settings.setValue(kThemeKey, keyOfTheme(m_theme));
+  settings.setValue(kDensityKey, keyOfDensity(m_density));
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  focusNextPane({panes().first()}, false);  // the keyboard begins where the work is, not in the strip above
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -186,8 +266,6 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
 }
 
-void MainWindow::dropEvent(QDropEvent* event) {
-  m_session.openLog(event->mimeData()->urls().first().toLocalFile());
-}
+void MainWindow::dropEvent(QDropEvent* event) { openLog(event->mimeData()->urls().first().toLocalFile()); }
 
 }  // namespace deckpipe

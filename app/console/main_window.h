@@ -6,16 +6,25 @@
 
 #include <QMainWindow>
 
+#include "paint/density_style.h"
 #include "paint/palette.h"
+#include "panel/notice_bar.h"
 #include "session/session.h"
+#include "settings_labels.h"
 
 class QActionGroup;
+class QFileDialog;
 class QStackedWidget;
 
 namespace deckpipe {
 
+class Connection;
+class MarkBar;
+class SaveBar;
+class SettingsPage;
 class StatusStrip;
 class TransportBar;
+class SendingActions;
 class Workspace;
 
 class MainWindow : public QMainWindow {
@@ -26,29 +35,63 @@ class MainWindow : public QMainWindow {
 
   void setTheme(Theme theme);
   Theme theme() const { return m_theme; }
+  void setDensity(Density density);
+  // Writes what is held of the open log; the line above the timeline shows how that goes.
+  void saveLog(const QString& path);
+  // What is seen. The session's, on its tick; pictures of every state come from here too.
+  void setSnapshot(const Snapshot& snapshot);
   // As last time: theme, size, columns.
   void restoreLayout();
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
  private:
+  static QAction* named(QAction* action, const char* name);
   void makeMenus();
+  void makeFileMenu();
+  void makeViewMenu();
+  void makeHelpMenu();
   void connectPanels();
   void showSnapshot();
+  void showPage();
+  // Settings, about: in the place of the work until closed. Null: none.
+  void showExtra(QWidget* page);
+  QFileDialog* fileDialog(const QString& title);
   void openLogByHand();
+  void openLog(const QString& path);
+  void saveLogByHand();
+  void closeSource();
+  void follow(Notice::Action action);
   QList<QWidget*> panes() const;
   void saveLayout() const;
 
   Session& m_session;
+  Snapshot m_snapshot;
   Theme m_theme = Theme::Light;
+  Density m_density = Density::Desk;
+  SettingsLabels m_labels;
   StatusStrip* m_status;
+  NoticeBar* m_notice;
   QStackedWidget* m_pages;
+  Connection* m_connection;
   Workspace* m_workspace;
+  SettingsPage* m_settings;
+  QWidget* m_about;
+  QWidget* m_extra = nullptr;            // one of the two, while it is seen
+  const LogDocument* m_shown = nullptr;  // the last log
+  MarkBar* m_markBar;
+  SaveBar* m_saveBar;
   TransportBar* m_transport;
   QActionGroup* m_themes = nullptr;
+  SendingActions* m_sending = nullptr;
+  QAction* m_saveAction = nullptr;
+  QAction* m_markAction = nullptr;
+  QAction* m_fieldAction = nullptr;
+  QAction* m_helpAction = nullptr;
 };
 
 }  // namespace deckpipe

@@ -36,11 +36,13 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
                                    QStringLiteral("BITS"), QStringLiteral("250000"));
   const QCommandLineOption theme(QStringLiteral("theme"), text("light, dark or sunlight."),
                                  QStringLiteral("THEME"));
+  const QCommandLineOption density(
+      QStringLiteral("density"), text("desk, or field: larger text and buttons."), QStringLiteral("DENSITY"));
   const QCommandLineOption grab(QStringLiteral("grab"), text("Save a picture of the window, then end."),
                                 QStringLiteral("PNG"));
   const QCommandLineOption after(QStringLiteral("after"), text("Seconds until --grab; 5 by default."),
                                  QStringLiteral("SECONDS"), QStringLiteral("5"));
-  parser.addOptions({help, version, demo, plugin, interfaceName, bitRate, theme, grab, after});
+  parser.addOptions({help, version, demo, plugin, interfaceName, bitRate, theme, density, grab, after});
   if (!parser.parse(arguments)) return say(parser.errorText());
   if (parser.isSet(help)) {
     std::fputs(qPrintable(parser.helpText()), stdout);
@@ -69,6 +71,11 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
       !QStringList{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("sunlight")}.contains(
           options.theme)) {
     return say(text("--theme is light, dark or sunlight"));
+  }
+  options.density = parser.value(density);
+  if (!options.density.isEmpty() && options.density != QLatin1String("desk") &&
+      options.density != QLatin1String("field")) {
+    return say(text("--density is desk or field"));
   }
   options.grabFile = parser.value(grab);
   bool ok = false;

@@ -15,6 +15,7 @@ struct Options {
   bool demo = false;                 // start with the bench twin
   std::optional<LinkSettings> link;  // connect to this adapter
   QString theme;                     // light, dark or sunlight; empty = as last time
+  QString density;                   // desk or field; empty = as last time
   QString grabFile;                  // save a picture of the window there after grabAfter seconds, and end
   double grabAfter = 5;
 };

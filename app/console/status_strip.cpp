@@ -2,128 +2,107 @@
 #include "status_strip.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QLocale>
 #include <QPainter>
+#include <QPushButton>
 
-#include "paint/glyph.h"
+#include "panel/status_cell.h"
+#include "status_text.h"
 
 namespace deckpipe {
 namespace {
 
-enum class Condition { Idle, Busy, Fine, Attend, Fault };
+// Figures that change more often cannot be read.
+constexpr Duration kCalm = 250ms;
 
-Condition conditionOf(const SourceStatus& source) {
-  using Progress = SourceStatus::Progress;
-  switch (source.progress) {
-    case Progress::Idle: return Condition::Idle;
-    case Progress::Opening: return Condition::Busy;
-    case Progress::Running:
-    case Progress::Done: return source.unreadable + source.notKept == 0 ? Condition::Fine : Condition::Attend;
-    case Progress::Lost:
-    case Progress::Failed: return Condition::Fault;
-  }
-  return Condition::Idle;
+void tell(StatusCell* cell, const StatusFact& fact) {
+  cell->setStatus(fact.tone, fact.text, fact.story, fact.glyph);
 }
 
 }  // namespace
 
-// The condition as a glyph; its words stand beside it.
-class StatusStrip::Lamp : public QWidget {
- public:
-  explicit Lamp(QWidget* parent) : QWidget(parent) { setFixedSize(24, 24); }
-  void set(Condition condition) {
-    if (condition == m_condition) return;
-    m_condition = condition;
-    update();
-  }
-  void setColours(const Colours& colours) {
-    m_colours = colours;
-    update();
-  }
-
- private:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF box = QRectF(rect()).adjusted(2, 2, -2, -2);
-    switch (m_condition) {
-      case Condition::Idle: drawGlyph(painter, box, Glyph::NoData, m_colours.stale.ink); break;
-      case Condition::Busy: drawGlyph(painter, box, Glyph::Stale, m_colours.accent.ink); break;
-      case Condition::Fine: drawGlyph(painter, box, Glyph::Fine, m_colours.fine.ink); break;
-      case Condition::Attend: drawGlyph(painter, box, Glyph::Attend, m_colours.attend.ink); break;
-      case Condition::Fault: drawGlyph(painter, box, Glyph::Fault, m_colours.fault.ink); break;
-    }
-  }
-
-  Condition m_condition = Condition::Idle;
-  Colours m_colours = coloursOf(Theme::Light);
-};
-
-StatusStrip::StatusStrip(QWidget* parent)
-    : QWidget(parent), m_lamp(new Lamp(this)), m_source(new QLabel(this)), m_counts(new QLabel(this)) {
+StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
   setObjectName(QStringLiteral("statusStrip"));
   setAccessibleName(tr("Status"));
-  m_source->setObjectName(QStringLiteral("sourceStatus"));
-  m_source->setAccessibleName(tr("Source"));
-  m_source->setTextFormat(Qt::PlainText);
-  // A long path or reason is cut by the window, never widens it.
-  m_source->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  m_counts->setObjectName(QStringLiteral("frameCounts"));
-  m_counts->setAccessibleName(tr("Frames"));
-  m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 4, 16, 4);
-  layout->setSpacing(8);
-  layout->addWidget(m_lamp);
-  layout->addWidget(m_source, 1);
-  layout->addWidget(m_counts);
+  layout->setContentsMargins(8, 2, 8, 3);
+  layout->setSpacing(4);
+  m_source = addCell("sourceStatus", tr("Source"), {});
+  // A long name or reason is cut by the window, never widens it.
+  m_source->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->setStretchFactor(m_source, 1);
+  m_load = addCell("busLoad", tr("Bus load"), loadWords(100));
+  m_rate = addCell("frameRate", tr("Frames a second"), rateWords(8'888));
+  m_errors = addCell("errorFrames", tr("Error frames"), errorWords(888));
+  m_recording =
+      addCell("frameCounts", tr("Recording"), recordingWords(true, QStringLiteral("0:00:00"), 888'888));
+  m_completeness = addCell("completeness", tr("Completeness"), tr("Complete"));
+  m_lock = addCell("transmitLock", tr("Transmit lock"), {});
+  m_lockButton = new QPushButton(this);
+  m_lockButton->setObjectName(QStringLiteral("lockButton"));
+  m_lockButton->setAutoDefault(false);
+  layout->addWidget(m_lockButton);
+  connect(m_lockButton, &QPushButton::clicked, this, &StatusStrip::lockToggled);
   setSnapshot({});
 }
 
-void StatusStrip::setColours(const Colours& colours) { m_lamp->setColours(colours); }
+StatusCell* StatusStrip::addCell(const char* name, const QString& label, const QString& widest) {
+  auto* cell = new StatusCell(name, label, this);
+  if (!widest.isEmpty()) cell->setWidestText(widest);
+  layout()->addWidget(cell);
+  return cell;
+}
+
+void StatusStrip::setColours(const Colours& colours) {
+  m_colours = colours;
+  for (StatusCell* cell : findChildren<StatusCell*>()) cell->setColours(colours);
+  update();
+}
+
+bool StatusStrip::ratesAreDue(const LogView& view) const {
+  if (m_ratesOf.lock() != view.document || view.cursor.time < m_ratesAt.time) return true;
+  return view.cursor.time - m_ratesAt.time >= kCalm ||
+         (!view.atEnd && view.cursor.frames != m_ratesAt.frames);
+}
 
 void StatusStrip::setSnapshot(const Snapshot& snapshot) {
-  m_lamp->set(conditionOf(snapshot.source));
-  const QString source = sourceText(snapshot.source);
-  m_source->setText(source);
-  m_source->setToolTip(source);
-  m_counts->setText(countsText(snapshot));
+  const LogView& view = snapshot.view;
+  const bool isOpen = view.document != nullptr;
+  tell(m_source, sourceFact(snapshot.source));
+  tell(m_lock, lockFact(snapshot));
+  showLockButton(snapshot);
+  // Of what never came up nothing is complete and nothing is recorded.
+  const auto progress = snapshot.source.progress;
+  const bool isUp = progress == SourceStatus::Progress::Running || progress == SourceStatus::Progress::Done;
+  const bool hasFacts = isOpen && (isUp || view.frameCount > 0);
+  for (StatusCell* cell : {m_load, m_rate, m_errors, m_recording, m_completeness}) cell->setVisible(hasFacts);
+  if (!isOpen) return;
+  if (ratesAreDue(view)) {
+    m_rates = ratesAt(view);
+    tell(m_load, loadFact(snapshot, m_rates));
+    tell(m_rate, rateFact(m_rates));
+    m_ratesOf = view.document;
+    m_ratesAt = view.cursor;
+  }
+  tell(m_errors, errorFact(snapshot));
+  tell(m_recording, recordingFact(snapshot));
+  tell(m_completeness, completenessFact(snapshot));
 }
 
-QString StatusStrip::sourceText(const SourceStatus& source) {
-  using Progress = SourceStatus::Progress;
-  if (source.kind == SourceStatus::Kind::Nothing) return tr("Nothing open");
-  QString text = source.simulated ? tr("Simulated truck") : source.name;
-  if (source.kind == SourceStatus::Kind::Link && source.bitRate != 0) {
-    text += tr(", %1 kbit/s").arg(source.bitRate / 1000);
+// Only where there is a bus to send on. Locking is always possible, unlocking at the live edge.
+void StatusStrip::showLockButton(const Snapshot& snapshot) {
+  const bool isLocked = snapshot.services->locked;
+  const QString text = isLocked ? tr("Unlock…") : tr("Lock");
+  if (m_lockButton->text() != text) {
+    m_lockButton->setText(text);
+    m_lockButton->setAccessibleName(isLocked ? tr("Unlock sending") : tr("Lock sending"));
   }
-  switch (source.progress) {
-    case Progress::Idle: break;
-    case Progress::Opening:
-      text += source.kind == SourceStatus::Kind::File
-                  ? tr(" – reading, %1 %").arg(static_cast<int>(source.fraction * 100))
-                  : tr(" – connecting");
-      break;
-    case Progress::Running: text += tr(" – connected"); break;
-    case Progress::Done: break;
-    case Progress::Lost: text += tr(" – link lost"); break;
-    case Progress::Failed:
-      text += source.kind == SourceStatus::Kind::File ? tr(" – cannot be read") : tr(" – not connected");
-      break;
-  }
-  if (!source.reason.isEmpty() && source.progress != Progress::Running)
-    text += QStringLiteral(": ") + source.reason;
-  if (source.unreadable == 1) text += tr(" – 1 unreadable line");
-  if (source.unreadable > 1) text += tr(" – %1 unreadable lines").arg(source.unreadable);
-  if (source.notKept == 1) text += tr(" – 1 frame not kept");
-  if (source.notKept > 1) text += tr(" – %1 frames not kept").arg(source.notKept);
-  return text;
+  m_lockButton->setVisible(snapshot.source.kind == SourceStatus::Kind::Link);
+  m_lockButton->setEnabled(!isLocked || snapshot.view.atEnd);
 }
 
-QString StatusStrip::countsText(const Snapshot& snapshot) {
-  if (snapshot.view.document == nullptr) return {};
-  return tr("%1 frames").arg(QLocale().toString(static_cast<qulonglong>(snapshot.view.frameCount)));
+void StatusStrip::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.fillRect(QRect(0, height() - 1, width(), 1), m_colours.outline);
 }
 
 }  // namespace deckpipe

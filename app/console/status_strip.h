@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strip across the top of the window: where the frames come from, how that goes, and how much there is.
+// The strip across the top of the window: where the frames come from and how that goes, how busy the bus is,
+// that nothing is sent, how much is held and whether anything of it is missing. The window gives it each
+// snapshot; the sentences are status_text.h's.
 #pragma once
 
 #include <QWidget>
+#include <memory>
 
+#include "model/bus_rates.h"
 #include "paint/palette.h"
 #include "session/snapshot.h"
 
-class QLabel;
+class QPushButton;
 
 namespace deckpipe {
+
+struct StatusFact;
+class StatusCell;
 
 class StatusStrip : public QWidget {
   Q_OBJECT
@@ -18,16 +25,33 @@ class StatusStrip : public QWidget {
 
   void setColours(const Colours& colours);
   void setSnapshot(const Snapshot& snapshot);
+  // Those that are shown.
+  const BusRates& rates() const { return m_rates; }
 
-  // The sentences, for the strip and for tests.
-  static QString sourceText(const SourceStatus& source);
-  static QString countsText(const Snapshot& snapshot);
+ Q_SIGNALS:
+  void lockToggled();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
 
  private:
-  class Lamp;
-  Lamp* m_lamp;
-  QLabel* m_source;
-  QLabel* m_counts;
+  StatusCell* addCell(const char* name, const QString& label, const QString& widest);
+  bool ratesAreDue(const LogView& view) const;
+  void showLockButton(const Snapshot& snapshot);
+
+  Colours m_colours;
+  StatusCell* m_source;
+  StatusCell* m_load;
+  StatusCell* m_rate;
+  StatusCell* m_errors;
+  StatusCell* m_recording;
+  StatusCell* m_completeness;
+  StatusCell* m_lock;
+  QPushButton* m_lockButton;
+  // The rates that are shown, and where they were taken.
+  BusRates m_rates;
+  std::weak_ptr<const LogDocument> m_ratesOf;
+  Cursor m_ratesAt;
 };
 
 }  // namespace deckpipe

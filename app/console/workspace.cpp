@@ -2,32 +2,44 @@
 #include "workspace.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QHideEvent>
 #include <QSettings>
+#include <QTabBar>
 #include <QTabWidget>
 #include <utility>
 
 #include "model/decode_model.h"
 #include "model/device_rows.h"
-#include "model/trace_model.h"
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
 #include "panel/event_panel.h"
+#include "panel/help_panel.h"
 #include "panel/monitor_page.h"
-#include "panel/trace_view.h"
+#include "panel/overview_panel.h"
+#include "panel/request_panel.h"
+#include "panel/terminal_panel.h"
+#include "panel/trace_panel.h"
+#include "panel/twin_panel.h"
 
 namespace deckpipe {
 namespace {
 
 // Counted up when docks are added or renamed: an arrangement of another version is not taken.
-constexpr int kLayoutVersion = 1;
-constexpr int kDevicesWidth = 336, kDetailWidth = 420, kTraceHeight = 240;
+constexpr int kLayoutVersion = 3;
+// A look at so many frames a tick takes about two milliseconds.
+constexpr std::uint64_t kFramesAtOnce = 100'000;
+constexpr int kDevicesLetters = 56;
+constexpr int kDetailWidth = 420, kTraceHeight = 240;
 
 }  // namespace
 
-Workspace::Workspace(QWidget* parent)
-    : QMainWindow(parent), m_traceModel(new TraceModel(this)), m_decodeModel(new DecodeModel(this)) {
+Workspace::Workspace(LabelStorage& labels, QWidget* parent)
+    : QMainWindow(parent),
+      m_labelStorage(labels),
+      m_labels(labels.read()),
+      m_decodeModel(new DecodeModel(this)) {
   setObjectName(QStringLiteral("workspace"));
   setWindowFlags(Qt::Widget);  // QMainWindow makes itself a window, whatever it is told
   setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
@@ -38,11 +50,14 @@ Workspace::Workspace(QWidget* parent)
 
   m_devices = new DevicePanel(this);
   m_page = new MonitorPage(this);
-  m_trace = new TraceView(this);
-  m_trace->setModel(m_traceModel);
+  m_overview = new OverviewPanel(this);
+  m_trace = new TracePanel(this);
   m_decode = new DecodePanel(this);
   m_decode->setModel(m_decodeModel);
   m_events = new EventPanel(this);
+  m_requests = new RequestPanel(this);
+  m_terminal = new TerminalPanel(this);
+  m_twin = new TwinPanel(this);
 
   m_centre = new QTabWidget(this);
   m_centre->setObjectName(QStringLiteral("centreTabs"));
@@ -50,21 +65,59 @@ Workspace::Workspace(QWidget* parent)
   m_centre->setDocumentMode(true);
   m_centre->setTabBarAutoHide(true);
   m_centre->addTab(m_page, tr("Device"));
+  m_centre->addTab(m_overview, tr("All monitors"));
   setCentralWidget(m_centre);
   m_devicesDock = makeDock("devicesDock", tr("Devices"), m_devices);
   m_traceDock = makeDock("traceDock", tr("Trace"), m_trace);
   m_eventsDock = makeDock("eventsDock", tr("Events"), m_events);
   m_decodeDock = makeDock("decodeDock", tr("Frame in detail"), m_decode);
+  m_requestsDock = makeDock("requestsDock", tr("Ask"), m_requests);
+  m_terminalDock = makeDock("terminalDock", tr("Data pipe"), m_terminal);
+  m_twinDock = makeDock("twinDock", tr("Simulated truck"), m_twin);
+  m_help = new HelpPanel(this);
+  m_helpDock = makeDock("helpDock", tr("Explanation"), m_help);
   arrange();
 
+  // What is in the explanation itself is not explained.
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now != nullptr && now->window() == window() && !m_helpDock->isAncestorOf(now)) m_help->explain(now);
+  });
   // Only a person closes a dock; that it is hidden while there is nothing to show is no wish of theirs.
   m_decodeDock->installEventFilter(this);
   connect(m_decodeDock->toggleViewAction(), &QAction::triggered, this,
           [this](bool isOn) { m_decodeWanted = isOn; });
   connect(m_devices, &DevicePanel::deviceSelected, m_page, &MonitorPage::setDevice);
-  connect(m_trace, &TraceView::currentFrameChanged, this, &Workspace::showFrame);
-  connect(m_trace, &TraceView::cursorRequested, this, &Workspace::frameRequested);
+  connect(m_devices, &DevicePanel::deviceSelected, m_overview, &OverviewPanel::setDevice);
+  connect(m_devices, &DevicePanel::labelEdited, this, &Workspace::editLabel);
+  connect(m_overview, &OverviewPanel::deviceRequested, this, &Workspace::showPageOf);
+  connect(m_trace, &TracePanel::currentFrameChanged, this, &Workspace::showFrame);
+  connect(m_trace, &TracePanel::cursorRequested, this, &Workspace::frameRequested);
   connect(m_events, &EventPanel::seekRequested, this, &Workspace::seekRequested);
+  connect(m_requests, &RequestPanel::wished, this, &Workspace::wished);
+  connect(m_requests, &RequestPanel::unlockRequested, this, &Workspace::unlockRequested);
+  connect(m_requests, &RequestPanel::frameRequested, this, &Workspace::frameRequested);
+  connect(m_terminal, &TerminalPanel::wished, this, &Workspace::wished);
+  connect(m_terminal, &TerminalPanel::unlockRequested, this, &Workspace::unlockRequested);
+  connect(m_twin, &TwinPanel::wished, this, &Workspace::twinWished);
+  showLabels();
+}
+
+void Workspace::showPageOf(const DeviceKey& key) {
+  m_devices->selectDevice(key);
+  m_centre->setCurrentWidget(m_page);
+  m_page->setFocus();
+}
+
+void Workspace::editLabel(const Pin& pin, const QString& label) {
+  if (!m_labels.set(pin, label)) return;
+  m_labelStorage.write(m_labels);
+  showLabels();
+}
+
+void Workspace::showLabels() {
+  m_devices->setLabels(m_labels);
+  m_page->setLabels(m_labels);
+  m_overview->setLabels(m_labels);
 }
 
 QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget* content) {
@@ -84,10 +137,18 @@ void Workspace::arrange() {
   addDockWidget(Qt::BottomDockWidgetArea, m_traceDock);
   splitDockWidget(m_traceDock, m_decodeDock, Qt::Horizontal);
   tabifyDockWidget(m_traceDock, m_eventsDock);
+  tabifyDockWidget(m_eventsDock, m_terminalDock);
+  addDockWidget(Qt::RightDockWidgetArea, m_requestsDock);
+  tabifyDockWidget(m_requestsDock, m_twinDock);
+  addDockWidget(Qt::RightDockWidgetArea, m_helpDock);
+  m_helpDock->hide();
   m_devicesDock->show();
   m_eventsDock->show();
+  m_terminalDock->show();
   m_traceDock->show();
   m_traceDock->raise();
+  m_requestsDock->hide();  // the page has the room until somebody wants to ask
+  m_twinDock->hide();
   m_decodeDock->setVisible(m_decodeModel->frame().has_value());
   shareRoom();
 }
@@ -96,7 +157,7 @@ void Workspace::arrange() {
 void Workspace::shareRoom() {
   m_hasShared = isVisible();
   if (!m_hasShared) return;
-  resizeDocks({m_devicesDock}, {kDevicesWidth}, Qt::Horizontal);
+  resizeDocks({m_devicesDock}, {kDevicesLetters * fontMetrics().averageCharWidth()}, Qt::Horizontal);
   resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
   resizeDocks({m_traceDock}, {kTraceHeight}, Qt::Vertical);
 }
@@ -106,10 +167,17 @@ void Workspace::resetLayout() {
   arrange();
 }
 
+void Workspace::showHelp() {
+  m_help->explain(QApplication::focusWidget());
+  m_helpDock->show();
+  m_helpDock->raise();
+}
+
 void Workspace::setSnapshot(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   if (m_shown != view.document.get()) {
     m_shown = view.document.get();
+    m_talk.reset();
     m_devices->selectDevice({});
     m_page->setDevice({});
     m_trace->setCurrentFrame({});
@@ -119,17 +187,47 @@ void Workspace::setSnapshot(const Snapshot& snapshot) {
   chooseFirstMonitor(view);
   m_page->setView(view);
   m_page->setAnimated(view.atEnd || snapshot.playing);
-  m_traceModel->setView(view);
+  m_overview->setView(view);
+  m_overview->setAnimated(view.atEnd || snapshot.playing);
+  m_trace->setView(view);
   m_events->setView(view);
   m_decodeModel->setView(view);
+  setTalk(snapshot);
 }
+
+QString Workspace::nameOf(const DeviceKey& key) const {
+  if (key.isNull()) return {};
+  const QString label = m_labels.of(key);
+  return label.isEmpty() ? keyText(key) : tr("%1 (%2)").arg(label, keyText(key));
+}
+
+void Workspace::setTalk(const Snapshot& snapshot) {
+  const LogView& view = snapshot.view;
+  if (m_talk == nullptr) m_talk = std::make_unique<Conversations>();
+  if (view.document != nullptr) m_talk->take(*view.document, view.frameCount, kFramesAtOnce);
+  const DeviceKey device = m_devices->selectedDevice();
+  const bool isLive = view.atEnd && snapshot.source.kind == SourceStatus::Kind::Link;
+  m_requests->setDevice(device, nameOf(device));
+  m_requests->setView(view, *m_talk, *snapshot.services, isLive);
+  m_terminal->setDevice(device, nameOf(device));
+  m_terminal->setView(view, *m_talk, *snapshot.services, isLive);
+  m_twinDock->toggleViewAction()->setVisible(snapshot.source.simulated);
+  if (!snapshot.source.simulated) m_twinDock->hide();
+}
+
+void Workspace::setTwin(const TwinStatus& status) { m_twin->setStatus(status); }
 
 void Workspace::setColours(const Colours& colours) {
   m_devices->setColours(colours);
   m_page->setColours(colours);
+  m_overview->setColours(colours);
   m_trace->setColours(colours);
   m_events->setColours(colours);
   m_decode->setColours(colours);
+  m_requests->setColours(colours);
+  m_terminal->setColours(colours);
+  m_twin->setColours(colours);
+  m_help->setColours(colours);
 }
 
 // The detail takes room from the trace only while there is a frame to show.
@@ -150,7 +248,8 @@ void Workspace::chooseFirstMonitor(const LogView& view) {
 }
 
 QList<QDockWidget*> Workspace::docks() const {
-  return {m_devicesDock, m_traceDock, m_eventsDock, m_decodeDock};
+  return {m_devicesDock, m_traceDock,    m_eventsDock, m_terminalDock,
+          m_decodeDock,  m_requestsDock, m_twinDock,   m_helpDock};
 }
 
 QList<QAction*> Workspace::dockActions() const {
@@ -160,7 +259,8 @@ QList<QAction*> Workspace::dockActions() const {
 }
 
 QList<QWidget*> Workspace::panes() const {
-  QList<QWidget*> panes{m_devicesDock, m_centre, m_traceDock, m_eventsDock, m_decodeDock};
+  QList<QWidget*> panes{m_devicesDock, m_centre,     m_requestsDock, m_twinDock,  m_helpDock,
+                        m_traceDock,   m_eventsDock, m_terminalDock, m_decodeDock};
   // A dock behind another's tab is not hidden, but shows nothing.
   panes.removeIf([](const QWidget* pane) { return !pane->isVisible() || pane->visibleRegion().isEmpty(); });
   return panes;
@@ -195,6 +295,23 @@ void Workspace::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!m_hasShared) shareRoom();
   for (QDockWidget* dock : std::exchange(m_floatingHidden, {})) dock->show();
+}
+
+// QMainWindow makes the tabs of docks by itself, and without a name.
+void Workspace::childEvent(QChildEvent* event) {
+  QMainWindow::childEvent(event);
+  if (event->type() != QEvent::ChildPolished) return;
+  if (auto* tabs = qobject_cast<QTabBar*>(event->child())) tabs->setAccessibleName(tr("Docks"));
+}
+
+// Larger letters need wider docks; what a person chose is kept in proportion.
+void Workspace::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  const double before = std::exchange(m_fontSize, font().pointSizeF());
+  if (before > 0 && m_hasShared && m_devicesDock != nullptr && !m_devicesDock->isFloating())
+    resizeDocks({m_devicesDock}, {static_cast<int>(m_devicesDock->width() * m_fontSize / before)},
+                Qt::Horizontal);
 }
 
 bool Workspace::eventFilter(QObject* watched, QEvent* event) {

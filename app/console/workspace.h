@@ -5,11 +5,16 @@
 #pragma once
 
 #include <QMainWindow>
+#include <memory>
 #include <optional>
 
 #include "base/time.h"
+#include "control/intent.h"
+#include "control/twin_control.h"
+#include "model/device_labels.h"
 #include "paint/palette.h"
 #include "session/snapshot.h"
+#include "state/conversations.h"
 
 class QSettings;
 class QTabWidget;
@@ -20,14 +25,19 @@ class DecodeModel;
 class DecodePanel;
 class DevicePanel;
 class EventPanel;
+class HelpPanel;
 class MonitorPage;
-class TraceModel;
-class TraceView;
+class OverviewPanel;
+class RequestPanel;
+class TerminalPanel;
+class TracePanel;
+class TwinPanel;
 
 class Workspace : public QMainWindow {
   Q_OBJECT
  public:
-  explicit Workspace(QWidget* parent = nullptr);
+  // Labels are read from `labels` at once and written to it at every edit.
+  explicit Workspace(LabelStorage& labels, QWidget* parent = nullptr);
 
   void setSnapshot(const Snapshot& snapshot);
   void setColours(const Colours& colours);
@@ -36,7 +46,10 @@ class Workspace : public QMainWindow {
   QList<QAction*> dockActions() const;
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
+  TracePanel* trace() const { return m_trace; }
   void resetLayout();
+  // Opens the dock that explains what has the focus.
+  void showHelp();
   void saveTo(QSettings& settings) const;
   void restoreFrom(const QSettings& settings);
 
@@ -44,10 +57,19 @@ class Workspace : public QMainWindow {
   // The cursor is wanted behind that frame: it has happened then.
   void frameRequested(std::uint64_t frame);
   void seekRequested(deckpipe::Instant time);
+  void wished(const deckpipe::Wish& wish);
+  void unlockRequested();
+  void twinWished(const deckpipe::TwinWish& wish);
+
+ public Q_SLOTS:
+  // Of the demo; its dock is there only while one runs.
+  void setTwin(const deckpipe::TwinStatus& status);
 
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void childEvent(QChildEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -57,19 +79,36 @@ class Workspace : public QMainWindow {
   void shareRoom();
   void showFrame(std::optional<std::uint64_t> frame);
   void chooseFirstMonitor(const LogView& view);
+  void showPageOf(const DeviceKey& key);
+  void editLabel(const Pin& pin, const QString& label);
+  void showLabels();
+  void setTalk(const Snapshot& snapshot);
+  QString nameOf(const DeviceKey& key) const;
 
-  TraceModel* m_traceModel;
+  LabelStorage& m_labelStorage;
+  DeviceLabels m_labels;
   DecodeModel* m_decodeModel;
   DevicePanel* m_devices;
   QTabWidget* m_centre;
   MonitorPage* m_page;
-  TraceView* m_trace;
+  OverviewPanel* m_overview;
+  TracePanel* m_trace;
   EventPanel* m_events;
   DecodePanel* m_decode;
-  QDockWidget* m_devicesDock;
+  RequestPanel* m_requests;
+  TerminalPanel* m_terminal;
+  TwinPanel* m_twin;
+  std::unique_ptr<Conversations> m_talk;  // of the log that is shown
+  QDockWidget* m_requestsDock;
+  QDockWidget* m_terminalDock;
+  QDockWidget* m_twinDock;
+  HelpPanel* m_help;
+  QDockWidget* m_devicesDock = nullptr;
   QDockWidget* m_traceDock;
   QDockWidget* m_eventsDock;
   QDockWidget* m_decodeDock;
+  QDockWidget* m_helpDock;
+  double m_fontSize = 0;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it

@@ -30,6 +30,8 @@ void addKernelFacts(QList<Adapter>& adapters) {
     found->isUp = link.isUp;
     found->isListenOnly = link.isListenOnly;
     found->bitRate = link.bitRate;
+    found->controller = link.controller;
+    found->receivedFrames = link.receivedFrames;
   }
 }
 
@@ -57,6 +59,21 @@ AdapterList listAdapters() {
     if (plugin == QLatin1String("socketcan")) addKernelFacts(list.adapters);
   }
   return list;
+}
+
+void refreshInterfaces(AdapterList& list) {
+  const QString plugin = QStringLiteral("socketcan");
+  const bool hasPlugin = std::any_of(list.plugins.begin(), list.plugins.end(),
+                                     [&](const AdapterPlugin& p) { return p.plugin == plugin; });
+  if (!hasPlugin) return;
+  const std::vector<CanInterface> links = readCanInterfaces();
+  list.adapters.removeIf([&](const Adapter& adapter) {
+    return adapter.plugin == plugin &&
+           std::none_of(links.begin(), links.end(), [&](const CanInterface& link) {
+             return QString::fromStdString(link.name) == adapter.interfaceName;
+           });
+  });
+  addKernelFacts(list.adapters);
 }
 
 }  // namespace deckpipe

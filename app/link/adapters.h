@@ -8,6 +8,8 @@
 #include <QString>
 #include <cstdint>
 
+#include "link/can_interface.h"
+
 namespace deckpipe {
 
 struct Adapter {
@@ -22,6 +24,8 @@ struct Adapter {
   bool isUp = true;           // an interface of Linux that is down must be set up first; others are up
   bool isListenOnly = false;  // as set on an interface of Linux
   std::uint32_t bitRate = 0;  // bit/s it runs at now; 0: not known
+  ControllerState controller = ControllerState::Unknown;
+  std::uint64_t receivedFrames = 0;  // of an interface of Linux, since it was made
 };
 
 struct AdapterPlugin {
@@ -37,5 +41,9 @@ struct AdapterList {
 
 // Virtualcan's two channels are of its default port; a private bus (VirtualBus) is in no list.
 AdapterList listAdapters();
+
+// Brings what Linux knows of its interfaces up to date: those that came, went or changed. Quick, on any
+// thread.
+void refreshInterfaces(AdapterList& list);
 
 }  // namespace deckpipe

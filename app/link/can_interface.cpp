@@ -93,6 +93,7 @@ CanInterface linkFacts(std::uint16_t messageType, Bytes message) {
     if (type == IFLA_MTU) out.hasFlexibleDataRate = load<std::uint32_t>(value) >= kFlexibleDataRateMtu;
     if (type == IFLA_STATS64) {
       const auto counted = load<rtnl_link_stats64>(value);
+      out.receivedFrames = counted.rx_packets;
       out.overruns = counted.rx_over_errors + counted.rx_dropped;
     }
     if (type != IFLA_LINKINFO) return;

@@ -30,6 +30,7 @@ struct CanInterface {
   std::uint32_t restartMs = 0;  // after bus-off the driver starts again after so long; 0: by hand only
   std::uint16_t sendErrors = 0;
   std::uint16_t receiveErrors = 0;
+  std::uint64_t receivedFrames = 0;  // since the interface was made, whoever listens
   std::uint64_t overruns =
       0;  // frames that controller and driver lost before any socket saw them; one may be several
   ControllerState controller = ControllerState::Unknown;

@@ -88,11 +88,16 @@ void BenchRunner::run() {
 
 void BenchRunner::obey(const TwinWish& wish) {
   if (m_link == nullptr || !m_powered || wish.device >= m_wished.size()) return;
-  if (const auto* faults = std::get_if<TwinFaults>(&wish.what)) {
-    m_wished[wish.device] = *faults;
-    m_bench.bench.misbehave(now(), wish.device, misbehaviourOf(*faults));
+  if (const auto* button = std::get_if<TwinButton>(&wish.what)) {
+    m_bench.bench.press(now(), wish.device, buttonOf(*button));
   } else {
-    m_bench.bench.press(now(), wish.device, buttonOf(std::get<TwinButton>(wish.what)));
+    TwinFaults& faults = m_wished[wish.device];
+    if (const auto* one = std::get_if<TwinSwitch>(&wish.what)) {
+      faults.set(one->fault, one->on);
+    } else {
+      faults = {};
+    }
+    m_bench.bench.misbehave(now(), wish.device, misbehaviourOf(faults));
   }
   run();
 }

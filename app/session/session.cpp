@@ -9,9 +9,9 @@
 #include "session/live_bus.h"
 #include "session/log_opening.h"
 #include "session/state_walker.h"
+#include "session/worker_thread.h"
 
 namespace deckpipe {
-
 Session::Session(QObject* parent) : QObject(parent) {
   m_snapshot.view.state = std::make_shared<const State>();
   m_timer.setInterval(kTick);
@@ -35,13 +35,9 @@ void Session::startOnBusThread(QObject* worker, std::function<void()> start) {
 
 void Session::closeSource() {
   m_timer.stop();
-  if (m_busThread != nullptr) {
-    m_busThread->quit();
-    m_busThread->wait();
-    delete std::exchange(m_busThread, nullptr);
-  }
+  endThread(std::exchange(m_busThread, nullptr));
   m_live = nullptr;
-  m_bench = nullptr;
+  if (std::exchange(m_bench, nullptr) != nullptr) Q_EMIT twinChanged({});
   m_opening.reset();
   m_walker.reset();
   m_document.reset();
@@ -67,10 +63,14 @@ void Session::openLog(const QString& path) {
   Q_EMIT changed();
 }
 
-void Session::openLink(const LinkSettings& settings) {
+void Session::openLink(const LinkSettings& wanted) {
+  const LinkSettings settings = wanted;  // may be our own last ones
   beginDocument();
+  m_lastLink = settings;
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
+  m_snapshot.source.plugin = settings.plugin;
+  m_snapshot.source.interfaceName = settings.interfaceName;
   m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
   m_snapshot.source.bitRate = settings.bitRate;
   const QString channelName = settings.interfaceName;
@@ -81,12 +81,19 @@ void Session::openLink(const LinkSettings& settings) {
   Q_EMIT changed();
 }
 
+void Session::reconnect() {
+  if (m_snapshot.source.simulated) return openDemo();
+  openLink(m_lastLink);
+}
+
 void Session::openDemo() {
   beginDocument();
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.simulated = true;
   m_snapshot.source.name = tr("Bench twin");
+  m_snapshot.source.plugin = QStringLiteral("virtualcan");
+  m_snapshot.source.interfaceName = QStringLiteral("can0");
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;
   m_bench = new BenchRunner;
   // The twin is on the bus first: frames written before the other end listens reach nobody.
@@ -99,6 +106,9 @@ void Session::openDemo() {
         m_document, {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel}, m_claim);
     startOnBusThread(m_live, [live = m_live] { live->start(); });
   });
+  connect(m_bench, &BenchRunner::twinChanged, this, [this, own](const TwinStatus& status) {
+    if (m_document != nullptr && own.lock() == m_document) Q_EMIT twinChanged(status);
+  });
   connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {
     if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
@@ -109,13 +119,19 @@ void Session::openDemo() {
   Q_EMIT changed();
 }
 
-std::uint64_t Session::want(decltype(Intent::value) wish) {
+std::uint64_t Session::want(Wish wish) {
   const bool isLock = std::holds_alternative<wish::Lock>(wish);
   if (m_live == nullptr || (!m_snapshot.view.atEnd && !isLock)) return 0;
   const Intent intent{std::move(wish), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(
       m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
   return intent.serial;
+}
+
+void Session::wantOfTwin(const TwinWish& wish) {
+  if (m_bench == nullptr) return;
+  QMetaObject::invokeMethod(
+      m_bench, [bench = m_bench, wish] { bench->obey(wish); }, Qt::QueuedConnection);
 }
 
 Cursor Session::endCursor() const {
@@ -179,6 +195,13 @@ void Session::goToEnd() {
   Q_EMIT changed();
 }
 
+void Session::mark(Cursor at, const QString& text) {
+  if (m_document == nullptr) return;
+  m_document->notes.append(
+      {.frame = at.frames, .time = at.time, .kind = NoteKind::Mark, .text = text.toStdString()});
+  Q_EMIT changed();
+}
+
 void Session::setSpeed(double speed) {
   m_snapshot.speed = std::clamp(speed, kSlowest, kFastest);
   Q_EMIT changed();
@@ -222,6 +245,12 @@ void Session::updateSource() {
   m_snapshot.services = published.services;
   source.notKept = published.notKept;
   source.reason = QString::fromStdString(published.link.reason);
+  source.fault = published.link.fault;
+  if (const auto& hardware = published.link.hardware) {
+    source.isListenOnly = hardware->isListenOnly;
+    source.controller = hardware->controller;
+    if (hardware->bitRate != 0) source.bitRate = static_cast<int>(hardware->bitRate);
+  }
   switch (published.link.state) {
     case LinkState::Up: source.progress = SourceStatus::Progress::Running; break;
     case LinkState::Connecting: source.progress = SourceStatus::Progress::Opening; break;

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "control/intent.h"
+#include "control/twin_control.h"
 #include "link/can_link.h"
 #include "service/claim_service.h"
 #include "session/snapshot.h"
@@ -38,8 +39,12 @@ class Session : public QObject {
   void openLink(const LinkSettings& settings);
   // The bench twin behind a virtual bus of its own, and a link to it.
   void openDemo();
+  // The last link once more, in a new log.
+  void reconnect();
   void closeSource();
 
+  // A person's note at a place of the log.
+  void mark(Cursor at, const QString& text);
   // Who we are on a bus; for links opened from now on.
   void setClaim(const ClaimSettings& claim) { m_claim = claim; }
 
@@ -47,7 +52,9 @@ class Session : public QObject {
 
   // Hands a wish to the live link. Off the live edge only locking is heard; 0 where it was not handed on,
   // otherwise its serial, by which the snapshot tells whether it was refused.
-  std::uint64_t want(decltype(Intent::value) wish);
+  std::uint64_t want(Wish wish);
+  // To the demo's twin, where one runs.
+  void wantOfTwin(const TwinWish& wish);
 
   // Plays on from the cursor; from the end it starts over where the log does not grow.
   void play();
@@ -64,6 +71,9 @@ class Session : public QObject {
   // The snapshot differs from the one before; at most once a tick, and at once on what a person asked for.
   void changed();
 
+  // The demo's twin, whenever something about it has changed; without devices where it ended.
+  void twinChanged(const deckpipe::TwinStatus& status);
+
  private:
   void beginDocument();
   void tick();
@@ -75,6 +85,7 @@ class Session : public QObject {
   void startOnBusThread(QObject* worker, std::function<void()> start);
 
   Snapshot m_snapshot;
+  LinkSettings m_lastLink;
   std::shared_ptr<LogDocument> m_document;
   std::unique_ptr<StateWalker> m_walker;
   std::unique_ptr<LogOpening> m_opening;

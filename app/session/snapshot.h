@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "control/status.h"
+#include "link/can_link.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
@@ -27,8 +28,13 @@ struct SourceStatus {
   double fraction = 0;           // of a file being read, 0..1
   std::uint64_t unreadable = 0;  // lines of a file
   std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
-  int bitRate = 0;               // bit/s asked for; 0 = not applicable
-  bool simulated = false;        // behind it is the bench twin
+  int bitRate = 0;               // bit/s that it runs at, or that was asked for; 0 = not applicable
+  QString plugin;                // of a link
+  QString interfaceName;
+  LinkFault fault = LinkFault::None;
+  bool isListenOnly = false;  // the driver says so
+  ControllerState controller = ControllerState::Unknown;
+  bool simulated = false;  // behind it is the bench twin
 
   friend bool operator==(const SourceStatus&, const SourceStatus&) = default;
 };

@@ -5,6 +5,7 @@ namespace deckpipe {
 namespace {
 
 using simulator::Misbehaviour;
+using N = TwinNumbers;
 
 void put(Misbehaviour& m, TwinFault fault) {
   switch (fault) {
@@ -19,18 +20,18 @@ void put(Misbehaviour& m, TwinFault fault) {
     case TwinFault::MotorAxis1: m.faultBits |= simulator::faultBit("motor_axis_1"); break;
     case TwinFault::OlderFaults: m.faultBits |= simulator::kOlderFaultBits; break;
     case TwinFault::OlderFirmware: m.answers.shortFault = true; break;
-    case TwinFault::AnswersLost: m.answers.lost = {2, 3}; break;
-    case TwinFault::AnswersLate: m.answers.late = 800ms; break;
+    case TwinFault::AnswersLost: m.answers.lost = {N::kAnswersLost, N::kAnswersOf}; break;
+    case TwinFault::AnswersLate: m.answers.late = N::kAnswersLate; break;
     case TwinFault::AnswersTwice: m.answers.twice = true; break;
     case TwinFault::AnswersWrongLength: m.answers.wrongLength = true; break;
     case TwinFault::AnswersWrongSource: m.answers.wrongSource = true; break;
-    case TwinFault::AcksLost: m.pipe.acksLost = {1, 10}; break;
-    case TwinFault::AcksLate: m.pipe.ackLate = 400ms; break;
+    case TwinFault::AcksLost: m.pipe.acksLost = {1, N::kPipeLostOneOf}; break;
+    case TwinFault::AcksLate: m.pipe.ackLate = N::kAcksLate; break;
     case TwinFault::AcksTwice: m.pipe.ackTwice = true; break;
-    case TwinFault::PacketsLost: m.pipe.packetsLost = {1, 10}; break;
+    case TwinFault::PacketsLost: m.pipe.packetsLost = {1, N::kPipeLostOneOf}; break;
     case TwinFault::VanishesInTransfer:
-      m.pipe.vanishAfter = 50;
-      m.pipe.returnAfter = 3s;
+      m.pipe.vanishAfter = N::kVanishesAfter;
+      m.pipe.returnAfter = N::kVanishesFor;
       break;
   }
 }

@@ -61,10 +61,11 @@ struct PipeAction {
 
 }  // namespace wish
 
+using Wish = std::variant<wish::Lock, wish::Unlock, wish::AskNames, wish::AskDevice, wish::Repeat,
+                          wish::Cancel, wish::PipeWrite, wish::PipeFile, wish::PipeAction>;
+
 struct Intent {
-  std::variant<wish::Lock, wish::Unlock, wish::AskNames, wish::AskDevice, wish::Repeat, wish::Cancel,
-               wish::PipeWrite, wish::PipeFile, wish::PipeAction>
-      value;
+  Wish value;
   Instant stamp{};  // CLOCK_BOOTTIME when the person asked
   std::uint64_t serial = 0;
 };

@@ -12,10 +12,20 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "base/time.h"
 
 namespace deckpipe {
 
-// What can be wrong with a device. The numbers in it (every third, 800 ms) are BenchRunner's own.
+// How much of it there is: said by the panel, done by the twin.
+struct TwinNumbers {
+  static constexpr unsigned kAnswersLost = 2, kAnswersOf = 3;
+  static constexpr unsigned kPipeLostOneOf = 10;  // acknowledgements, packets
+  static constexpr Duration kAnswersLate = 800ms, kAcksLate = 400ms;
+  static constexpr unsigned kVanishesAfter = 50;  // packets of the pipe, either way
+  static constexpr Duration kVanishesFor = 3s;
+};
+
+// What can be wrong with a device.
 enum class TwinFault : std::uint8_t {
   // The device as a whole.
   Silent,
@@ -67,9 +77,20 @@ class TwinFaults {
 
 enum class TwinButton : std::uint8_t { PowerOff, PowerOn, Reset };
 
+// One fault on or off: two that follow each other before the twin has answered do not undo each other.
+struct TwinSwitch {
+  TwinFault fault{};
+  bool on = false;
+  friend bool operator==(const TwinSwitch&, const TwinSwitch&) = default;
+};
+// No fault any more.
+struct TwinAllWell {
+  friend bool operator==(const TwinAllWell&, const TwinAllWell&) = default;
+};
+
 struct TwinWish {
   std::size_t device = 0;  // as in TwinStatus
-  std::variant<TwinFaults, TwinButton> what;
+  std::variant<TwinSwitch, TwinAllWell, TwinButton> what;
   friend bool operator==(const TwinWish&, const TwinWish&) = default;
 };
 

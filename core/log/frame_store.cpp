@@ -67,6 +67,7 @@ bool FrameStore::appendEach(std::span<const Frame> frames, Take take) {
       const std::uint64_t i = first + k;
       if (i % kBlock == 0) timeBefore[i % kChunkFrames / kBlock] = m_time;
       const bool jump = take(i, frames[k]);
+      if (jump && m_jumps.size() < kMostJumps) m_jumps.append(i);
       if (jump != ((frames[k].flags & Frame::kTimeJump) != 0)) to[k].flags ^= Frame::kTimeJump;
     }
     m_count.store(first + n, std::memory_order_release);

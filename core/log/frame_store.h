@@ -46,6 +46,8 @@ class FrameStore {
   static constexpr std::uint64_t kChunkFrames = 65'536;
   static constexpr Duration kLiveDrift = 100ms;
   static constexpr Duration kLeap = 1h;
+  // Of a log that jumps more often the others are found by their flag alone.
+  static constexpr std::size_t kMostJumps = 10'000;
   // Names beyond the 255th share this index, so that no log has too many channels.
   static constexpr std::uint8_t kOtherChannels = 255;
   static constexpr std::string_view kOtherChannelsName = "other";
@@ -75,6 +77,8 @@ class FrameStore {
   // The first frame at `t` or later, the first one later than `t`; count() where there is none.
   std::uint64_t firstAtOrAfter(Instant t) const;
   std::uint64_t firstAfter(Instant t) const;
+  // The first kMostJumps frames with Frame::kTimeJump, some of them perhaps beyond count().
+  const StableList<std::uint64_t>& jumps() const { return m_jumps; }
   // Log time of the last frame; 0 in an empty store.
   Instant lastTime() const;
 
@@ -120,6 +124,7 @@ class FrameStore {
 
   const StoreLimits m_limits;
   StableList<Chunk> m_chunks;
+  StableList<std::uint64_t> m_jumps;
   std::atomic<std::uint64_t> m_count = 0;
   std::array<std::atomic<StableList<Offset>*>, 256> m_offsets{};  // null on channels that never had one
 

@@ -111,6 +111,11 @@ constexpr Field kGripTheta = fieldOf(j1939::kExtendedJoystickFields, "grip_theta
 constexpr BitRange kGripXNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_x_neutral").bits;
 constexpr BitRange kGripYNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_y_neutral").bits;
 constexpr BitRange kGripThetaNeutral = fieldOf(j1939::kExtendedJoystickFields, "grip_theta_neutral").bits;
+constexpr BitRange kXDetent = fieldOf(j1939::kBasicJoystickFields, "x_detent").bits;
+constexpr BitRange kYDetent = fieldOf(j1939::kBasicJoystickFields, "y_detent").bits;
+constexpr BitRange kGripXDetent = fieldOf(j1939::kExtendedJoystickFields, "grip_x_detent").bits;
+constexpr BitRange kGripYDetent = fieldOf(j1939::kExtendedJoystickFields, "grip_y_detent").bits;
+constexpr BitRange kGripThetaDetent = fieldOf(j1939::kExtendedJoystickFields, "grip_theta_detent").bits;
 
 // A value and the two statuses that sign it.
 struct SignedBits {
@@ -123,11 +128,15 @@ PositionReading readingAt(const LoadedPayload& payload) {
   return readPosition(bitsAt<B.value>(payload), bitsAt<B.plus>(payload), bitsAt<B.minus>(payload));
 }
 
-template <SignedBits B, BitRange Neutral>
+template <SignedBits B, BitRange Neutral, BitRange Detent>
 StickAxis axisAt(const LoadedPayload& payload) {
   const unsigned plus = bitsAt<B.plus>(payload), minus = bitsAt<B.minus>(payload);
   const auto tenths = readAxis(bitsAt<B.value>(payload), plus, minus);
-  StickAxis axis{{}, static_cast<Status2>(plus), static_cast<Status2>(minus), statusAt<Neutral>(payload)};
+  StickAxis axis{{},
+                 static_cast<Status2>(plus),
+                 static_cast<Status2>(minus),
+                 statusAt<Neutral>(payload),
+                 statusAt<Detent>(payload)};
   if (tenths) axis.tenths = static_cast<std::int16_t>(*tenths);
   return axis;
 }
@@ -292,8 +301,8 @@ StickAxis StickAxis::at(int tenths) {
 BasicJoystick BasicJoystick::of(const Frame& frame) {
   const LoadedPayload payload(frame.data);
   BasicJoystick joystick;
-  joystick.x = axisAt<signedBits(kX), kXNeutral>(payload);
-  joystick.y = axisAt<signedBits(kY), kYNeutral>(payload);
+  joystick.x = axisAt<signedBits(kX), kXNeutral, kXDetent>(payload);
+  joystick.y = axisAt<signedBits(kY), kYNeutral, kYDetent>(payload);
   readStatuses<kSwitches>(payload, joystick.switches);
   return joystick;
 }
@@ -301,7 +310,9 @@ BasicJoystick BasicJoystick::of(const Frame& frame) {
 Encoded BasicJoystick::encode() const {
   Encoded out = blank(MessageId::BasicJoystick);
   putAxis(out, kX, kXNeutral, x);
+  put(out, kXDetent, x.detent);
   putAxis(out, kY, kYNeutral, y);
+  put(out, kYDetent, y.detent);
   for (std::size_t i = 0; i < kSwitches.size(); ++i) put(out, kSwitches[i], switches[i]);
   return out;
 }
@@ -309,9 +320,9 @@ Encoded BasicJoystick::encode() const {
 ExtendedJoystick ExtendedJoystick::of(const Frame& frame) {
   const LoadedPayload payload(frame.data);
   ExtendedJoystick joystick;
-  joystick.gripX = axisAt<signedBits(kGripX), kGripXNeutral>(payload);
-  joystick.gripY = axisAt<signedBits(kGripY), kGripYNeutral>(payload);
-  joystick.gripTheta = axisAt<signedBits(kGripTheta), kGripThetaNeutral>(payload);
+  joystick.gripX = axisAt<signedBits(kGripX), kGripXNeutral, kGripXDetent>(payload);
+  joystick.gripY = axisAt<signedBits(kGripY), kGripYNeutral, kGripYDetent>(payload);
+  joystick.gripTheta = axisAt<signedBits(kGripTheta), kGripThetaNeutral, kGripThetaDetent>(payload);
   readStatuses<kGripSwitches>(payload, joystick.switches);
   return joystick;
 }

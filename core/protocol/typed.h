@@ -82,7 +82,7 @@ struct Permissive {
 // One deflection of a joystick message.
 struct StickAxis {
   std::optional<std::int16_t> tenths;  // 0.1 %, right and forward positive; nothing where not valid
-  Status2 plus = Status2::Off, minus = Status2::Off, neutral = Status2::Off;
+  Status2 plus = Status2::Off, minus = Status2::Off, neutral = Status2::Off, detent = Status2::Off;
 
   static StickAxis at(int tenths);  // deflected so far, statuses set to match
   friend bool operator==(const StickAxis&, const StickAxis&) = default;

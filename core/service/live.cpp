@@ -5,10 +5,10 @@ namespace deckpipe {
 
 const Device* Live::find(const DeviceKey& key) const {
   const Device* device = nullptr;
-  if (key.kind == DeviceKey::Kind::Pin) device = state.devices().byPin(key.pin);
-  if (key.kind == DeviceKey::Kind::Address && key.channel == channel)
-    device = state.devices().byAddress(channel, key.address);
-  return device != nullptr && device->channel == channel ? device : nullptr;
+  if (key.channel != channel) return nullptr;
+  if (key.kind == DeviceKey::Kind::Pin) device = state.devices().byPin(channel, key.pin);
+  if (key.kind == DeviceKey::Kind::Address) device = state.devices().byAddress(channel, key.address);
+  return device;
 }
 
 std::optional<Address> Live::addressOf(const DeviceKey& key) const {
@@ -19,7 +19,7 @@ std::optional<Address> Live::addressOf(const DeviceKey& key) const {
 
 DeviceKey Live::canonical(const DeviceKey& key) const {
   const Device* device = find(key);
-  return device != nullptr && !device->pin.isNull() ? DeviceKey::of(device->pin) : key;
+  return device != nullptr && !device->pin.isNull() ? DeviceKey::of(device->pin, channel) : key;
 }
 
 }  // namespace deckpipe

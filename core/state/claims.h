@@ -15,10 +15,17 @@ class Claims {
 
   void heard(Address source, Instant time) {
     Node& node = m_nodes[source.value];
+    node.rate.count(time, node.lastHeard);
     node.lastHeard = time;
     ++node.frames;
+    node.wasLeft = false;
   }
-  void countMalformed(Address source) { ++m_nodes[source.value].malformed; }
+  // Whoever was here announced itself elsewhere.
+  void left(Address a) { m_nodes[a.value].wasLeft = true; }
+  void countMalformed(Address source) {
+    std::uint16_t& count = m_nodes[source.value].malformed;
+    if (count < std::numeric_limits<std::uint16_t>::max()) ++count;
+  }
 
   // A NAME of length 8. From the null address it says 'cannot claim'. Claims from the global address and with
   // NAME 0 mean nothing. Returns the address whose holder changed or left; the null address where none did. A

@@ -67,7 +67,7 @@ void Conversations::look(const LogDocument& log, const Frame& frame, std::uint64
   const Address at = isFromDevice ? id.source : id.destination;
   const Pin& pin = m_holders[channel.value][at.value].pin;
   m_list.push_back({index, time, what.message, isFromDevice,
-                    pin.isNull() ? DeviceKey::at(channel, at) : DeviceKey::of(pin)});
+                    pin.isNull() ? DeviceKey::at(channel, at) : DeviceKey::of(pin, channel)});
 }
 
 void Conversations::nameHeard(Channel channel, Address source, Name name) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One device as a person thinks of it: an Akron controller by its PIN, wherever its address went; an address
-// that sends such messages without a PIN being known; or a CANopen node behind a gateway. Everything it
-// reported, each with its time.
+// One device as a person thinks of it: an Akron controller by its PIN, wherever its address went on its
+// channel; an address that sends such messages without a PIN being known; or a CANopen node behind a gateway.
+// Everything it reported, each with its time.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "base/ids.h"
 #include "protocol/typed.h"
+#include "state/frame_rate.h"
 #include "state/timed.h"
 
 namespace deckpipe {
@@ -38,21 +39,29 @@ enum class HeartbeatState : std::uint8_t {
   PreOperational = 0x7F
 };
 
+// An address that a device had, and until when.
+struct FormerAddress {
+  Instant until = kNotYet;
+  Address address;
+  friend bool operator==(const FormerAddress&, const FormerAddress&) = default;
+};
+
 struct Device {
   enum class Kind : std::uint8_t { Free, Pin, Address, Node };
 
   Kind kind = Kind::Free;
   Channel channel;
-  Address address;          // null while its address was lost and no other is known
-  Address previousAddress;  // null where it had none before
-  NodeId node;              // Kind::Node
-  Pin pin;                  // Kind::Pin
+  Address address;  // null while its address was lost and no other is known
+  NodeId node;      // Kind::Node
+  Pin pin;          // Kind::Pin
   std::uint16_t addressChanges = 0;
   Instant addressSince = kNotYet;
+  std::array<FormerAddress, 3> formerAddresses;  // the latest first; null addresses where there were fewer
   Instant announced = kNotYet;
   Instant lastHeard = kNotYet;
   std::uint32_t frames = 0;
   std::uint32_t malformed = 0;
+  FrameRate rate;
   std::uint16_t stale = 0;  // bit per Periodic
 
   Reported<&PositionLimitStatus::of> position;
@@ -74,6 +83,14 @@ struct Device {
   Timed<std::uint16_t> operationalErrorCode;
   Reported<&BasicJoystick::of> commanded;  // RPDO1; the sender is not known
 
+  // Null where it had none before.
+  Address previousAddress() const { return formerAddresses.front().address; }
+  // A frame of it came.
+  void heard(Instant time) {
+    rate.count(time, lastHeard);
+    lastHeard = time;
+    ++frames;
+  }
   bool isStale(Periodic p) const { return (stale >> static_cast<unsigned>(p) & 1u) != 0; }
   // When a periodic value last came; kNotYet where it never did.
   Instant lastOf(Periodic p) const;

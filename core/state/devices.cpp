@@ -16,6 +16,13 @@ const Device* Devices::byPin(const Pin& pin) const {
   return found == m_devices.end() ? nullptr : &*found;
 }
 
+const Device* Devices::byPin(Channel channel, const Pin& pin) const {
+  const auto found = std::ranges::find_if(used(), [&](const Device& device) {
+    return device.kind == Device::Kind::Pin && device.channel == channel && device.pin == pin;
+  });
+  return found == used().end() ? nullptr : &*found;
+}
+
 const Device* Devices::byAddress(Channel channel, Address address) const {
   if (channel.value >= kMaxChannels) return nullptr;
   const Index i = m_byAddress[channel.value][address.value];
@@ -28,14 +35,35 @@ const Device* Devices::byNode(Channel channel, NodeId node) const {
   return i == kNone ? nullptr : &m_devices[i];
 }
 
-Device* Devices::make() {
+Device* Devices::freePlace() {
   const auto free = std::ranges::find(m_devices, Device::Kind::Free, &Device::kind);
-  if (free == m_devices.end()) {
-    ++m_untracked;
-    return nullptr;
-  }
+  if (free == m_devices.end()) return nullptr;
   m_used = std::max(m_used, static_cast<std::size_t>(free - m_devices.begin()) + 1);
   return &*free;
+}
+
+Device* Devices::make() {
+  Device* device = freePlace();
+  if (device == nullptr) ++m_untracked;
+  return device;
+}
+
+Device* Devices::makeForPin(Channel channel, Address address) {
+  if (freePlace() == nullptr) {
+    Device* oldest = nullptr;
+    for (Device& device : m_devices) {
+      if (device.kind == Device::Kind::Pin) continue;
+      if (oldest == nullptr || device.lastHeard < oldest->lastHeard) oldest = &device;
+    }
+    if (oldest != nullptr) {
+      auto& index = oldest->kind == Device::Kind::Node
+                        ? m_byNode[oldest->channel.value][oldest->node.value]
+                        : m_byAddress[oldest->channel.value][oldest->address.value];
+      index = kNone;
+      *oldest = {};
+    }
+  }
+  return atAddress(channel, address);
 }
 
 Device* Devices::atAddress(Channel channel, Address address) {
@@ -68,37 +96,37 @@ void Devices::takeAddress(Device& device, Instant time) {
     device = {};
     return;
   }
-  device.previousAddress = device.address;
+  std::shift_right(device.formerAddresses.begin(), device.formerAddresses.end(), 1);
+  device.formerAddresses.front() = {time, device.address};
   device.address = kNullAddress;
   device.addressSince = time;
 }
 
-void Devices::giveAddress(Device& device, Channel channel, Address address, Instant time) {
-  if (device.address == address && device.channel == channel) return;
-  if (Device* before = findAddress(channel, address)) takeAddress(*before, time);
+void Devices::giveAddress(Device& device, Address address, Instant time) {
+  if (device.address == address) return;
+  if (Device* before = findAddress(device.channel, address)) takeAddress(*before, time);
   if (device.address != kNullAddress) takeAddress(device, time);
-  if (device.previousAddress != kNullAddress) ++device.addressChanges;
-  device.channel = channel;
+  if (device.previousAddress() != kNullAddress) ++device.addressChanges;
   device.address = address;
   device.addressSince = time;
-  m_byAddress[channel.value][address.value] = indexOf(device);
+  m_byAddress[device.channel.value][address.value] = indexOf(device);
 }
 
 void Devices::announced(Channel channel, Address address, const Pin& pin, Instant time) {
-  Device* device = const_cast<Device*>(byPin(pin));
+  Device* device = const_cast<Device*>(byPin(channel, pin));
   if (device == nullptr) {
     device = findAddress(channel, address);  // heard before it said who it is
     if (device != nullptr && device->kind == Device::Kind::Pin) {
       takeAddress(*device, time);
       device = nullptr;
     }
-    if (device == nullptr) device = atAddress(channel, address);
+    if (device == nullptr) device = makeForPin(channel, address);
     if (device == nullptr) return;
     device->kind = Device::Kind::Pin;
     device->pin = pin;
     device->addressSince = time;
   } else {
-    giveAddress(*device, channel, address, time);
+    giveAddress(*device, address, time);
   }
   device->announced = time;
 }

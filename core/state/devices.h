@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All devices of a log, found by PIN, by address or by CANopen node. Identity is the PIN, never the address:
-// a device keeps everything it reported when its address changes.
+// a device keeps everything it reported when its address changes. Where no place is free, a device that says
+// its PIN takes that of the one without a PIN that was heard longest ago.
 #pragma once
 
 #include <array>
@@ -19,6 +20,9 @@ class Devices {
 
   // In order of first appearance; free places have Kind::Free.
   std::span<const Device> all() const { return m_devices; }
+  // A PIN heard on two channels is two devices: each has its own address and says its own things.
+  const Device* byPin(Channel channel, const Pin& pin) const;
+  // The first that was heard with this PIN, on whatever channel.
   const Device* byPin(const Pin& pin) const;
   const Device* byAddress(Channel channel, Address address) const;
   const Device* byNode(Channel channel, NodeId node) const;
@@ -52,8 +56,10 @@ class Devices {
 
   Device* at(Index i) { return i == kNone ? nullptr : &m_devices[i]; }
   Index indexOf(const Device& device) const { return static_cast<Index>(&device - m_devices.data()); }
+  Device* freePlace();
   Device* make();
-  void giveAddress(Device& device, Channel channel, Address address, Instant time);
+  Device* makeForPin(Channel channel, Address address);
+  void giveAddress(Device& device, Address address, Instant time);
   void takeAddress(Device& device, Instant time);
 
   std::span<const Device> used() const { return std::span(m_devices).first(m_used); }

@@ -6,6 +6,7 @@
 
 #include "base/time.h"
 #include "protocol/typed.h"
+#include "state/frame_rate.h"
 
 namespace deckpipe {
 
@@ -25,10 +26,13 @@ struct Node {
   Instant lastHeard = kNotYet;
   Instant claimedAt = kNotYet;  // of the last claim that started or contested a holding
   std::uint32_t frames = 0;
-  std::uint32_t malformed = 0;
+  FrameRate rate;
+  std::uint16_t malformed = 0;   // stays at its most
   std::uint16_t claimsWon = 0;   // contests that the holder at that time kept the address in
   std::uint16_t claimsLost = 0;  // … and lost it in
   ClaimState claim = ClaimState::NoClaim;
+  bool wasLeft =
+      false;  // the device that was here announced another address, and nobody was heard here since
 
   bool isHeard() const { return lastHeard != kNotYet; }
   friend bool operator==(const Node&, const Node&) = default;

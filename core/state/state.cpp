@@ -89,7 +89,10 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
       case MessageId::ExtendedJoystick: channel.joysticks.heardExtended(id.source, frame, time); break;
       case MessageId::AddressAnnouncement:
         if (const auto pin = announcedPin(frame); pin && isNode(id.source)) {
+          const Device* device = m_devices.byPin(channelId, *pin);
+          const Address before = device == nullptr ? kNullAddress : device->address;
           m_devices.announced(channelId, id.source, *pin, time);
+          if (before != id.source && before != kNullAddress) channel.claims.left(before);
         }
         sender = m_devices.findAddress(channelId, id.source);
         break;
@@ -106,8 +109,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
     }
   }
   if (sender != nullptr) {
-    sender->lastHeard = time;
-    ++sender->frames;
+    sender->heard(time);
     if (what.malformed) ++sender->malformed;
   }
 }
@@ -130,8 +132,7 @@ void State::applyStandard(const Frame& frame, Instant time, const Classified& wh
     device->take(frame, what.message, time);
   }
   if (!fromNode) return;
-  device->lastHeard = time;
-  ++device->frames;
+  device->heard(time);
 }
 
 void State::apply(const Note& note) {

@@ -25,19 +25,32 @@ QString channelText(const LogView& view, Channel channel) {
   return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 
-QString addressHistory(const State& state, const Device& d) {
+QString addressNow(const State& state, const Device& d) {
   const Instant now = state.cursor().time;
-  const QString before = addressText(d.previousAddress);
   if (d.address == kNullAddress) {
-    return d.previousAddress == kNullAddress
-               ? Details::tr("none")
-               : Details::tr("lost %1, it was %2").arg(agoText(now - d.addressSince), before);
+    if (d.previousAddress() == kNullAddress) return Details::tr("none");
+    return Details::tr("lost %1, it was %2")
+        .arg(agoText(now - d.addressSince), addressText(d.previousAddress()));
   }
-  QString text = addressText(d.address);
-  if (d.addressSince != kNotYet) text = Details::tr("%1 for %2").arg(text, briefAge(now - d.addressSince));
-  if (d.previousAddress != kNullAddress) text = Details::tr("%1, before that %2").arg(text, before);
-  if (d.addressChanges > 1) text += Details::tr(", %n changes", nullptr, d.addressChanges);
-  return text;
+  const QString address = addressText(d.address);
+  if (d.addressSince == kNotYet) return address;
+  return Details::tr("%1 for %2").arg(address, briefAge(now - d.addressSince));
+}
+
+QStringList addressesBefore(const State& state, const Device& d) {
+  QStringList lines;
+  int listed = 0;
+  for (const FormerAddress& former : d.formerAddresses) {
+    if (former.address == kNullAddress) continue;
+    ++listed;
+    // The one that it lost is said where the present one would stand.
+    if (listed == 1 && d.address == kNullAddress) continue;
+    lines << Details::tr("%1 until %2")
+                 .arg(addressText(former.address), agoText(state.cursor().time - former.until));
+  }
+  const int all = d.addressChanges + (d.address == kNullAddress ? 1 : 0);
+  if (all > listed) lines << Details::tr("and %n earlier", nullptr, all - listed);
+  return lines;
 }
 
 std::string_view claimKey(ClaimState claim) {
@@ -56,17 +69,21 @@ QString contestText(const Node& node) {
   return Details::tr("%1 won, %2 lost").arg(node.claimsWon).arg(node.claimsLost);
 }
 
-QString detailsText(const LogView& view, const DeviceKey& key) {
+QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabels& labels) {
   if (view.state == nullptr) return {};
   const State& state = *view.state;
   const std::optional<DeviceRow> row = deviceRow(state, key);
   if (!row) return {};
   const Device* device = findDevice(state, key);
-  QStringList lines{deviceText(*row) + QStringLiteral(" – ") + typeText(*row)};
+  QStringList lines{
+      Details::tr("%1 – %2", "device and its type").arg(nameText(*row, labels), typeText(*row))};
   if (const QString channel = channelText(view, row->channel); !channel.isEmpty())
     lines << Details::tr("Channel: %1").arg(channel);
-  if (device != nullptr && device->kind != Device::Kind::Node)
-    lines << Details::tr("Address: %1").arg(addressHistory(state, *device));
+  if (device != nullptr && device->kind != Device::Kind::Node) {
+    lines << Details::tr("Address: %1").arg(addressNow(state, *device));
+    for (const QString& before : addressesBefore(state, *device))
+      lines << Details::tr("Before: %1").arg(before);
+  }
   if (row->age) lines << Details::tr("Last heard: %1").arg(agoText(*row->age));
   lines << healthReasons(row->health);
   const ChannelState& channel = state.channel(row->channel);

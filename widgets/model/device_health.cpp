@@ -12,6 +12,7 @@ struct Health {
 
 HealthLevel levelOf(HealthReason reason) {
   if (reason == HealthReason::NothingHeard) return HealthLevel::Silent;
+  if (reason == HealthReason::NothingDue) return HealthLevel::Quiet;
   return reason <= HealthReason::DeviceFaulted ? HealthLevel::Fault : HealthLevel::Attend;
 }
 
@@ -23,8 +24,10 @@ class Finder {
     // Reasons come in order of gravity: the first decides.
     if (m_health.level == HealthLevel::Fine) m_health.level = levelOf(reason);
   }
-  void addSilence(Instant lastHeard, Instant now) {
-    add(HealthReason::NothingHeard, lastHeard == kNotYet || now - lastHeard >= kSilentAfter);
+  // `isDue`: whether the protocol lets expect that it goes on sending.
+  void addSilence(Instant lastHeard, Instant now, bool isDue) {
+    const bool isSilent = lastHeard == kNotYet || now - lastHeard >= kSilentAfter;
+    add(isDue ? HealthReason::NothingHeard : HealthReason::NothingDue, isSilent);
   }
   void addJoystick(const ChannelState& channel, Address address) {
     const Joystick* stick = channel.joysticks.find(address);
@@ -40,6 +43,19 @@ class Finder {
   DeviceHealth m_health;
 };
 
+// Whether something of the device comes by itself, at a period that the manual gives. Controls have to send
+// joystick messages, but from an address of 33 to 38 hex that no message ties to their PIN.
+bool sendsByItself(const ChannelState& channel, const Device& d) {
+  for (std::size_t i = 0; i < kPeriodics; ++i) {
+    const auto p = static_cast<Periodic>(i);
+    if (p != Periodic::Permissive && d.lastOf(p) != kNotYet) return true;  // that is sent to it
+  }
+  if (d.kind == Device::Kind::Node) return false;
+  if (channel.joysticks.find(d.address) != nullptr) return true;
+  const unsigned type = d.kind == Device::Kind::Pin ? d.pin.deviceType() : 0;
+  return type == 1032 || type == 1033 || type == 1040 || type == 1042 || type == 1052;
+}
+
 }  // namespace
 
 DeviceHealth healthOf(const State& state, const Device& d) {
@@ -48,7 +64,8 @@ DeviceHealth healthOf(const State& state, const Device& d) {
   const bool hasPosition = d.position.isKnown() && !d.isStale(Periodic::Position);
   const PositionLimitStatus position = d.position.value();
   Finder f;
-  f.addSilence(d.lastHeard, state.cursor().time);
+  const bool isDue = sendsByItself(channel, d);
+  if (isDue) f.addSilence(d.lastHeard, state.cursor().time, true);
   f.add(HealthReason::FaultBits, d.faults.isKnown() && d.faults.value().map != 0);
   f.add(HealthReason::PcodeError,
         (d.faults.isKnown() && d.faults.value().pcodeError.value_or(0) != 0) ||
@@ -73,6 +90,7 @@ DeviceHealth healthOf(const State& state, const Device& d) {
     if (hasAddress) f.addClaim(channel.claims[d.address]);
   }
   f.add(HealthReason::Malformed, d.malformed != 0);
+  if (!isDue) f.addSilence(d.lastHeard, state.cursor().time, false);
   return f.health();
 }
 
@@ -80,16 +98,19 @@ DeviceHealth healthOf(const State& state, Channel channelId, Address address) {
   const ChannelState& channel = state.channel(channelId);
   const Node& node = channel.claims[address];
   Finder f;
-  f.addSilence(node.lastHeard, state.cursor().time);
+  const bool isDue = channel.joysticks.find(address) != nullptr;
+  if (isDue) f.addSilence(node.lastHeard, state.cursor().time, true);
   f.addJoystick(channel, address);
   f.addClaim(node);
   f.add(HealthReason::Malformed, node.malformed != 0);
+  if (!isDue) f.addSilence(node.lastHeard, state.cursor().time, false);
   return f.health();
 }
 
 QString healthWord(HealthLevel level) {
   switch (level) {
     case HealthLevel::Fine: return Health::tr("fine");
+    case HealthLevel::Quiet: return Health::tr("quiet");
     case HealthLevel::Attend: return Health::tr("attend");
     case HealthLevel::Fault: return Health::tr("fault");
     case HealthLevel::Silent: return Health::tr("silent");
@@ -117,6 +138,7 @@ QStringList healthReasons(const DeviceHealth& health) {
       QT_TRANSLATE_NOOP("Health", "Another NAME claims its address too."),
       QT_TRANSLATE_NOOP("Health", "It could not claim an address."),
       QT_TRANSLATE_NOOP("Health", "It sent messages of a wrong length."),
+      QT_TRANSLATE_NOOP("Health", "Not heard for some time; no periodic message is expected of it."),
   };
   static_assert(std::size(kTexts) == static_cast<std::size_t>(HealthReason::Count));
   QStringList texts;

@@ -10,7 +10,8 @@
 
 namespace deckpipe {
 
-enum class HealthLevel : std::uint8_t { Fine, Attend, Fault, Silent };
+// Quiet: not heard for a while, and nothing of it is due: whether it is there only a question would tell.
+enum class HealthLevel : std::uint8_t { Fine, Quiet, Attend, Fault, Silent };
 
 enum class HealthReason : std::uint8_t {
   // silent
@@ -34,6 +35,8 @@ enum class HealthReason : std::uint8_t {
   AddressContested,
   CannotClaim,
   Malformed,
+  // quiet
+  NothingDue,
   Count,
 };
 
@@ -45,7 +48,7 @@ struct DeviceHealth {
   friend bool operator==(const DeviceHealth&, const DeviceHealth&) = default;
 };
 
-// Nothing heard for so long is silence: three heartbeats, thirty of any other period.
+// Nothing heard for so long of what sends by itself is silence: three heartbeats, thirty of any other period.
 inline constexpr Duration kSilentAfter = 3s;
 
 DeviceHealth healthOf(const State& state, const Device& device);

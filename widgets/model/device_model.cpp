@@ -77,6 +77,12 @@ void DeviceModel::setView(const LogView& view) {
   }
 }
 
+void DeviceModel::setLabels(const DeviceLabels& labels) {
+  if (labels == m_labels) return;
+  m_labels = labels;
+  if (!m_rows.empty()) Q_EMIT dataChanged(index(0, DeviceColumn), index(rowCount() - 1, DeviceColumn));
+}
+
 void DeviceModel::removeGone(const std::vector<DeviceRow>& next) {
   for (int row = toInt(m_rows.size()); row-- > 0;) {
     if (findRow(next, keyAt(row), static_cast<std::size_t>(row)) >= 0) continue;
@@ -102,6 +108,7 @@ void DeviceModel::replace(int row, const DeviceRow& next) {
   changed(AddressColumn, shown.address != next.address || shown.previousAddress != next.previousAddress);
   changed(AgeColumn, shown.age != next.age);
   changed(HealthColumn, shown.health != next.health);
+  changed(RateColumn, shown.rate != next.rate);
   changed(FramesColumn, shown.frames != next.frames);
   shown = next;
   if (last >= 0) Q_EMIT dataChanged(index(row, first), index(row, last));
@@ -141,16 +148,28 @@ int DeviceModel::columnCount(const QModelIndex& parent) const { return parent.is
 
 QString DeviceModel::textOf(const DeviceRow& row, int column) const {
   switch (column) {
-    case DeviceColumn: return deviceText(row);
+    case DeviceColumn: {
+      const QString label = m_labels.of(row.key);
+      return label.isEmpty() ? deviceText(row) : label;
+    }
     case TypeColumn: return typeText(row);
     case AddressColumn:
       if (row.key.kind == DeviceKey::Kind::Node) return hexText(row.key.node.value);
       return row.hasLostAddress() ? tr("lost", "an address") : hexText(row.address.value);
     case AgeColumn: return row.age ? calmAge(*row.age) : QString();
     case HealthColumn: return healthWord(row.health.level);
+    case RateColumn: return tr("%1/s", "frames a second").arg(QLocale().toString(row.rate));
     case FramesColumn: return QLocale().toString(row.frames);
     default: return {};
   }
+}
+
+QString DeviceModel::detailOf(const DeviceRow& row) const {
+  QStringList parts;
+  if (!m_labels.of(row.key).isEmpty()) parts << deviceText(row);
+  parts << typeText(row);
+  if (const QString channel = channelText(m_view, row.channel); !channel.isEmpty()) parts << channel;
+  return parts.join(QStringLiteral(" · "));
 }
 
 QVariant DeviceModel::sortKey(const DeviceRow& row, int column) const {
@@ -160,6 +179,7 @@ QVariant DeviceModel::sortKey(const DeviceRow& row, int column) const {
              (row.key.kind == DeviceKey::Kind::Node ? row.key.node.value : row.address.value);
     case AgeColumn: return static_cast<qlonglong>(row.age.value_or(Duration::max()).count());
     case HealthColumn: return static_cast<int>(row.health.level);
+    case RateColumn: return leadingDigits(row.rate);
     case FramesColumn: return leadingDigits(row.frames);
     default: return textOf(row, column);
   }
@@ -170,14 +190,15 @@ QVariant DeviceModel::data(const QModelIndex& index, int role) const {
   const DeviceRow& row = m_rows[static_cast<std::size_t>(index.row())];
   switch (role) {
     case Qt::DisplayRole: return textOf(row, index.column());
+    case Qt::EditRole: return index.column() == DeviceColumn ? m_labels.of(row.key) : QVariant();
     case Qt::AccessibleTextRole:
       if (index.column() == DeviceColumn)
-        return tr("%1, %2, %3").arg(textOf(row, DeviceColumn), typeText(row), groupText(row.group));
+        return tr("%1, %2, %3").arg(nameText(row, m_labels), typeText(row), groupText(row.group));
       if (index.column() == AddressColumn)
         return row.hasLostAddress() ? tr("address lost")
                                     : tr("address %1 hex").arg(textOf(row, AddressColumn));
       return textOf(row, index.column());
-    case Qt::ToolTipRole: return detailsText(m_view, row.key);
+    case Qt::ToolTipRole: return detailsText(m_view, row.key, m_labels);
     case Qt::TextAlignmentRole: {
       const bool isNumber = index.column() >= AddressColumn && index.column() != HealthColumn;
       return QVariant::fromValue(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
@@ -185,7 +206,11 @@ QVariant DeviceModel::data(const QModelIndex& index, int role) const {
     case KeyRole: return QVariant::fromValue(row.key);
     case GroupRole: return static_cast<int>(row.group);
     case GroupTextRole: return groupText(row.group);
-    case TypeRole: return typeText(row);
+    case DetailRole: return detailOf(row);
+    case SearchRole:
+      return QStringList{nameText(row, m_labels), typeText(row), groupText(row.group),
+                         textOf(row, AddressColumn), healthWord(row.health.level)}
+          .join(QLatin1Char(' '));
     case HealthRole: return static_cast<int>(row.health.level);
     case SortRole: return sortKey(row, index.column());
     default: return {};
@@ -201,16 +226,20 @@ QVariant DeviceModel::headerData(int section, Qt::Orientation orientation, int r
       case AddressColumn: return tr("Addr.", "address, in hexadecimal");
       case AgeColumn: return tr("Age");
       case HealthColumn: return tr("Health");
+      case RateColumn: return tr("Rate", "frames a second");
       case FramesColumn: return tr("Frames");
       default: return {};
     }
   }
   if (role == Qt::ToolTipRole) {
     switch (section) {
-      case DeviceColumn: return tr("PIN, or where it is heard if it has not said its PIN");
+      case DeviceColumn:
+        return tr(
+            "Your own label or the PIN; where it is heard if it has not said its PIN. F2 edits the label.");
       case AddressColumn: return tr("J1939 address or CANopen node, hexadecimal");
       case AgeColumn: return tr("Time since it was last heard, at the cursor");
       case HealthColumn: return tr("What it reported, and what stopped coming; see its tooltip");
+      case RateColumn: return tr("Frames in the last whole second before the cursor");
       case FramesColumn: return tr("Frames it sent, up to the cursor");
       default: return {};
     }
@@ -220,6 +249,18 @@ QVariant DeviceModel::headerData(int section, Qt::Orientation orientation, int r
     return QVariant::fromValue(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
   }
   return {};
+}
+
+Qt::ItemFlags DeviceModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  const bool hasPin = keyAt(index.row()).kind == DeviceKey::Kind::Pin;
+  return index.column() == DeviceColumn && hasPin ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool DeviceModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || (flags(index) & Qt::ItemIsEditable) == 0) return false;
+  Q_EMIT labelEdited(keyAt(index.row()).pin, value.toString());
+  return true;
 }
 
 }  // namespace deckpipe

@@ -18,19 +18,30 @@ class DeviceModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { DeviceColumn, TypeColumn, AddressColumn, AgeColumn, HealthColumn, FramesColumn, ColumnCount };
+  enum Column {
+    DeviceColumn,
+    TypeColumn,
+    AddressColumn,
+    AgeColumn,
+    HealthColumn,
+    RateColumn,
+    FramesColumn,
+    ColumnCount
+  };
   enum Role {
     KeyRole = Qt::UserRole,  // DeviceKey
     GroupRole,               // int of DeviceGroup
     GroupTextRole,           // its heading
-    TypeRole,                // the type in words, whatever the column
-    HealthRole,              // int of HealthLevel
-    SortRole,                // what a column sorts by; calm: it does not change while a device is well
+    DetailRole,  // the line under the device: PIN if it has a label, type, channel if there are several
+    SearchRole,  // all that a person may look for a device by
+    HealthRole,  // int of HealthLevel
+    SortRole,    // what a column sorts by; calm: it does not change while a device is well
   };
 
   explicit DeviceModel(QObject* parent = nullptr);
 
   void setView(const LogView& view);
+  void setLabels(const DeviceLabels& labels);
   // Where a key's row is now; -1 where it has none.
   int rowOf(const DeviceKey& key) const;
   DeviceKey keyAt(int row) const;
@@ -41,18 +52,25 @@ class DeviceModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+  // The first column of what has a PIN: its label.
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
  Q_SIGNALS:
+  // A person gave a device another label. The model keeps none: whoever does gives them back by setLabels().
+  void labelEdited(const deckpipe::Pin& pin, const QString& label);
   // A row's device is known by another key from now on: what had no PIN said its own.
   void keyChanged(const deckpipe::DeviceKey& before, const deckpipe::DeviceKey& after);
 
  private:
   QString textOf(const DeviceRow& row, int column) const;
+  QString detailOf(const DeviceRow& row) const;
   QVariant sortKey(const DeviceRow& row, int column) const;
   void removeGone(const std::vector<DeviceRow>& next);
   void replace(int row, const DeviceRow& next);
 
   LogView m_view;
+  DeviceLabels m_labels;
   std::vector<DeviceRow> m_rows;
 };
 

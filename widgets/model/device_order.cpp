@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/device_order.h"
 
+#include <algorithm>
+
 #include "model/device_model.h"
 
 namespace deckpipe {
@@ -16,6 +18,19 @@ void DeviceOrder::orderBy(int column, Qt::SortOrder order) {
   // Sorting by the same column of the base class does nothing, and -1 stands for its first one.
   if (wasOther) invalidate();
   sort(column < 0 ? 0 : column, column < 0 ? Qt::AscendingOrder : order);
+}
+
+void DeviceOrder::setFilter(const QString& text) {
+  m_words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  invalidateFilter();
+}
+
+bool DeviceOrder::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  if (m_words.isEmpty()) return true;
+  const QString text =
+      sourceModel()->index(row, DeviceModel::DeviceColumn, parent).data(DeviceModel::SearchRole).toString();
+  return std::ranges::all_of(m_words,
+                             [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
 
 bool DeviceOrder::startsGroup(int row) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QSortFilterProxyModel>
+#include <QStringList>
 
 namespace deckpipe {
 
@@ -15,14 +16,18 @@ class DeviceOrder : public QSortFilterProxyModel {
 
   // -1: in order of first appearance.
   void orderBy(int column, Qt::SortOrder order);
+  // Only rows that have every word of it somewhere, in their name, type, group, address or health.
+  void setFilter(const QString& text);
   // Whether a row is the first of its group.
   bool startsGroup(int row) const;
 
  protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
   int m_column = -1;
+  QStringList m_words;
 };
 
 }  // namespace deckpipe

@@ -20,7 +20,6 @@ struct Row {
 constexpr NodeId kGatewayNode{0x70};  // the gateway manual's default
 
 bool isMonitorType(unsigned type) { return type == 1032 || type == 1040 || type == 1042 || type == 1052; }
-// Operator station, joystick, wireless interface, switchbox: they send joystick messages.
 bool isControlType(unsigned type) { return type == 1034 || type == 1035 || type == 1037 || type == 1041; }
 bool sendsMonitorStatus(const Device& d) {
   return d.position.isKnown() || d.outputs.isKnown() || d.rotationLimits.isKnown() ||
@@ -39,7 +38,7 @@ std::optional<Duration> ageOf(const State& state, Instant at) {
 DeviceGroup groupOf(const Device& d, const DeviceRow& row) {
   if (d.kind == Device::Kind::Node) return DeviceGroup::CanopenNodes;
   if (isMonitor(d)) return DeviceGroup::Monitors;
-  if (row.isJoystick || isControlType(row.type.pinDigits().value_or(0))) return DeviceGroup::Controls;
+  if (row.isJoystick || isControl(row)) return DeviceGroup::Controls;
   return DeviceGroup::OtherAkron;
 }
 
@@ -51,10 +50,11 @@ DeviceRow rowOf(const State& state, const Device& d) {
   row.group = groupOf(d, row);
   row.channel = d.channel;
   row.address = d.address;
-  row.previousAddress = d.previousAddress;
+  row.previousAddress = d.previousAddress();
   row.age = ageOf(state, d.lastHeard);
   row.health = healthOf(state, d);
   row.frames = d.frames;
+  row.rate = d.rate.at(state.cursor().time, d.lastHeard);
   return row;
 }
 
@@ -72,6 +72,7 @@ DeviceRow rowOf(const State& state, Channel channel, Address address) {
   row.age = ageOf(state, node.lastHeard);
   row.health = healthOf(state, channel, address);
   row.frames = node.frames;
+  row.rate = node.rate.at(state.cursor().time, node.lastHeard);
   return row;
 }
 
@@ -80,11 +81,11 @@ DeviceRow rowOf(const State& state, Channel channel, Address address) {
 bool wasLeft(const State& state, Channel channel, Address address) {
   constexpr std::uint32_t kIdentityMask = 0x1F'FFFF;  // a NAME has the low 21 bits of the PIN's digits 7-15
   const Node& node = state.channel(channel).claims[address];
-  const bool isAkron = node.name.manufacturerCode() == j1939::kAkronManufacturer;
+  if (node.wasLeft) return true;
+  if (node.name.manufacturerCode() != j1939::kAkronManufacturer) return false;
   return std::ranges::any_of(state.devices().all(), [&](const Device& d) {
-    if (d.kind != Device::Kind::Pin || d.channel != channel) return false;
-    const bool hasItsName = isAkron && node.name.identityNumber() == (d.pin.serial() & kIdentityMask);
-    return hasItsName || (d.previousAddress == address && node.lastHeard < d.addressSince);
+    return d.kind == Device::Kind::Pin && d.channel == channel &&
+           node.name.identityNumber() == (d.pin.serial() & kIdentityMask);
   });
 }
 
@@ -101,7 +102,7 @@ std::optional<unsigned> DeviceType::pinDigits() const {
 
 DeviceKey keyOf(const Device& d) {
   switch (d.kind) {
-    case Device::Kind::Pin: return DeviceKey::of(d.pin);
+    case Device::Kind::Pin: return DeviceKey::of(d.pin, d.channel);
     case Device::Kind::Address: return DeviceKey::at(d.channel, d.address);
     case Device::Kind::Node: return DeviceKey::at(d.channel, d.node);
     case Device::Kind::Free: break;
@@ -111,7 +112,7 @@ DeviceKey keyOf(const Device& d) {
 
 const Device* findDevice(const State& state, const DeviceKey& key) {
   switch (key.kind) {
-    case DeviceKey::Kind::Pin: return state.devices().byPin(key.pin);
+    case DeviceKey::Kind::Pin: return state.devices().byPin(key.channel, key.pin);
     case DeviceKey::Kind::Address: return state.devices().byAddress(key.channel, key.address);
     case DeviceKey::Kind::Node: return state.devices().byNode(key.channel, key.node);
     case DeviceKey::Kind::None: break;
@@ -144,6 +145,8 @@ DeviceType typeOf(const State& state, Channel channel, Address address) {
 bool isMonitor(const Device& d) {
   return sendsMonitorStatus(d) || isMonitorType(typeOf(d).pinDigits().value_or(0));
 }
+
+bool isControl(const DeviceRow& row) { return isControlType(row.type.pinDigits().value_or(0)); }
 
 std::vector<DeviceRow> deviceRows(const State& state) {
   std::vector<DeviceRow> rows;
@@ -210,6 +213,16 @@ QString deviceText(const DeviceRow& row) {
   if (row.key.kind == DeviceKey::Kind::Address && lacksPin)
     return Row::tr("No PIN, address %1").arg(hexText(row.address.value));
   return keyText(row.key);
+}
+
+QString nameText(const DeviceRow& row, const DeviceLabels& labels) {
+  return labels.of(row.key).isEmpty() ? deviceText(row) : nameText(row.key, labels);
+}
+
+QString nameText(const DeviceKey& key, const DeviceLabels& labels) {
+  const QString label = labels.of(key);
+  if (label.isEmpty()) return keyText(key);
+  return Row::tr("%1 (%2)", "label and PIN").arg(label, keyText(key));
 }
 
 QString keyText(const DeviceKey& key) {

@@ -10,6 +10,7 @@
 
 #include "base/device_key.h"
 #include "model/device_health.h"
+#include "model/device_labels.h"
 
 namespace deckpipe {
 
@@ -51,6 +52,7 @@ struct DeviceRow {
   std::optional<Duration> age;
   DeviceHealth health;
   std::uint32_t frames = 0;
+  unsigned rate = 0;  // frames in the last whole second
 
   bool hasLostAddress() const { return key.kind == DeviceKey::Kind::Pin && address == kNullAddress; }
   friend bool operator==(const DeviceRow&, const DeviceRow&) = default;
@@ -62,6 +64,8 @@ const Device* findDevice(const State& state, const DeviceKey& key);
 DeviceType typeOf(const Device& device);
 DeviceType typeOf(const State& state, Channel channel, Address address);
 bool isMonitor(const Device& device);
+// Operator station, joystick, wireless interface, switchbox: they send joystick messages.
+bool isControl(const DeviceRow& row);
 
 std::vector<DeviceRow> deviceRows(const State& state);
 // The row of one key; nothing where no such device was heard up to now.
@@ -72,5 +76,8 @@ QString typeText(const DeviceRow& row);
 // "1032AE100801035", "No PIN, address 80", "Address 21" of who needs none, "Node 24".
 QString deviceText(const DeviceRow& row);
 QString keyText(const DeviceKey& key);
+// What people call it, the label first: "Roof monitor (1032AE100801035)"; without a label as above.
+QString nameText(const DeviceRow& row, const DeviceLabels& labels);
+QString nameText(const DeviceKey& key, const DeviceLabels& labels);
 
 }  // namespace deckpipe

@@ -96,7 +96,7 @@ QString noteText(const LogDocument& log, const Note& note) {
     case NoteKind::LinkUp: return EventText::tr("%1 up").arg(channel);
     case NoteKind::LinkDown: return withReason(EventText::tr("%1 down").arg(channel));
     case NoteKind::Dropped:
-      return EventText::tr("%1: %n frame(s) lost", nullptr,
+      return EventText::tr("%1: %Ln frames lost", nullptr,
                            static_cast<int>(std::min<std::uint64_t>(note.number, INT_MAX)))
           .arg(channel);
     case NoteKind::Locked: return EventText::tr("Transmit locked");

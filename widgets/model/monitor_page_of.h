@@ -8,6 +8,6 @@
 
 namespace deckpipe {
 
-MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key);
+MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key, const DeviceLabels& labels = {});
 
 }  // namespace deckpipe

@@ -15,8 +15,9 @@ namespace deckpipe {
 // One axis of the dial. Position is from feedback only, never from commands.
 struct PageAxis {
   struct Command {
-    double speed = 0;  // −1 (left, down) .. +1 (right, up)
-    QString source;    // "Joystick 33"
+    double speed = 0;             // −1 (left, down) .. +1 (right, up)
+    QString source;               // "Joystick 33"
+    Address from = kNullAddress;  // null: not known, by way of the gateway
     friend bool operator==(const Command&, const Command&) = default;
   };
 
@@ -88,10 +89,12 @@ struct PageFactGroup {
   friend bool operator==(const PageFactGroup&, const PageFactGroup&) = default;
 };
 
-// A joystick's stick: −1 .. +1, right and forward positive; nothing where the message gives none.
+// A joystick's stick or grip: −1 .. +1, right and forward positive; nothing where the message gives none.
 struct PageStick {
+  QString title{};
   std::optional<double> x, y;
   QString xText, yText;  // "50.0 % right", "error"
+  QString thetaText;     // of a grip; empty: it has none
   std::optional<Duration> age;
   bool isStale = false;
   friend bool operator==(const PageStick&, const PageStick&) = default;
@@ -101,7 +104,8 @@ struct MonitorPageValues {
   bool isFound = false;  // otherwise only `key` says anything
   DeviceKey key{};
 
-  QString title{};  // PIN
+  QString title{};     // the person's label, or what identifies it
+  QString identity{};  // PIN, where the title is a label
   QString type{};
   QString address{};  // "address 80 hex", "address lost"
   QString channel{};  // empty where there is one only
@@ -109,7 +113,7 @@ struct MonitorPageValues {
   DeviceHealth health;
 
   std::optional<PageDial> dial;
-  std::optional<PageStick> stick;
+  std::vector<PageStick> sticks{};  // a joystick's own, then its grip
   PageStops stops;
   std::vector<PageLampGroup> lamps{};
   std::vector<PageFactGroup> facts{};

@@ -6,7 +6,6 @@
 #include <QStringList>
 
 #include "model/device_details.h"
-#include "model/page_stick.h"
 #include "protocol/gateway.h"
 #include "text/age_text.h"
 #include "text/catalogue_text.h"
@@ -39,6 +38,10 @@ PageFact plain(const QString& label, const QString& value, FactTone tone = FactT
 constexpr Duration kLongestPeriod = 100ms;
 
 QString countText(std::uint32_t n) { return QLocale().toString(n); }
+
+QString framesText(std::uint32_t all, unsigned rate) {
+  return Facts::tr("%1, now %2 a second", "a count and a rate").arg(countText(all), countText(rate));
+}
 
 QString heartbeatText(std::uint8_t state) {
   for (const ValueName& word : gateway::kHeartbeatStates) {
@@ -111,7 +114,7 @@ PageFactGroup nodeOf(const Device& d, Instant now) {
   } else {
     state.tone = isOperational ? FactTone::Fine : FactTone::Attend;
   }
-  group.facts = {state, plain(Facts::tr("Frames"), countText(d.frames))};
+  group.facts = {state, plain(Facts::tr("Frames"), framesText(d.frames, d.rate.at(now, d.lastHeard)))};
   if (d.malformed != 0)
     group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), FactTone::Attend));
   return group;
@@ -140,16 +143,6 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
       isLate ? FactTone::Attend : FactTone::Plain));
   facts.push_back(plain(Facts::tr("Time-outs"), countText(stick.timeouts),
                         stick.timeouts != 0 ? FactTone::Attend : FactTone::Plain));
-  if (stick.extended.isKnown()) {
-    const ExtendedJoystick e = stick.extended.value();
-    const QString right = Facts::tr("right"), left = Facts::tr("left");
-    const QString forward = Facts::tr("forward"), back = Facts::tr("back");
-    facts.push_back({Facts::tr("Grip"),
-                     Facts::tr("X %1\nY %2\ntheta %3")
-                         .arg(deflectionText(e.gripX, right, left), deflectionText(e.gripY, forward, back),
-                              deflectionText(e.gripTheta, forward, back)),
-                     FactTone::Plain, now - stick.extended.at});
-  }
   return group;
 }
 
@@ -158,11 +151,17 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   auto& facts = group.facts;
   const bool isLost = address == kNullAddress;
   facts.push_back(plain(Facts::tr("Address"),
-                        device != nullptr ? addressHistory(state, *device) : addressText(address),
+                        device != nullptr ? addressNow(state, *device) : addressText(address),
                         isLost ? FactTone::Attend : FactTone::Plain));
+  if (device != nullptr) {
+    if (const QStringList before = addressesBefore(state, *device); !before.isEmpty())
+      facts.push_back(plain(Facts::tr("Before"), before.join(QLatin1Char('\n'))));
+  }
   if (isLost) return group;
   if (const QString use = reservedUse(address); !use.isEmpty())
     facts.push_back(plain(Facts::tr("Kept for"), use));
+  if (state.channel(channelId).roles.isDrive(address))
+    facts.push_back(plain(Facts::tr("Taken for"), Facts::tr("a Copley drive, because a person said so")));
   const Node& node = state.channel(channelId).claims[address];
   const bool isOpen = node.claim == ClaimState::Contested || node.claim == ClaimState::CannotClaim;
   facts.push_back(
@@ -174,7 +173,9 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   }
   const std::uint32_t frames = device != nullptr ? device->frames : node.frames;
   const std::uint32_t malformed = device != nullptr ? device->malformed : node.malformed;
-  facts.push_back(plain(Facts::tr("Frames"), countText(frames)));
+  const Instant heard = device != nullptr ? device->lastHeard : node.lastHeard;
+  const FrameRate& rate = device != nullptr ? device->rate : node.rate;
+  facts.push_back(plain(Facts::tr("Frames"), framesText(frames, rate.at(state.cursor().time, heard))));
   if (malformed != 0)
     facts.push_back(plain(Facts::tr("Of a wrong length"), countText(malformed), FactTone::Attend));
   return group;

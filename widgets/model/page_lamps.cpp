@@ -82,8 +82,8 @@ PageLampGroup outputsOf(const Device& d, Instant now) {
       .add(Lamps::tr("Panel LED"), o.panelLed)
       .add(Lamps::tr("Point-aim LED"), o.pointAimLed)
       .add(Lamps::tr("Wireless LED"), o.wirelessLed, LampTone::Plain, Lamps::tr("Wireless hand-held LED"));
-  if (d.outputs.isKnown() && o.riserCommand != 0)
-    group.remark(Lamps::tr("Electric riser command: %1").arg(o.riserCommand));
+  // What its numbers mean is nowhere given.
+  if (d.outputs.isKnown()) group.remark(Lamps::tr("electric riser command %1").arg(o.riserCommand));
   return group.group();
 }
 
@@ -158,20 +158,46 @@ std::vector<PageLampGroup> lampsOf(const Device& d, Instant now) {
 }
 
 std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now) {
-  PageLampGroup group;
-  group.key = QStringLiteral("switches");
-  group.title = Lamps::tr("Switches");
-  group.age = ageAt(stick.basic.at, now);
-  group.isStale = stick.timedOut;
-  for (std::size_t i = 0; i < stick.basic.value().switches.size(); ++i) {
-    std::optional<Status2> state;
-    if (stick.basic.isKnown()) state = stick.basic.value().switches[i];
+  std::vector<PageLampGroup> groups;
+  const BasicJoystick basic = stick.basic.value();
+  const ExtendedJoystick extended = stick.extended.value();
+  PageLampGroup switches{QStringLiteral("switches"), Lamps::tr("Switches"), {},
+                         ageAt(stick.basic.at, now), stick.timedOut,        {}};
+  const auto known = [](bool isKnown, Status2 status) {
+    return isKnown ? std::optional(status) : std::nullopt;
+  };
+  const auto addSwitch = [&](PageLampGroup& group, std::size_t i, std::optional<Status2> state) {
     const int number = static_cast<int>(i) + 1;
     group.lamps.push_back(
-        {Lamps::tr("%1 %2", "number and name of a switch").arg(number).arg(switchName(number)),
-         Lamps::tr("Switch %1: %2").arg(number).arg(switchName(number)), state, LampTone::Plain});
-  }
-  return {group};
+        {Lamps::tr("%1 %2", "number and name of a switch").arg(QString::number(number), switchName(number)),
+         Lamps::tr("Switch %1: %2").arg(QString::number(number), switchName(number)), state,
+         LampTone::Plain});
+  };
+  for (std::size_t i = 0; i < basic.switches.size(); ++i)
+    addSwitch(switches, i, known(stick.basic.isKnown(), basic.switches[i]));
+  groups.push_back(switches);
+
+  PageLampGroup detents{
+      QStringLiteral("detents"), Lamps::tr("Detents"), {}, switches.age, switches.isStale, {}};
+  detents.lamps = {{Lamps::tr("X detent"), {}, known(stick.basic.isKnown(), basic.x.detent)},
+                   {Lamps::tr("Y detent"), {}, known(stick.basic.isKnown(), basic.y.detent)}};
+  groups.push_back(detents);
+  if (!stick.extended.isKnown()) return groups;
+
+  const bool isOld = stick.timedOut || now - stick.extended.at >= kInputTimeout;
+  PageLampGroup grip{QStringLiteral("grip"),
+                     Lamps::tr("Grip detents and switches"),
+                     {},
+                     ageAt(stick.extended.at, now),
+                     isOld,
+                     {}};
+  grip.lamps = {{Lamps::tr("Grip X detent"), {}, extended.gripX.detent},
+                {Lamps::tr("Grip Y detent"), {}, extended.gripY.detent},
+                {Lamps::tr("Grip theta detent"), {}, extended.gripTheta.detent}};
+  for (std::size_t i = 0; i < extended.switches.size(); ++i)
+    grip.lamps.push_back({switchName(static_cast<int>(i) + 13), {}, extended.switches[i]});
+  groups.push_back(grip);
+  return groups;
 }
 
 }  // namespace deckpipe

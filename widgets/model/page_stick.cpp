@@ -17,6 +17,13 @@ std::optional<double> fraction(const StickAxis& axis) {
   return *axis.tenths / 1000.0;
 }
 
+void place(PageStick& page, const StickAxis& x, const StickAxis& y) {
+  page.x = fraction(x);
+  page.y = fraction(y);
+  page.xText = deflectionText(x, Stick::tr("right"), Stick::tr("left"));
+  page.yText = deflectionText(y, Stick::tr("forward"), Stick::tr("back"));
+}
+
 }  // namespace
 
 QString deflectionText(const StickAxis& axis, const QString& plus, const QString& minus) {
@@ -34,17 +41,27 @@ QString deflectionText(const StickAxis& axis, const QString& plus, const QString
 
 PageStick stickOf(const Joystick& stick, Instant now) {
   PageStick page;
+  page.title = Stick::tr("Stick");
   page.isStale = stick.timedOut;
   if (!stick.basic.isKnown()) {
     page.xText = page.yText = Stick::tr("no data");
     return page;
   }
   const BasicJoystick message = stick.basic.value();
-  page.x = fraction(message.x);
-  page.y = fraction(message.y);
-  page.xText = deflectionText(message.x, Stick::tr("right"), Stick::tr("left"));
-  page.yText = deflectionText(message.y, Stick::tr("forward"), Stick::tr("back"));
+  place(page, message.x, message.y);
   page.age = now - stick.basic.at;
+  return page;
+}
+
+PageStick gripOf(const Joystick& stick, Instant now) {
+  PageStick page;
+  page.title = Stick::tr("Grip");
+  // No time-out of this message is given; with the source's own its grip is old too.
+  page.isStale = stick.timedOut || now - stick.extended.at >= kInputTimeout;
+  const ExtendedJoystick message = stick.extended.value();
+  place(page, message.gripX, message.gripY);
+  page.thetaText = deflectionText(message.gripTheta, Stick::tr("forward"), Stick::tr("back"));
+  page.age = now - stick.extended.at;
   return page;
 }
 

@@ -9,5 +9,7 @@ namespace deckpipe {
 // "45.0 % right", "neutral", "error", "not fitted"; `plus` and `minus` name the directions.
 QString deflectionText(const StickAxis& axis, const QString& plus, const QString& minus);
 PageStick stickOf(const Joystick& stick, Instant now);
+// Of its extended message.
+PageStick gripOf(const Joystick& stick, Instant now);
 
 }  // namespace deckpipe

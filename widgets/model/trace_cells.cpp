@@ -34,6 +34,8 @@ QString secondsText(std::int64_t ns) {
 
 QString stampText(const Frame& frame) { return frame.hasStamp() ? secondsText(frame.stamp) : QString(kDash); }
 
+QString sinceText(Duration since) { return secondsText(since.count()); }
+
 QString deltaText(std::optional<Duration> delta) {
   if (!delta) return {};
   QString text = secondsText(delta->count());

@@ -11,6 +11,8 @@ namespace deckpipe {
 
 // "1745600961.335462", a dash where the log has no time.
 QString stampText(const Frame& frame);
+// "12.500000": log time since the log's begin.
+QString sinceText(Duration since);
 // "0.000123", "8999.100"; empty for the first row.
 QString deltaText(std::optional<Duration> delta);
 // "18EFFF80", "5A4".

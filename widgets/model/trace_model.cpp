@@ -3,40 +3,109 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "bus/j1939.h"
 #include "model/field_text.h"
 #include "model/trace_cells.h"
+#include "model/trace_sieve.h"
 
 namespace deckpipe {
 
 TraceModel::TraceModel(QObject* parent) : QAbstractTableModel(parent) {}
 
+TraceModel::~TraceModel() = default;
+
 void TraceModel::setView(const LogView& view) {
   const bool isSame = view.document == m_view.document;
-  const Cursor before = m_view.cursor;
-  const std::uint64_t rows =
-      view.document ? std::min(view.frameCount, view.document->frames.count()) : std::uint64_t{0};
-  if (!isSame || rows < m_logRows) {
+  const std::uint64_t passedBefore = m_passed;
+  m_view = view;
+  if (!isSame) startFilter();
+  if (m_sieve) m_sieve->wake();
+  const std::uint64_t rows = countRows();
+  if (!isSame || rows < m_count) {
     beginResetModel();
-    m_view = view;
-    m_logRows = rows;
+    m_count = rows;
+    countPassed();
     m_first = std::min(m_first, rows);
-    m_rows = read(m_first, std::min(rows, m_first + static_cast<std::uint64_t>(m_wanted)));
+    m_rows.clear();
+    m_rows = read(m_first, windowEnd());
     endResetModel();
   } else {
-    m_view = view;
-    m_logRows = rows;
-    take(m_first, read(m_first, std::min(rows, m_first + static_cast<std::uint64_t>(m_wanted))));
-    if (before.frames != view.cursor.frames) sayMarksChanged(before);
+    m_count = rows;
+    countPassed();
+    take(m_first, read(m_first, windowEnd()));
+    if (passedBefore != m_passed) sayMarksChanged(passedBefore);
   }
   Q_EMIT viewChanged();
 }
 
+void TraceModel::setFilter(const TraceFilter& filter) {
+  beginResetModel();
+  m_filter = filter;
+  startFilter();
+  m_rows.clear();
+  m_first = m_count = m_passed = 0;
+  m_lastPassed.reset();
+  endResetModel();
+  Q_EMIT filterChanged();
+  refresh();
+}
+
+void TraceModel::startFilter() {
+  m_sieve.reset();
+  if (m_view.document && isFiltered()) m_sieve = std::make_unique<TraceSieve>(m_view.document, m_filter);
+}
+
+// How many rows there are, and how far the filter has looked: of one and the same moment.
+std::uint64_t TraceModel::countRows() {
+  m_filteredFrames = m_view.frameCount;
+  if (!m_view.document) return 0;
+  const std::uint64_t frames = std::min(m_view.frameCount, m_view.document->frames.count());
+  if (!m_sieve) return frames;
+  m_filteredFrames = std::min(frames, m_sieve->rows().scanned());
+  return m_sieve->rows().rowOf(m_filteredFrames);
+}
+
+std::uint64_t TraceModel::rowOf(std::uint64_t frame) const {
+  return std::min(m_count, m_sieve ? m_sieve->rows().rowOf(frame) : frame);
+}
+
+std::optional<std::uint64_t> TraceModel::frameOf(std::uint64_t row) const {
+  const std::vector<std::uint64_t> frames = framesOf(row, 1);
+  return frames.empty() ? std::nullopt : std::optional(frames.front());
+}
+
+std::vector<std::uint64_t> TraceModel::framesOf(std::uint64_t firstRow, std::size_t count) const {
+  if (firstRow >= m_count) return {};
+  count = static_cast<std::size_t>(std::min<std::uint64_t>(count, m_count - firstRow));
+  if (m_sieve) return m_sieve->rows().frames(firstRow, count);
+  std::vector<std::uint64_t> frames(count);
+  std::iota(frames.begin(), frames.end(), firstRow);
+  return frames;
+}
+
+void TraceModel::setTimeMode(TimeMode mode) {
+  if (mode == m_timeMode) return;
+  m_timeMode = mode;
+  Q_EMIT headerDataChanged(Qt::Horizontal, Time, Time);
+  if (!m_rows.empty()) Q_EMIT dataChanged(index(0, Time), index(rowCount() - 1, Time));
+}
+
+void TraceModel::countPassed() {
+  m_passed = rowOf(m_view.cursor.frames);
+  m_lastPassed = m_passed == 0 ? std::nullopt : frameOf(m_passed - 1);
+}
+
+std::uint64_t TraceModel::windowEnd() const {
+  return std::min(m_count, m_first + static_cast<std::uint64_t>(m_wanted));
+}
+
 void TraceModel::setWindow(std::uint64_t first, int rows) {
   m_wanted = std::max(rows, 0);
-  first = std::min(first, m_logRows);
-  const std::uint64_t end = std::min(m_logRows, first + static_cast<std::uint64_t>(m_wanted));
+  first = std::min(first, m_count);
+  const std::uint64_t end = std::min(m_count, first + static_cast<std::uint64_t>(m_wanted));
   if (first == m_first && end - first == m_rows.size()) return;
   const bool overlaps = first < m_first + m_rows.size() && m_first < end;
   if (overlaps) {
@@ -49,9 +118,23 @@ void TraceModel::setWindow(std::uint64_t first, int rows) {
   }
 }
 
-std::vector<TraceRow> TraceModel::read(std::uint64_t first, std::uint64_t end) const {
-  if (!m_view.document) return {};
-  return readTraceRows(*m_view.document, first, static_cast<std::size_t>(end - first), m_rows);
+std::vector<TraceRow> TraceModel::read(std::uint64_t first, std::uint64_t end) {
+  if (!m_view.document || end <= first) return {};
+  const LogDocument& log = *m_view.document;
+  // A note in the past may say what frames behind it are.
+  const std::size_t notes = log.notes.count();
+  if (std::exchange(m_notes, notes) != notes) {
+    for (TraceRow& row : m_rows) row.isSettled = false;
+  }
+  const bool hasBefore = first > 0;
+  std::vector<std::uint64_t> frames =
+      framesOf(hasBefore ? first - 1 : 0, static_cast<std::size_t>(end - first) + (hasBefore ? 1 : 0));
+  std::optional<std::uint64_t> before;
+  if (hasBefore && !frames.empty()) {
+    before = frames.front();
+    frames.erase(frames.begin());
+  }
+  return readTraceRows(log, frames, before, m_rows);
 }
 
 // Makes `rows`, which begin at `first` and share some with what is there, the rows of the model: what is no
@@ -85,7 +168,10 @@ void TraceModel::take(std::uint64_t first, std::vector<TraceRow> rows) {
   for (int i = 0; i < size(); ++i) {
     TraceRow& old = m_rows[static_cast<std::size_t>(i)];
     const TraceRow& now = rows[static_cast<std::size_t>(i)];
-    if (old.what == now.what) continue;
+    if (old.what == now.what) {
+      old.isSettled = now.isSettled;
+      continue;
+    }
     firstChanged = std::min(firstChanged, i);
     lastChanged = i;
     old = now;
@@ -98,10 +184,9 @@ void TraceModel::take(std::uint64_t first, std::vector<TraceRow> rows) {
   }
 }
 
-void TraceModel::sayMarksChanged(const Cursor& before) {
+void TraceModel::sayMarksChanged(std::uint64_t passedBefore) {
   // The rows passed, and at their upper end the one that was, or now is, the last that has happened.
-  const std::uint64_t now = m_view.cursor.frames;
-  const std::uint64_t low = std::min(before.frames, now), high = std::max(before.frames, now);
+  const std::uint64_t low = std::min(passedBefore, m_passed), high = std::max(passedBefore, m_passed);
   const std::uint64_t first = std::max(m_first, low == 0 ? 0 : low - 1);
   const std::uint64_t end = std::min(m_first + m_rows.size(), high);
   if (first >= end) return;
@@ -111,7 +196,7 @@ void TraceModel::sayMarksChanged(const Cursor& before) {
 
 TraceModel::Marks TraceModel::marks(const TraceRow& row) const {
   Marks marks;
-  marks.setFlag(AtCursor, row.index + 1 == m_view.cursor.frames);
+  marks.setFlag(AtCursor, row.index == m_lastPassed);
   marks.setFlag(AfterCursor, row.index >= m_view.cursor.frames);
   marks.setFlag(TimeJump, (row.frame.flags & Frame::kTimeJump) != 0);
   marks.setFlag(Own, (row.frame.flags & Frame::kSent) != 0);
@@ -146,9 +231,18 @@ int TraceModel::rowCount(const QModelIndex& parent) const {
 
 int TraceModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
+QString TraceModel::timeText(const TraceRow& row) const {
+  switch (m_timeMode) {
+    case TimeMode::Absolute: break;
+    case TimeMode::SinceBegin: return sinceText(m_view.document->frames.timeAt(row.index) - m_view.begin);
+    case TimeMode::SinceRowBefore: return deltaText(row.delta);
+  }
+  return stampText(row.frame);
+}
+
 QString TraceModel::text(const TraceRow& row, int column) const {
   switch (column) {
-    case Time: return stampText(row.frame);
+    case Time: return timeText(row);
     case Delta: return deltaText(row.delta);
     case ChannelName: return toQString(m_view.document->frames.channelName(row.frame.channel));
     case Direction: return directionText(row.frame);
@@ -220,7 +314,10 @@ QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int ro
   }
   if (role == Qt::ToolTipRole) {
     switch (section) {
-      case Time: return tr("What the adapter or the log says, in seconds");
+      case Time:
+        return m_timeMode == TimeMode::Absolute     ? tr("What the adapter or the log says, in seconds")
+               : m_timeMode == TimeMode::SinceBegin ? tr("Log time since the log's begin, in seconds")
+                                                    : tr("Log time since the row before, in seconds");
       case Delta: return tr("Log time since the row before, in seconds");
       case Direction: return tr("Rx received, Tx sent");
       case Pgn: return tr("Parameter group of a 29-bit identifier, in hex");
@@ -231,7 +328,10 @@ QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int ro
   }
   if (role != Qt::DisplayRole) return {};
   switch (section) {
-    case Time: return tr("Time");
+    case Time:
+      return m_timeMode == TimeMode::Absolute     ? tr("Time")
+             : m_timeMode == TimeMode::SinceBegin ? tr("Since begin")
+                                                  : tr("Since row");
     case Delta: return tr("Δ");
     case ChannelName: return tr("Channel");
     case Direction: return tr("Dir");

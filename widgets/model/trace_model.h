@@ -3,19 +3,28 @@
 // (setWindow), the session's tick brings the log (setView, at most 30 times a second); rows of the model are
 // rows of the window, so nothing is ever asked or told about the millions around it.
 //
-//   1. Row r of the model is frame windowFirst() + r of the log.
+// Rows are all frames of the log, or with a filter those that it lets through: found on a worker, first ones
+// first (isFiltering() while it is at it; the panel calls refresh() then).
+//
+//   1. Row r of the model is row windowFirst() + r of rows(); frameOf() and rowOf() lead from one to the
+//   other.
 //   2. Rows are classified and put into words when the window or the log changes, never in data().
 //   3. The number of rows changes at most once a call, however many frames came.
 #pragma once
 
 #include <QAbstractTableModel>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "model/trace_filter.h"
 #include "model/trace_rows.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
+
+class TraceSieve;
 
 class TraceModel : public QAbstractTableModel {
   Q_OBJECT
@@ -40,7 +49,7 @@ class TraceModel : public QAbstractTableModel {
     MarksRole,                 // Marks, as unsigned
   };
   enum Mark : unsigned {
-    AtCursor = 1,     // the last frame that has happened
+    AtCursor = 1,     // the last row that has happened
     AfterCursor = 2,  // has not happened yet
     TimeJump = 4,     // the clock jumped here
     Own = 8,          // sent by this console, or marked as sent in the log
@@ -51,15 +60,35 @@ class TraceModel : public QAbstractTableModel {
     Ambiguous = 256,  // several readings, none decided
   };
   Q_DECLARE_FLAGS(Marks, Mark)
+  enum class TimeMode : std::uint8_t { Absolute, SinceBegin, SinceRowBefore };
 
   explicit TraceModel(QObject* parent = nullptr);
+  ~TraceModel() override;
 
   void setView(const LogView& view);
   const LogView& view() const { return m_view; }
-  // Rows of the log, not of the model.
-  std::uint64_t logRows() const { return m_logRows; }
+  // More may have been found of what is wanted of the same log.
+  void refresh() { setView(m_view); }
 
-  // Moves the window; rows beyond the log's end come as the log grows.
+  void setFilter(const TraceFilter& filter);
+  bool isFiltered() const { return !m_filter.isEmpty(); }
+  const TraceFilter& filter() const { return m_filter; }
+  // Frames that the filter has looked at.
+  std::uint64_t filteredFrames() const { return m_filteredFrames; }
+  bool isFiltering() const { return m_filteredFrames < m_view.frameCount; }
+
+  void setTimeMode(TimeMode mode);
+  TimeMode timeMode() const { return m_timeMode; }
+
+  // Rows there are, in the model or not.
+  std::uint64_t rows() const { return m_count; }
+  // How many rows stand before a frame; its own row where it has one.
+  std::uint64_t rowOf(std::uint64_t frame) const;
+  // Nothing beyond the last row.
+  std::optional<std::uint64_t> frameOf(std::uint64_t row) const;
+  std::vector<std::uint64_t> framesOf(std::uint64_t firstRow, std::size_t count) const;
+
+  // Moves the window; rows beyond the last come as there are more.
   void setWindow(std::uint64_t first, int rows);
   std::uint64_t windowFirst() const { return m_first; }
 
@@ -75,17 +104,31 @@ class TraceModel : public QAbstractTableModel {
  Q_SIGNALS:
   // After every setView(): the log, its length or its cursor may be another.
   void viewChanged();
+  // All rows are others; before the viewChanged() that tells how many there are.
+  void filterChanged();
 
  private:
   QString text(const TraceRow& row, int column) const;
+  QString timeText(const TraceRow& row) const;
   QString toolTip(const TraceRow& row, int column) const;
   QString sentence(const TraceRow& row) const;
-  std::vector<TraceRow> read(std::uint64_t first, std::uint64_t end) const;
+  std::vector<TraceRow> read(std::uint64_t first, std::uint64_t end);
   void take(std::uint64_t first, std::vector<TraceRow> rows);
-  void sayMarksChanged(const Cursor& before);
+  void sayMarksChanged(std::uint64_t passedBefore);
+  void startFilter();
+  std::uint64_t countRows();
+  std::uint64_t windowEnd() const;
+  void countPassed();
 
   LogView m_view;
-  std::uint64_t m_logRows = 0;
+  TraceFilter m_filter;
+  std::unique_ptr<TraceSieve> m_sieve;  // null where all frames are rows
+  TimeMode m_timeMode = TimeMode::Absolute;
+  std::uint64_t m_count = 0;  // of rows
+  std::uint64_t m_filteredFrames = 0;
+  std::uint64_t m_passed = 0;                 // of them that have happened
+  std::optional<std::uint64_t> m_lastPassed;  // the frame of the last of those
+  std::size_t m_notes = 0;                    // of the log, when rows were last read
   std::uint64_t m_first = 0;
   int m_wanted = 0;
   std::vector<TraceRow> m_rows;

@@ -1,60 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/trace_rows.h"
 
+#include <algorithm>
+
+#include "model/log_walk.h"
 #include "model/message_text.h"
 
 namespace deckpipe {
 namespace {
 
-// Classifies frames from one on. The index knows the roles before the first, notes behind it are taken here.
-class Walk {
- public:
-  Walk(const LogDocument& log, std::uint64_t first, std::size_t count)
-      : m_log(log),
-        m_walk(log.roles.walk(first)),
-        m_notes(log.notes.between(first + 1, first + count)),
-        m_times(log.frames) {}
-
-  Classified next(std::uint64_t index, Instant time) {
-    for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame <= index; ++m_nextNote) {
-      const Note& note = m_notes[m_nextNote];
-      if (note.kind == NoteKind::DriveSaid || note.kind == NoteKind::DriveUnsaid)
-        m_walk.sayDrive(note.channel, note.address, note.kind == NoteKind::DriveSaid);
-    }
-    return m_walk.next(m_log.frames[index], time);
-  }
-  Instant time(std::uint64_t index) { return m_times.at(index); }
-
- private:
-  const LogDocument& m_log;
-  RoleWalk m_walk;
-  std::vector<Note> m_notes;
-  std::size_t m_nextNote = 0;
-  LogTimes m_times;
-};
+// So short a way is walked on; a longer one is left to the index.
+constexpr std::uint64_t kNear = 64;
 
 }  // namespace
 
-std::vector<TraceRow> readTraceRows(const LogDocument& log, std::uint64_t first, std::size_t count,
-                                    std::span<const TraceRow> known) {
+std::vector<TraceRow> readTraceRows(const LogDocument& log, std::span<const std::uint64_t> frames,
+                                    std::optional<std::uint64_t> before, std::span<const TraceRow> known) {
   std::vector<TraceRow> rows;
-  if (count == 0) return rows;
-  rows.reserve(count);
-  Walk walk(log, first, count);
-  std::optional<Instant> before;
-  if (first > 0) before = walk.time(first - 1);
-  for (std::uint64_t i = first; i < first + count; ++i) {
+  rows.reserve(frames.size());
+  LogTimes times(log.frames);
+  std::optional<Instant> timeBefore;
+  if (before) timeBefore = times.at(*before);
+  const std::uint64_t built = log.roles.built();
+  std::optional<LogWalk> walk;
+  for (const std::uint64_t i : frames) {
+    const auto old = std::lower_bound(known.begin(), known.end(), i,
+                                      [](const TraceRow& row, std::uint64_t at) { return row.index < at; });
+    const bool isKnown = old != known.end() && old->index == i;
     TraceRow row;
     row.index = i;
     row.frame = log.frames[i];
-    const Instant time = walk.time(i);
-    if (before) row.delta = time - *before;
-    before = time;
-    row.what = walk.next(i, time);
-    const TraceRow* old = nullptr;
-    if (!known.empty() && i >= known.front().index && i - known.front().index < known.size())
-      old = &known[i - known.front().index];
-    if (old != nullptr && old->what == row.what) {
+    const Instant time = times.at(i);
+    if (timeBefore) row.delta = time - *timeBefore;
+    timeBefore = time;
+    if (isKnown && old->isSettled) {
+      row.what = old->what;
+      row.isSettled = true;
+    } else {
+      if (!walk || walk->next() > i || i - walk->next() > kNear) walk.emplace(log, i);
+      while (walk->next() < i) {
+        const std::uint64_t between = walk->next();
+        walk->take(log.frames[between], times.at(between));
+      }
+      row.what = walk->take(row.frame, time);
+      row.isSettled = i < built;
+    }
+    if (isKnown && old->what == row.what) {
       row.title = old->title;
       row.summary = old->summary;
     } else {
@@ -67,8 +58,8 @@ std::vector<TraceRow> readTraceRows(const LogDocument& log, std::uint64_t first,
 }
 
 Classified classifyAt(const LogDocument& log, std::uint64_t index) {
-  Walk walk(log, index, 1);
-  return walk.next(index, walk.time(index));
+  LogWalk walk(log, index);
+  return walk.take(log.frames[index], log.frames.timeAt(index));
 }
 
 }  // namespace deckpipe

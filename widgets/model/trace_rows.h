@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stretch of a log as rows of the trace: classified with the roles that hold there and put into words,
+// Frames of a log as rows of the trace: classified with the roles that hold there and put into words,
 // once, so that the model only formats. Plain values; made for the rows that can be seen and few more.
 #pragma once
 
@@ -23,11 +23,13 @@ struct TraceRow {
   Classified what;
   QString title;
   QString summary;
+  bool isSettled = false;  // nothing that is learned later of earlier frames can change what it is
 };
 
-// Rows [first, first + count), which the log must have. Words are taken over from `known` where a row there
-// is of the same frame and was classified alike.
-std::vector<TraceRow> readTraceRows(const LogDocument& log, std::uint64_t first, std::size_t count,
+// These frames of the log, which must have them, in order; `before` is the row before the first. What is
+// settled, and words where a frame is classified alike, are taken over from `known`, also in order.
+std::vector<TraceRow> readTraceRows(const LogDocument& log, std::span<const std::uint64_t> frames,
+                                    std::optional<std::uint64_t> before,
                                     std::span<const TraceRow> known = {});
 
 // What one frame is, where no rows are around it.

@@ -3,11 +3,14 @@
 
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolTip>
+#include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
 
 #include "paint/plain_tip.h"
 
@@ -17,7 +20,9 @@ namespace {
 constexpr Duration kStep = 1s;
 constexpr Duration kLargeStep = 10s;
 constexpr double kMarkHeight = 9;
-constexpr double kNear = 5;  // pixels within which a mark is pointed at
+constexpr double kZoomStep = 1.3;  // a notch of the wheel
+constexpr double kLeastGap = 3;    // pixels
+constexpr double kNear = 5;        // pixels within which a mark is pointed at
 
 }  // namespace
 
@@ -30,8 +35,46 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme
 
 void Timeline::setValues(const TimelineValues& values) {
   if (values == m_values) return;
+  const TimelineValues before = m_values;
   m_values = values;
+  keepInSight(before);
   update();
+}
+
+TimelineSpan Timeline::shown() const { return m_shown.value_or(whole()); }
+
+void Timeline::showSpan(TimelineSpan span) {
+  const TimelineSpan before = shown();
+  m_shown = span == whole() ? std::nullopt : std::optional(span);
+  if (shown() == before) return;
+  update();
+  Q_EMIT shownChanged();
+}
+
+// A cursor that was in sight stays in sight; another log is shown whole.
+void Timeline::keepInSight(const TimelineValues& before) {
+  if (m_values.begin != before.begin || m_values.isEmpty) {
+    m_shown.reset();
+    select({});
+    return;
+  }
+  if (!m_shown || m_values.cursor == before.cursor || !m_shown->has(before.cursor)) return;
+  if (m_values.cursor > m_shown->end) {
+    const Instant begin = m_values.cursor - (m_shown->end - m_shown->begin);
+    showSpan(spanWithin(m_values.atEnd ? TimelineSpan{begin, m_values.cursor}
+                                       : spanMoved({begin, m_values.cursor}, whole(), 0.9),
+                        whole()));
+  } else if (m_values.cursor < m_shown->begin) {
+    showSpan(spanWithin({m_values.cursor, m_values.cursor + (m_shown->end - m_shown->begin)}, whole()));
+  }
+}
+
+void Timeline::select(std::optional<TimelineSpan> span) {
+  if (span && span->end <= span->begin) span.reset();
+  if (span == m_selection) return;
+  m_selection = span;
+  update();
+  Q_EMIT selectionChanged();
 }
 
 void Timeline::setColours(const Colours& colours) {
@@ -40,7 +83,7 @@ void Timeline::setColours(const Colours& colours) {
 }
 
 TimelineGeometry Timeline::geometryNow() const {
-  return {static_cast<double>(width()), m_values.begin, m_values.end};
+  return {static_cast<double>(width()), shown().begin, shown().end};
 }
 
 QRectF Timeline::strip() const {
@@ -49,48 +92,143 @@ QRectF Timeline::strip() const {
 }
 
 void Timeline::seekTo(Instant time) {
-  if (!m_values.isEmpty) Q_EMIT seekRequested(geometryNow().clamped(time));
+  if (!m_values.isEmpty)
+    Q_EMIT seekRequested(std::clamp(time, m_values.begin, std::max(m_values.begin, m_values.end)));
+}
+
+void Timeline::selectTo(Instant time) {
+  select(TimelineSpan{std::min(*m_selectingFrom, time), std::max(*m_selectingFrom, time)});
 }
 
 void Timeline::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) seekTo(geometryNow().timeAt(event->position().x()));
+  if (event->button() != Qt::LeftButton || m_values.isEmpty) return;
+  const Instant time = geometryNow().timeAt(event->position().x());
+  if (event->position().y() < strip().top() || (event->modifiers() & Qt::ShiftModifier)) {
+    m_selectingFrom = time;
+    select({});
+  } else {
+    seekTo(time);
+  }
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() & Qt::LeftButton) seekTo(geometryNow().timeAt(event->position().x()));
+  if (!(event->buttons() & Qt::LeftButton)) return;
+  const Instant time = geometryNow().timeAt(event->position().x());
+  if (m_selectingFrom) {
+    selectTo(time);
+  } else {
+    seekTo(time);
+  }
+}
+
+void Timeline::mouseReleaseEvent(QMouseEvent*) { m_selectingFrom.reset(); }
+
+void Timeline::wheelEvent(QWheelEvent* event) {
+  const QPoint angle = event->angleDelta();
+  const bool isSideways = angle.x() != 0 || (event->modifiers() & Qt::ShiftModifier);
+  const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+  if (isSideways) {
+    showSpan(spanMoved(shown(), whole(), -notches * 0.1));
+  } else {
+    zoom(geometryNow().timeAt(event->position().x()), std::pow(kZoomStep, notches));
+  }
+  event->accept();
+}
+
+void Timeline::goToMark(bool isBack) {
+  const auto& marks = m_values.marks;  // by time
+  if (isBack) {
+    const auto at = std::find_if(marks.rbegin(), marks.rend(),
+                                 [this](const TimelineMark& mark) { return mark.time < m_values.cursor; });
+    if (at != marks.rend()) seekTo(at->time);
+  } else {
+    const auto at = std::find_if(marks.begin(), marks.end(),
+                                 [this](const TimelineMark& mark) { return mark.time > m_values.cursor; });
+    if (at != marks.end()) seekTo(at->time);
+  }
 }
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
   const Duration step = event->modifiers() & Qt::ShiftModifier ? kLargeStep : kStep;
+  const bool isToMark = (event->modifiers() & Qt::ControlModifier) != 0;
   // The cursor may stand before all frames; stamps of hostile logs leave no room for sums.
   const Instant begin = m_values.begin, end = m_values.end;
-  const Instant now = geometryNow().clamped(m_values.cursor);
+  const Instant now = std::clamp(m_values.cursor, begin, std::max(begin, end));
   switch (event->key()) {
-    case Qt::Key_Left: seekTo(begin + std::max(now - begin - step, Duration(0))); break;
-    case Qt::Key_Right: seekTo(now + std::min(end - now, step)); break;
+    case Qt::Key_Left:
+      if (isToMark) {
+        goToMark(true);
+      } else {
+        seekTo(begin + std::max(now - begin - step, Duration(0)));
+      }
+      break;
+    case Qt::Key_Right:
+      if (isToMark) {
+        goToMark(false);
+      } else {
+        seekTo(now + std::min(end - now, step));
+      }
+      break;
     case Qt::Key_Home: seekTo(m_values.begin); break;
     case Qt::Key_End:
       if (!m_values.isEmpty) Q_EMIT endRequested();
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: zoom(now, 2); break;
+    case Qt::Key_Minus: zoom(now, 0.5); break;
+    case Qt::Key_0: fit(); break;
+    case Qt::Key_BracketLeft: select(TimelineSpan{now, m_selection ? m_selection->end : end}); break;
+    case Qt::Key_BracketRight: select(TimelineSpan{m_selection ? m_selection->begin : begin, now}); break;
+    case Qt::Key_Delete:
+    case Qt::Key_Escape:
+      if (!m_selection) {
+        QWidget::keyPressEvent(event);
+        break;
+      }
+      select({});
       break;
     default: QWidget::keyPressEvent(event);
   }
 }
 
 bool Timeline::event(QEvent* event) {
+  if (event->type() == QEvent::NativeGesture) {
+    const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+    if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+      zoom(geometryNow().timeAt(gesture->position().x()), std::max(0.1, 1 + gesture->value()));
+      return true;
+    }
+  }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
+  showToolTip(help->pos(), help->globalPos());
+  return true;
+}
+
+void Timeline::showToolTip(const QPoint& at, const QPoint& global) {
   const TimelineGeometry g = geometryNow();
   QStringList lines;
   for (const TimelineMark& mark : m_values.marks) {
-    if (std::abs(g.xOf(mark.time) - help->pos().x()) <= kNear && lines.size() < 8) lines += mark.text;
+    if (shown().has(mark.time) && std::abs(g.xOf(mark.time) - at.x()) <= kNear && lines.size() < 8)
+      lines += mark.text;
   }
   lines.removeDuplicates();
+  const Instant time = g.timeAt(at.x());
+  for (const TimelineGap& gap : m_values.gaps) {
+    if (!gap.span.has(time)) continue;
+    const auto seconds =
+        static_cast<double>((std::min(gap.span.end, m_values.end) - gap.span.begin).count()) / 1e9;
+    const QString length = QLocale().toString(seconds, 'f', seconds < 100 ? 1 : 0);
+    lines += gap.kind == TimelineGap::Kind::Silence ? tr("No frames for %1 s").arg(length)
+                                                    : tr("Link lost for %1 s").arg(length);
+  }
+  if (m_selection && m_selection->has(time) && !m_values.selection.isEmpty())
+    lines += tr("Selected: %1").arg(m_values.selection);
   if (lines.isEmpty()) {
     QToolTip::hideText();
   } else {
-    QToolTip::showText(help->globalPos(), plainTip(lines.join(QLatin1Char('\n'))), this);
+    QToolTip::showText(global, plainTip(lines.join(QLatin1Char('\n'))), this);
   }
-  return true;
 }
 
 void Timeline::paintEvent(QPaintEvent*) {
@@ -107,7 +245,9 @@ void Timeline::paintEvent(QPaintEvent*) {
   } else {
     const TimelineGeometry g = geometryNow();
     paintDensity(p, g, strip);
+    paintGaps(p, g, strip);
     paintMarks(p, g, strip);
+    paintSelection(p, g, strip);
     paintCursor(p, g, strip);
   }
   if (hasFocus()) {
@@ -122,7 +262,7 @@ void Timeline::paintEvent(QPaintEvent*) {
 void Timeline::paintDensity(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
   const Colours& c = m_colours;
   const double cursor = g.xOf(m_values.cursor);
-  if (cursor < strip.right()) {
+  if (cursor < strip.right() && m_values.cursor < shown().end) {
     QBrush after(c.stale.fill, Qt::SolidPattern);
     p.fillRect(QRectF(QPointF(cursor, strip.top()), strip.bottomRight()), after);
   }
@@ -157,7 +297,9 @@ void Timeline::paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& 
   const Colours& c = m_colours;
   double lastX = -1e9;
   TimelineMark::Kind lastKind{};
+  const TimelineSpan inSight = shown();
   for (const TimelineMark& mark : m_values.marks) {
+    if (!inSight.has(mark.time)) continue;
     const double x = std::round(g.xOf(mark.time));
     if (x == lastX && mark.kind == lastKind) continue;
     lastX = x;
@@ -187,11 +329,53 @@ void Timeline::paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& 
   }
 }
 
+// Hatched, each kind its own way: nothing came, or nothing could come.
+void Timeline::paintGaps(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
+  const Colours& c = m_colours;
+  for (const TimelineGap& gap : m_values.gaps) {
+    const double from = g.xOf(gap.span.begin), to = g.xOf(gap.span.end);
+    if (to - from < kLeastGap) continue;
+    const bool isLost = gap.kind == TimelineGap::Kind::LinkLost;
+    const QRectF area(from, strip.top() + 1, to - from, strip.height() - 2);
+    p.fillRect(area,
+               QBrush(isLost ? c.attend.ink : c.outline, isLost ? Qt::DiagCrossPattern : Qt::BDiagPattern));
+  }
+}
+
+void Timeline::paintSelection(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
+  if (!m_selection) return;
+  const Colours& c = m_colours;
+  const QRectF area(QPointF(g.xOf(m_selection->begin), 1), QPointF(g.xOf(m_selection->end), strip.bottom()));
+  QColor veil = c.accent.fill;
+  veil.setAlphaF(0.25F);
+  p.fillRect(area, veil);
+  p.setPen(QPen(c.accent.ink, 2 * c.stroke, Qt::SolidLine, Qt::FlatCap));
+  for (const double x : {area.left(), area.right()}) p.drawLine(QPointF(x, 1), QPointF(x, strip.bottom()));
+  p.drawLine(area.topLeft() + QPointF(0, 1), area.topRight() + QPointF(0, 1));
+  // Inside where there is room, otherwise beside it, always on a ground of its own.
+  const double width = QFontMetricsF(font()).horizontalAdvance(m_values.selection) + 12;
+  if (width <= 12) return;
+  double left = area.center().x() - width / 2;
+  if (area.width() < width + 4)
+    left = area.right() + width + 4 < strip.right() ? area.right() + 4 : area.left() - width - 4;
+  const double height = QFontMetricsF(font()).height() + 2;
+  const QRectF box(std::clamp(left, strip.left(), std::max(strip.left(), strip.right() - width)),
+                   strip.center().y() - height / 2, width, height);
+  p.setPen(QPen(c.accent.ink, 1));
+  p.setBrush(c.surface);
+  p.drawRect(box);
+  p.setPen(c.text);
+  p.drawText(box, Qt::AlignCenter, m_values.selection);
+}
+
 void Timeline::paintCursor(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
   const Colours& c = m_colours;
   // The live edge: where the log ends for now.
-  p.setPen(QPen(m_values.atEnd ? c.accent.ink : c.outline, 3 * c.stroke, Qt::SolidLine, Qt::FlatCap));
-  p.drawLine(QPointF(strip.right(), strip.top() - 3), QPointF(strip.right(), strip.bottom() + 3));
+  if (shown().end >= m_values.end) {
+    p.setPen(QPen(m_values.atEnd ? c.accent.ink : c.outline, 3 * c.stroke, Qt::SolidLine, Qt::FlatCap));
+    p.drawLine(QPointF(strip.right(), strip.top() - 3), QPointF(strip.right(), strip.bottom() + 3));
+  }
+  if (m_shown && !m_shown->has(m_values.cursor)) return;
   const double x = g.xOf(m_values.cursor);
   p.setPen(QPen(c.accent.ink, 2 * c.stroke, Qt::SolidLine, Qt::FlatCap));
   p.drawLine(QPointF(x, strip.top() - 3), QPointF(x, strip.bottom() + 3));

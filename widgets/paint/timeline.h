@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time span of a log as a strip: how dense it is, where its clock jumped, what was noted, where the
-// cursor stands, and the live edge. The transport bar fills in the values; the person points at an instant.
+// The time span of a log as a strip: how dense it is, where nothing came, where its clock jumped, what was
+// noted, where the cursor stands, and the live edge. The transport bar fills in the values; the person points
+// at an instant, looks closer, and selects a span.
 //
-// Left and Right step by a second (with Shift by ten), Home goes to the begin, End to the live edge.
+//   Left, Right    by a second, with Shift by ten      Ctrl+Left, Ctrl+Right   to the mark before, behind
+//   Home, End      to the begin, to the live edge      + − 0, wheel, pinch     closer, wider, all
+//   [ ]            selection from, to the cursor       Delete, Escape          no selection
+//   A drag in the strip moves the cursor; in the lane of the marks above it, or with Shift, it selects. The
+//   wheel with Shift moves the part in sight.
 #pragma once
 
 #include <QWidget>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/time.h"
@@ -23,12 +29,21 @@ struct TimelineMark {
   friend bool operator==(const TimelineMark&, const TimelineMark&) = default;
 };
 
+struct TimelineGap {
+  enum class Kind : std::uint8_t { Silence, LinkLost };
+  Kind kind = Kind::Silence;
+  TimelineSpan span;
+  friend bool operator==(const TimelineGap&, const TimelineGap&) = default;
+};
+
 struct TimelineValues {
-  Instant begin, end, cursor;
+  Instant begin, end, cursor;    // of the log
   bool isEmpty = true;           // no log, or none with a frame
   bool atEnd = true;             // the cursor goes with the live edge
-  std::vector<float> density{};  // 0..1, of equal parts of the span
+  std::vector<float> density{};  // 0..1, of equal parts of the span in sight
   std::vector<TimelineMark> marks{};
+  std::vector<TimelineGap> gaps{};
+  QString selection{};  // what is to be said of the span that is selected
   friend bool operator==(const TimelineValues&, const TimelineValues&) = default;
 };
 
@@ -42,6 +57,13 @@ class Timeline : public QWidget {
   const TimelineValues& values() const { return m_values; }
   void setColours(const Colours& colours);
   TimelineGeometry geometryNow() const;
+  // The part of the log that is in sight.
+  TimelineSpan shown() const;
+  bool isZoomed() const { return m_shown.has_value(); }
+  void showSpan(TimelineSpan span);
+  void fit() { showSpan(whole()); }
+  std::optional<TimelineSpan> selection() const { return m_selection; }
+  void select(std::optional<TimelineSpan> span);
 
   QSize sizeHint() const override { return {480, 48}; }
   QSize minimumSizeHint() const override { return {160, 40}; }
@@ -49,11 +71,15 @@ class Timeline : public QWidget {
  Q_SIGNALS:
   void seekRequested(deckpipe::Instant time);
   void endRequested();
+  void shownChanged();
+  void selectionChanged();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
 
@@ -61,10 +87,22 @@ class Timeline : public QWidget {
   void seekTo(Instant time);
   void paintDensity(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
   void paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintGaps(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintSelection(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
   void paintCursor(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
   QRectF strip() const;
 
+  TimelineSpan whole() const { return {m_values.begin, m_values.end}; }
+  void keepInSight(const TimelineValues& before);
+  void zoom(Instant around, double factor) { showSpan(spanZoomed(shown(), whole(), around, factor)); }
+  void goToMark(bool isBack);
+  void selectTo(Instant time);
+  void showToolTip(const QPoint& at, const QPoint& global);
+
   TimelineValues m_values;
+  std::optional<TimelineSpan> m_shown;  // nothing: the whole log
+  std::optional<TimelineSpan> m_selection;
+  std::optional<Instant> m_selectingFrom;  // while a span is dragged
   Colours m_colours;
 };
 

@@ -11,6 +11,38 @@
 
 namespace deckpipe {
 
+struct TimelineSpan {
+  Instant begin, end;
+
+  double ns() const { return static_cast<double>(end.ns) - static_cast<double>(begin.ns); }
+  bool has(Instant t) const { return begin <= t && t <= end; }
+  friend bool operator==(const TimelineSpan&, const TimelineSpan&) = default;
+};
+
+// Closer than this nothing is to be seen.
+inline constexpr double kLeastSpanNs = 1e6;
+
+// As long as `span`, but within `whole`.
+inline TimelineSpan spanWithin(TimelineSpan span, TimelineSpan whole) {
+  if (span.ns() >= whole.ns()) return whole;
+  if (span.begin < whole.begin) return {whole.begin, whole.begin + (span.end - span.begin)};
+  if (span.end > whole.end) return {whole.end - (span.end - span.begin), whole.end};
+  return span;
+}
+// Closer by `factor`, with the instant `around` where it is; the whole where that is not longer.
+inline TimelineSpan spanZoomed(TimelineSpan span, TimelineSpan whole, Instant around, double factor) {
+  const double length = std::max(span.ns() / factor, kLeastSpanNs);
+  if (length >= whole.ns() || span.ns() <= 0) return whole;
+  const double share =
+      std::clamp((static_cast<double>(around.ns) - static_cast<double>(span.begin.ns)) / span.ns(), 0.0, 1.0);
+  const Instant begin = around - Duration(std::llround(share * length));
+  return spanWithin({begin, begin + Duration(std::llround(length))}, whole);
+}
+inline TimelineSpan spanMoved(TimelineSpan span, TimelineSpan whole, double share) {
+  const Duration by(std::llround(share * span.ns()));
+  return spanWithin({span.begin + by, span.end + by}, whole);
+}
+
 struct TimelineGeometry {
   static constexpr double kInset = 10;  // so that the cursor's handle is whole at either end
 

@@ -2,7 +2,9 @@
 #include "panel/device_delegate.h"
 
 #include <QFontMetricsF>
+#include <QLineEdit>
 #include <QPainter>
+#include <QTreeView>
 #include <algorithm>
 #include <cmath>
 
@@ -31,13 +33,33 @@ QSize DeviceDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelI
   return {0, height + (isFirst ? kHeadingHeight : 0)};
 }
 
+QWidget* DeviceDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                      const QModelIndex& index) const {
+  auto* editor = new QLineEdit(parent);
+  const QString pin = keyText(index.data(DeviceModel::KeyRole).value<DeviceKey>());
+  editor->setObjectName(QStringLiteral("labelEditor"));
+  editor->setAccessibleName(tr("Label of %1").arg(pin));
+  editor->setPlaceholderText(pin);
+  editor->setMaxLength(DeviceLabels::kLongest);
+  return editor;
+}
+
+// Over the whole row's name, below a group's heading.
+void DeviceDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                          const QModelIndex& index) const {
+  const auto* order = qobject_cast<const DeviceOrder*>(index.model());
+  QRect row = option.rect;
+  if (order != nullptr && order->startsGroup(index.row())) row.setTop(row.top() + kHeadingHeight);
+  const int height = std::max(32, editor->sizeHint().height());
+  editor->setGeometry(row.left() + 2, row.center().y() - height / 2, row.width() - 4, height);
+}
+
 void DeviceDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                            const QModelIndex& index) const {
   QPainter& p = *painter;
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
   const bool isSelected = (option.state & QStyle::State_Selected) != 0;
-  p.fillRect(option.rect, isSelected ? m_colours.accent.fill : m_colours.surface);
   const QRectF cell = QRectF(option.rect).adjusted(kPad, 0, -kPad, 0);
   switch (index.column()) {
     case DeviceModel::DeviceColumn: paintDevice(p, cell, index, option); break;
@@ -60,9 +82,13 @@ void DeviceDelegate::paintDevice(QPainter& p, const QRectF& cell, const QModelIn
              metrics.elidedText(index.data().toString(), Qt::ElideRight, cell.width()));
   p.setFont(small);
   p.setPen(isSelected ? m_colours.accent.onFill : m_colours.textSecondary);
-  p.drawText(
-      QPointF(cell.left(), middle + 4 + smallMetrics.ascent()),
-      smallMetrics.elidedText(index.data(DeviceModel::TypeRole).toString(), Qt::ElideRight, cell.width()));
+  // On to the health: under the numbers between there is nothing.
+  const auto* view = qobject_cast<const QTreeView*>(option.widget);
+  const double right =
+      view == nullptr ? cell.right() : view->columnViewportPosition(DeviceModel::HealthColumn) - kPad;
+  p.drawText(QPointF(cell.left(), middle + 4 + smallMetrics.ascent()),
+             smallMetrics.elidedText(index.data(DeviceModel::DetailRole).toString(), Qt::ElideRight,
+                                     right - cell.left()));
 }
 
 void DeviceDelegate::paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paints the cells of the device table: the device over its type, health as sign over word, numbers in equal
-// cells so that a running age moves nothing. Used by DeviceList alone, which paints the group headings.
+// cells so that a running age moves nothing. Used by DeviceList alone, which paints backgrounds and group
+// headings.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -21,6 +22,10 @@ class DeviceDelegate : public QStyledItemDelegate {
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   // A row that opens its group is higher by the heading.
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const override;
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const override;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:

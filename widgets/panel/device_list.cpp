@@ -2,8 +2,10 @@
 #include "panel/device_list.h"
 
 #include <QFontMetrics>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QResizeEvent>
+#include <QToolTip>
 #include <algorithm>
 
 #include "model/device_model.h"
@@ -49,6 +51,7 @@ void DeviceList::setModel(QAbstractItemModel* model) {
   header()->setSectionResizeMode(QHeaderView::Fixed);
   header()->setSectionResizeMode(DeviceModel::DeviceColumn, QHeaderView::Stretch);
   setColumnHidden(DeviceModel::TypeColumn, true);  // it stands under the device
+  connect(this, &QAbstractItemView::doubleClicked, this, &DeviceList::editLabel);
   layOutColumns();
 }
 
@@ -74,8 +77,29 @@ void DeviceList::layOutColumns() {
   set(DeviceModel::AddressColumn, QStringLiteral("Addr."));
   set(DeviceModel::AgeColumn, QStringLiteral("99 min"));
   set(DeviceModel::HealthColumn, QStringLiteral("Health"));
+  set(DeviceModel::RateColumn, QStringLiteral("9,999/s"));
   set(DeviceModel::FramesColumn, QStringLiteral("99,999,999"));
-  setColumnHidden(DeviceModel::FramesColumn, width() < 480);
+  setColumnHidden(DeviceModel::RateColumn, width() < 420);
+  setColumnHidden(DeviceModel::FramesColumn, width() < 520);
+}
+
+void DeviceList::editLabel(const QModelIndex& index) {
+  const QModelIndex device = index.siblingAtColumn(DeviceModel::DeviceColumn);
+  if (!device.isValid()) return;
+  if ((device.flags() & Qt::ItemIsEditable) != 0) {
+    edit(device);
+    return;
+  }
+  QToolTip::showText(viewport()->mapToGlobal(visualRect(device).bottomLeft()),
+                     tr("Labels are kept by PIN, and this one has not said a PIN."), this);
+}
+
+void DeviceList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_F2) {
+    editLabel(currentIndex());
+    return;
+  }
+  QTreeView::keyPressEvent(event);
 }
 
 void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
@@ -94,6 +118,9 @@ void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
     painter->restore();
     row.rect.setTop(heading.bottom() + 1);
   }
+  // Once for all cells: the line under the device reaches into the next ones.
+  painter->fillRect(row.rect,
+                    selectionModel()->isSelected(index) ? m_colours.accent.fill : m_colours.surface);
   QTreeView::drawRow(painter, row, index);
   painter->save();
   painter->setPen(QPen(m_colours.stale.fill, 1));

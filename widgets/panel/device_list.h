@@ -19,8 +19,11 @@ class DeviceList : public QTreeView {
   explicit DeviceList(QWidget* parent = nullptr);
   void setModel(QAbstractItemModel* model) override;  // a DeviceOrder
   void setColours(const Colours& colours);
+  // Opens the label of a row for editing, or says why it has none.
+  void editLabel(const QModelIndex& index);
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
   void resizeEvent(QResizeEvent* event) override;

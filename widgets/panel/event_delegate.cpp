@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/event_model.h"
+#include "paint/density_style.h"
 #include "paint/figures.h"
 #include "paint/glyph.h"
 #include "panel/flat_header.h"
@@ -15,7 +16,6 @@ namespace deckpipe {
 namespace {
 
 constexpr int kSign = 16, kGap = 6;
-constexpr int kLeastHeight = 32;
 
 struct Look {
   std::optional<Glyph> glyph;
@@ -40,7 +40,7 @@ EventDelegate::EventDelegate(QObject* parent)
 bool EventDelegate::setLastRow(int row) { return std::exchange(m_lastRow, row) != row; }
 
 QSize EventDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-  return {120, std::max(kLeastHeight, option.fontMetrics.height() + 10)};
+  return {120, std::max(targetHeight(option.widget), option.fontMetrics.height() + 10)};
 }
 
 void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -43,11 +43,13 @@ void FlatHeader::paintSection(QPainter* painter, const QRect& rect, int section)
   const QRect text = rect.adjusted(kPadding, 0, -kPadding, 0);
   const auto alignment =
       model()->headerData(section, Qt::Horizontal, Qt::TextAlignmentRole).value<Qt::Alignment>();
+  QString title = model()->headerData(section, Qt::Horizontal).toString();
+  if (isSortIndicatorShown() && sortIndicatorSection() == section)
+    title += sortIndicatorOrder() == Qt::AscendingOrder ? QStringLiteral(" ▲") : QStringLiteral(" ▼");
   painter->setFont(font());
   painter->setPen(m_colours.textSecondary);
   painter->drawText(text, static_cast<int>(alignment) | Qt::TextSingleLine,
-                    fontMetrics().elidedText(model()->headerData(section, Qt::Horizontal).toString(),
-                                             Qt::ElideRight, text.width()));
+                    fontMetrics().elidedText(title, Qt::ElideRight, text.width()));
 }
 
 }  // namespace deckpipe

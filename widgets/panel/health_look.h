@@ -11,6 +11,7 @@ namespace deckpipe {
 inline Glyph glyphOf(HealthLevel level) {
   switch (level) {
     case HealthLevel::Fine: return Glyph::Fine;
+    case HealthLevel::Quiet: return Glyph::NotAvailable;
     case HealthLevel::Attend: return Glyph::Attend;
     case HealthLevel::Fault: return Glyph::Fault;
     case HealthLevel::Silent: return Glyph::Stale;
@@ -23,6 +24,7 @@ inline const Tone& toneOf(const Colours& colours, HealthLevel level) {
     case HealthLevel::Fine: return colours.fine;
     case HealthLevel::Attend: return colours.attend;
     case HealthLevel::Fault: return colours.fault;
+    case HealthLevel::Quiet:
     case HealthLevel::Silent: break;
   }
   return colours.stale;

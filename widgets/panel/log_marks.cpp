@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "model/event_text.h"
 
@@ -16,80 +17,105 @@ struct LogMarksText {
 
 }  // namespace
 
-bool LogMarks::take(const LogView& view, int bins) {
+void LogMarks::take(const LogView& view, TimelineSpan shown, int bins) {
   if (view.document != m_log) {
     *this = {};
     m_log = view.document;
   }
-  if (!m_log || view.frameCount == 0) return true;
-  takeDensity(view, bins);
-  const std::size_t jumps = m_jumps.size();
-  const bool isDone = takeJumps(view);
-  const bool isNoted = takeNotes(view);
-  if (isNoted || m_jumps.size() != jumps) {
-    m_marks = m_jumps;
-    m_marks.insert(m_marks.end(), m_notes.begin(), m_notes.end());
-    std::stable_sort(m_marks.begin(), m_marks.end(),
-                     [](const TimelineMark& a, const TimelineMark& b) { return a.time < b.time; });
-  }
-  return isDone;
+  if (!m_log || view.frameCount == 0) return;
+  const bool isCounted = takeDensity(view, shown, bins);
+  const bool isJumped = takeJumps(view);
+  const bool isNoted = takeNotes();
+  if (isCounted || isNoted) findGaps(view);
+  if (!isNoted && !isJumped) return;
+  m_marks = m_jumps;
+  m_marks.insert(m_marks.end(), m_notes.begin(), m_notes.end());
+  std::stable_sort(m_marks.begin(), m_marks.end(),
+                   [](const TimelineMark& a, const TimelineMark& b) { return a.time < b.time; });
 }
 
-// Counted exactly, a look-up a bin; anew only once the span has grown by more than can be seen.
-void LogMarks::takeDensity(const LogView& view, int bins) {
+// Counted exactly, a look-up a bin; anew only once the span has moved or grown by more than can be seen.
+bool LogMarks::takeDensity(const LogView& view, TimelineSpan shown, int bins) {
   bins = std::max(bins, 1);
-  const double span = static_cast<double>(view.end.ns) - static_cast<double>(view.begin.ns);
-  const double grown = std::abs(static_cast<double>(view.end.ns) - static_cast<double>(m_end.ns));
+  const double span = static_cast<double>(shown.end.ns) - static_cast<double>(shown.begin.ns);
+  const double grown = std::abs(static_cast<double>(shown.end.ns) - static_cast<double>(m_span.end.ns));
   const auto wanted = static_cast<std::size_t>(bins);
-  if (m_density.size() == wanted && view.begin == m_begin && grown * bins <= span) return;
-  m_begin = view.begin;
-  m_end = view.end;
+  if (m_density.size() == wanted && shown.begin == m_span.begin && grown * bins <= span) return false;
+  m_span = shown;
   const FrameStore& frames = m_log->frames;
   std::vector<std::uint64_t> counts(wanted);
-  std::uint64_t before = 0, most = 1;
+  std::uint64_t before = std::min(view.frameCount, frames.firstAtOrAfter(shown.begin)), most = 1;
   for (int i = 0; i < bins; ++i) {
-    const Instant edge{view.begin.ns + std::llround(span / bins * (i + 1))};
+    const Instant edge{shown.begin.ns + std::llround(span / bins * (i + 1))};
+    const bool isLast = i + 1 == bins && shown.end >= view.end;
     const std::uint64_t until =
-        i + 1 == bins ? view.frameCount : std::min(view.frameCount, frames.firstAtOrAfter(edge));
+        isLast ? view.frameCount : std::min(view.frameCount, frames.firstAtOrAfter(edge));
     counts[static_cast<std::size_t>(i)] = until - std::min(before, until);
     most = std::max(most, counts[static_cast<std::size_t>(i)]);
-    before = until;
+    before = std::max(before, until);
   }
   m_density.resize(wanted);
   // By the root, so that what is rare can be seen beside what is busy.
   std::transform(counts.begin(), counts.end(), m_density.begin(), [most](std::uint64_t n) {
     return static_cast<float>(std::sqrt(static_cast<double>(n) / static_cast<double>(most)));
   });
+  return true;
 }
 
 bool LogMarks::takeJumps(const LogView& view) {
   const FrameStore& frames = m_log->frames;
-  const std::uint64_t count = std::min(view.frameCount, frames.count());
-  const std::uint64_t end = std::min(count, m_looked + kFramesAtOnce);
-  while (m_looked < end) {
-    for (const Frame& frame : frames.run(m_looked)) {
-      if (m_looked == end) break;
-      if ((frame.flags & Frame::kTimeJump) != 0 && m_jumps.size() < kMostJumps) {
-        m_jumps.push_back({TimelineMark::Kind::TimeJump, frames.timeAt(m_looked),
-                           LogMarksText::tr("The clock jumps here")});
-      }
-      ++m_looked;
-    }
+  const StableList<std::uint64_t>& jumps = frames.jumps();
+  const std::size_t before = m_jumps.size();
+  const std::size_t count = std::min(jumps.size(), kMostJumps);
+  while (m_jumps.size() < count && jumps[m_jumps.size()] < view.frameCount) {
+    m_jumps.push_back({TimelineMark::Kind::TimeJump, frames.timeAt(jumps[m_jumps.size()]),
+                       LogMarksText::tr("The clock jumps here")});
   }
-  return m_looked == count;
+  return m_jumps.size() != before;
 }
 
-bool LogMarks::takeNotes(const LogView& view) {
-  if (view.document->notes.count() == m_notesTaken) return false;
+bool LogMarks::takeNotes() {
+  if (m_log->notes.count() == m_notesTaken) return false;
   const std::vector<Note> notes = m_log->notes.all();
   m_notesTaken = notes.size();
   m_notes.clear();
+  m_lost.clear();
+  std::map<std::uint8_t, Instant> down;  // by channel
   for (const Note& note : notes) {
     const bool isLoss = note.kind == NoteKind::LinkDown || note.kind == NoteKind::Dropped;
     m_notes.push_back(
         {isLoss ? TimelineMark::Kind::Attend : TimelineMark::Kind::Note, note.time, noteText(*m_log, note)});
+    if (note.kind == NoteKind::LinkDown) down.emplace(note.channel.value, note.time);
+    if (const auto since = down.find(note.channel.value);
+        note.kind == NoteKind::LinkUp && since != down.end()) {
+      m_lost.push_back({TimelineGap::Kind::LinkLost, {since->second, note.time}});
+      down.erase(since);
+    }
   }
+  for (const auto& [channel, since] : down) m_lost.push_back({TimelineGap::Kind::LinkLost, {since, kNever}});
   return true;
+}
+
+// Silence is where no part of the span has a frame, from the last frame before to the first one behind.
+void LogMarks::findGaps(const LogView& view) {
+  m_gaps = m_lost;
+  const FrameStore& frames = m_log->frames;
+  const double bin = (static_cast<double>(m_span.end.ns) - static_cast<double>(m_span.begin.ns)) /
+                     static_cast<double>(std::max<std::size_t>(m_density.size(), 1));
+  for (std::size_t i = 0; i < m_density.size();) {
+    std::size_t end = i;
+    while (end < m_density.size() && m_density[end] <= 0) ++end;
+    if (end - i >= 2) {
+      const auto timeOf = [&](std::size_t edge) {
+        return Instant{m_span.begin.ns + std::llround(bin * static_cast<double>(edge))};
+      };
+      const std::uint64_t next = frames.firstAtOrAfter(timeOf(i));
+      const Instant from = next == 0 ? view.begin : frames.timeAt(std::min(next, view.frameCount) - 1);
+      const Instant to = next < view.frameCount ? frames.timeAt(next) : view.end;
+      if (to - from >= kSilence) m_gaps.push_back({TimelineGap::Kind::Silence, {from, to}});
+    }
+    i = end + 1;
+  }
 }
 
 }  // namespace deckpipe

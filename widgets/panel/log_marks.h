@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the timeline shows of a log beside the cursor: how dense it is, where its clock jumped, what was
-// noted. Held by the transport bar and brought up to date with each view, a bounded piece of work at a time,
-// so that a log of any size costs the window nothing that can be felt.
+// What the timeline shows of a log beside the cursor: how dense the span in sight is, where nothing came,
+// where a link was lost, where the clock jumped, what was noted. Held by the transport bar and brought up to
+// date with each view; everything comes from indexes, so a log of any size costs the same.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,33 @@ namespace deckpipe {
 
 class LogMarks {
  public:
-  // A look at so many frames takes about a millisecond.
-  static constexpr std::uint64_t kFramesAtOnce = 250'000;
   // No strip has room for more.
   static constexpr std::size_t kMostJumps = 2'000;
+  // So long must nothing come that it is a gap; in a span of hours it is what can be seen at all.
+  static constexpr Duration kSilence = 1s;
 
-  // `bins`: equal parts of the span, about one every few pixels. False while frames remain to be looked at
-  // for jumps: come again soon.
-  bool take(const LogView& view, int bins);
+  // Of `shown`; `bins`: equal parts of it, about one every few pixels.
+  void take(const LogView& view, TimelineSpan shown, int bins);
 
   const std::vector<float>& density() const { return m_density; }
   const std::vector<TimelineMark>& marks() const { return m_marks; }
+  const std::vector<TimelineGap>& gaps() const { return m_gaps; }
 
  private:
-  void takeDensity(const LogView& view, int bins);
+  bool takeDensity(const LogView& view, TimelineSpan shown, int bins);
   bool takeJumps(const LogView& view);
-  bool takeNotes(const LogView& view);
+  bool takeNotes();
+  void findGaps(const LogView& view);
 
   std::shared_ptr<const LogDocument> m_log;
-  Instant m_begin, m_end;  // of the density
+  TimelineSpan m_span;  // of the density
   std::vector<float> m_density;
-  std::uint64_t m_looked = 0;  // frames looked at for jumps
   std::vector<TimelineMark> m_jumps;
   std::size_t m_notesTaken = 0;
   std::vector<TimelineMark> m_notes;
-  std::vector<TimelineMark> m_marks;  // both, by time
+  std::vector<TimelineGap> m_lost;    // from one link-down to the next link-up of its channel
+  std::vector<TimelineMark> m_marks;  // jumps and notes, by time
+  std::vector<TimelineGap> m_gaps;
 };
 
 }  // namespace deckpipe

@@ -5,11 +5,13 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "paint/dial.h"
 #include "panel/dial_adapter.h"
 #include "panel/fact_list.h"
+#include "panel/full_dial.h"
 #include "panel/label_ink.h"
 #include "panel/lamp_grid.h"
 #include "panel/page_content.h"
@@ -23,7 +25,8 @@ namespace {
 // Lamps that say why a monitor moves or does not stand beside its dial, a joystick's beside its stick.
 bool standsBeside(const PageLampGroup& group) {
   return group.key == QLatin1String("status") || group.key == QLatin1String("permissive") ||
-         group.key == QLatin1String("switches");
+         group.key == QLatin1String("switches") || group.key == QLatin1String("detents") ||
+         group.key == QLatin1String("grip");
 }
 
 }  // namespace
@@ -36,7 +39,8 @@ MonitorPage::MonitorPage(QWidget* parent)
       m_scroll(new QScrollArea(this)),
       m_content(new PageContent),
       m_dial(new Dial(m_content)),
-      m_stick(new StickBox(m_content)),
+      m_sticks{new StickBox(QStringLiteral("stick"), m_content),
+               new StickBox(QStringLiteral("grip"), m_content)},
       m_stops(new StopsGrid(m_content)) {
   setObjectName(QStringLiteral("monitorPage"));
   setAccessibleName(tr("Device page"));
@@ -53,6 +57,12 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_scroll->setWidget(m_content);
   m_scroll->viewport()->installEventFilter(this);
+  m_dial->installEventFilter(this);
+  m_dial->setToolTip(tr("Double click or F11: fill the window"));
+  auto* enlarge = new QShortcut(QKeySequence(Qt::Key_F11), this);
+  enlarge->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(enlarge, &QShortcut::activated, this, &MonitorPage::showFull);
+  connect(m_header, &PageHeader::fullRequested, this, &MonitorPage::showFull);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -63,6 +73,8 @@ MonitorPage::MonitorPage(QWidget* parent)
   setColours(m_colours);
   showValues();
 }
+
+MonitorPage::~MonitorPage() { delete m_full; }
 
 void MonitorPage::setDevice(const DeviceKey& key) {
   if (key == m_key) return;
@@ -76,8 +88,13 @@ void MonitorPage::setView(const LogView& view) {
   refresh();
 }
 
+void MonitorPage::setLabels(const DeviceLabels& labels) {
+  m_labels = labels;
+  refresh();
+}
+
 void MonitorPage::refresh() {
-  MonitorPageValues values = monitorPageOf(m_view, m_key);
+  MonitorPageValues values = monitorPageOf(m_view, m_key, m_labels);
   // Without a device the message depends on who else is there.
   if (values == m_values && values.isFound) return;
   m_values = std::move(values);
@@ -92,13 +109,16 @@ void MonitorPage::showValues() {
   } else {
     setText(*m_message, missingText());
   }
+  m_header->setFullOffered(isFound && m_values.dial);
+  if (m_full != nullptr) m_full->setPage(m_values);
   m_message->setVisible(!isFound);
   m_header->setVisible(isFound);
   m_scroll->setVisible(isFound);
 }
 
 QString MonitorPage::missingText() const {
-  if (!m_key.isNull()) return tr("%1 was not heard up to this place of the log.").arg(keyText(m_key));
+  if (!m_key.isNull())
+    return tr("%1 was not heard up to this place of the log.").arg(nameText(m_key, m_labels));
   const bool isAnyone = m_view.state != nullptr && !deviceRows(*m_view.state).empty();
   return isAnyone ? tr("Choose a device on the left.") : tr("Devices are shown here once they are heard.");
 }
@@ -109,16 +129,16 @@ void MonitorPage::showParts() {
     m_dial->setValues(dialValuesOf(*m_values.dial));
     parts.dial = m_dial;
   }
-  if (m_values.stick) {
-    m_stick->setStick(*m_values.stick);
+  for (std::size_t i = 0; i < m_values.sticks.size() && i < m_sticks.size(); ++i) {
+    m_sticks[i]->setStick(m_values.sticks[i]);
     // A monitor that sends joystick messages, if there is one, shows its stick below.
-    (parts.dial == nullptr ? parts.stick : parts.below.emplace_back()) = m_stick;
+    (parts.dial == nullptr ? parts.sticks : parts.below).push_back(m_sticks[i]);
   }
   if (!m_values.stops.axes.empty()) {
     m_stops->setStops(m_values.stops);
     parts.beside.push_back(m_stops);
   }
-  const bool hasMain = m_values.dial || m_values.stick;
+  const bool hasMain = m_values.dial || !m_values.sticks.empty();
   for (std::size_t i = 0; i < m_values.lamps.size(); ++i) {
     if (i == m_lamps.size()) {
       m_lamps.push_back(new LampGrid(m_content));
@@ -141,6 +161,10 @@ void MonitorPage::showParts() {
 bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
     m_content->setRoom(m_scroll->viewport()->height());
+  if (watched == m_dial && event->type() == QEvent::MouseButtonDblClick) {
+    showFull();
+    return true;
+  }
   return QWidget::eventFilter(watched, event);
 }
 
@@ -150,12 +174,35 @@ void MonitorPage::setColours(const Colours& colours) {
   setInk(*m_message, colours.textSecondary);
   m_header->setColours(colours);
   m_dial->setColours(colours);
-  m_stick->setColours(colours);
+  for (StickBox* stick : m_sticks) stick->setColours(colours);
   m_stops->setColours(colours);
   for (LampGrid* lamps : m_lamps) lamps->setColours(colours);
   for (FactList* facts : m_facts) facts->setColours(colours);
+  if (m_full != nullptr) m_full->setColours(colours);
 }
 
-void MonitorPage::setAnimated(bool animated) { m_dial->setAnimated(animated); }
+void MonitorPage::setAnimated(bool animated) {
+  m_isAnimated = animated;
+  m_dial->setAnimated(animated);
+  if (m_full != nullptr) m_full->setAnimated(animated);
+}
+
+FullDial* MonitorPage::full() const { return m_full; }
+
+void MonitorPage::showFull() {
+  if (m_full != nullptr || !m_values.isFound || !m_values.dial) return;
+  m_full = new FullDial(window());
+  m_full->setColours(m_colours);
+  m_full->setAnimated(m_isAnimated);
+  m_full->setPage(m_values);
+  connect(m_full, &FullDial::closed, this, [this] {
+    m_full->deleteLater();
+    m_full = nullptr;
+    setFocus();
+  });
+  m_full->show();
+  m_full->raise();
+  m_full->setFocus();
+}
 
 }  // namespace deckpipe

@@ -2,9 +2,10 @@
 // The page of one device: a monitor's dial with stops and outputs, a joystick's stick, a riser's or node's
 // own facts. The window tells it which device and gives it each new view; it draws monitorPageOf() and sends
 // nothing. It scrolls where there is too little room, and puts everything under one another where it is
-// narrow.
+// narrow. A double click on the dial, or F11, spreads it over the window.
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace deckpipe {
 
 class Dial;
 class FactList;
+class FullDial;
 class LampGrid;
 class PageContent;
 class PageHeader;
@@ -29,14 +31,20 @@ class MonitorPage : public QWidget {
 
  public:
   explicit MonitorPage(QWidget* parent = nullptr);
+  ~MonitorPage() override;
 
   void setDevice(const DeviceKey& key);
   void setView(const LogView& view);
+  void setLabels(const DeviceLabels& labels);
   void setColours(const Colours& colours);
   // Whether an oscillating band moves by itself; off while the cursor stands still.
   void setAnimated(bool animated);
 
   const MonitorPageValues& values() const { return m_values; }
+
+  // The dial over the whole window, until Esc, F11 or a second double click.
+  void showFull();
+  FullDial* full() const;
 
   QSize sizeHint() const override { return {1032, 560}; }
   QSize minimumSizeHint() const override { return {320, 200}; }
@@ -51,16 +59,19 @@ class MonitorPage : public QWidget {
   QString missingText() const;
 
   LogView m_view;
+  DeviceLabels m_labels;
   DeviceKey m_key;
   MonitorPageValues m_values;
   Colours m_colours;
+  bool m_isAnimated = true;
 
   PageHeader* m_header;
   QLabel* m_message;  // instead of a page
   QScrollArea* m_scroll;
+  QPointer<FullDial> m_full;  // the window owns it, and may end before this page does
   PageContent* m_content;
   Dial* m_dial;
-  StickBox* m_stick;
+  std::vector<StickBox*> m_sticks;  // a joystick's stick and its grip
   StopsGrid* m_stops;
   std::vector<LampGrid*> m_lamps;
   std::vector<FactList*> m_facts;

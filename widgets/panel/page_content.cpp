@@ -9,13 +9,13 @@ namespace deckpipe {
 namespace {
 
 constexpr int kMargin = 16;
-constexpr int kGap = 16;         // between parts under one another
-constexpr int kSideGap = 24;     // between the dial and what stands beside it
-constexpr int kFactGap = 32;     // between columns of facts
-constexpr int kFactWidth = 288;  // the least that a column of facts is read in
-constexpr int kNarrow = 740;     // below this, one column
-constexpr int kLeastDial = 296;  // still read at arm's length
-constexpr int kStickWidth = 240;
+constexpr int kGap = 16;           // between parts under one another
+constexpr int kSideGap = 24;       // between the dial and what stands beside it
+constexpr int kFactGap = 32;       // between columns of facts
+constexpr int kFactWidth = 288;    // the least that a column of facts is read in
+constexpr int kNarrow = 740;       // below this, one column
+constexpr int kLeastDial = 240;    // still read at arm's length
+constexpr int kLeastBeside = 480;  // two columns of switches
 
 int heightOf(const QWidget& part, int width) {
   return part.hasHeightForWidth() ? part.heightForWidth(width) : part.sizeHint().height();
@@ -70,25 +70,30 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
   const auto take = [&](QWidget* part, const QRect& rect) { all.push_back({part, rect}); };
   const int inner = std::max(0, width - 2 * kMargin);
   const bool isWide = width >= kNarrow;
-  QWidget* main = m_parts.dial != nullptr ? m_parts.dial : m_parts.stick;
   int y = kMargin;
 
   // What stands below, to know what it leaves.
   int belowHeight = 0;
   for (const QWidget* part : m_parts.below) belowHeight += kGap + heightOf(*part, inner);
 
-  if (main != nullptr) {
-    int mainWidth = m_parts.dial == nullptr ? std::min(inner, kStickWidth) : isWide ? inner * 5 / 9 : inner;
+  if (m_parts.dial != nullptr || !m_parts.sticks.empty()) {
+    int mainWidth = 0, mainHeight = 0;
+    if (m_parts.dial != nullptr) {
+      mainWidth = isWide ? inner * 5 / 9 : inner;
+    } else {
+      placeSticks(inner, y, mainWidth, mainHeight, take);
+    }
     const int besideLeft = isWide ? kMargin + mainWidth + kSideGap : kMargin;
     const int besideWidth = isWide ? inner - mainWidth - kSideGap : inner;
     const int besideHeight = stack(m_parts.beside, 0, 0, besideWidth, [](QWidget*, const QRect&) {});
-    int mainHeight = main->sizeHint().height();
     if (m_parts.dial != nullptr) {
       const int most = std::max(kLeastDial, mainWidth * 11 / 16);
       const int left = m_room - 2 * kMargin - belowHeight;
-      mainHeight = std::clamp(std::max(left, isWide ? besideHeight : 0), kLeastDial, most);
+      // As high as what stands beside it, but seen whole without scrolling.
+      const int wanted = std::min(std::max(left, isWide ? besideHeight : 0), m_room - 2 * kMargin);
+      mainHeight = std::clamp(wanted, kLeastDial, most);
+      take(m_parts.dial, QRect(kMargin, y, mainWidth, mainHeight));
     }
-    take(main, QRect(kMargin, y, mainWidth, mainHeight));
     const int besideTop = isWide ? y : y + mainHeight + kGap;
     const int besideEnd = stack(m_parts.beside, besideLeft, besideTop, besideWidth, take);
     y = std::max(y + mainHeight, besideEnd) + kGap;
@@ -112,6 +117,27 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
   }
   height = y - kGap + kMargin;
   return all;
+}
+
+void PageContent::placeSticks(int inner, int top, int& width, int& height, const Take& take) const {
+  const int count = static_cast<int>(m_parts.sticks.size());
+  const auto rowWidth = [](int n, int each) { return n * each + (n - 1) * kSideGap; };
+  const int each = m_parts.sticks.front()->minimumWidth();  // fixed
+  const bool isRow = rowWidth(count, each) + kSideGap + kLeastBeside <= inner;
+  width = isRow ? rowWidth(count, each) : std::min(inner, each);
+  height = 0;
+  int left = kMargin, y = top;
+  for (QWidget* stick : m_parts.sticks) {
+    const int stickHeight = stick->sizeHint().height();
+    take(stick, QRect(left, y, each, stickHeight));
+    if (isRow) {
+      left += each + kSideGap;
+      height = std::max(height, stickHeight);
+    } else {
+      y += stickHeight + kGap;
+      height = y - kGap - top;
+    }
+  }
 }
 
 int PageContent::heightForWidth(int width) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the parts of a page stand: dial or stick with what belongs beside it, then further lamps, then facts
+// Where the parts of a page stand: dial or sticks with what belongs beside it, then further lamps, then facts
 // in columns; all under one another where it is narrow. Used by MonitorPage inside its scroll area.
 //
 // By hand, not by nested layouts: half of the parts have a height that depends on their width, and Qt's box
@@ -8,6 +8,7 @@
 
 #include <QRect>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 namespace deckpipe {
@@ -17,8 +18,8 @@ class PageContent : public QWidget {
 
  public:
   struct Parts {
-    QWidget* dial = nullptr;   // grows with the room there is
-    QWidget* stick = nullptr;  // has its own width
+    QWidget* dial = nullptr;       // grows with the room there is
+    std::vector<QWidget*> sticks;  // of their own width; beside one another where there is room
     std::vector<QWidget*> beside, below, facts;
     friend bool operator==(const Parts&, const Parts&) = default;
   };
@@ -45,6 +46,9 @@ class PageContent : public QWidget {
     QWidget* part;
     QRect rect;
   };
+  using Take = std::function<void(QWidget*, const QRect&)>;
+  // The sticks from `top`; `width` and `height` become what they take.
+  void placeSticks(int inner, int top, int& width, int& height, const Take& take) const;
   // All parts at a width; `height` becomes that of the whole.
   std::vector<Place> places(int width, int& height) const;
   void arrange();

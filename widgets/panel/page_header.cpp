@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/page_header.h"
 
+#include <QEvent>
 #include <QFontInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panel/full_button.h"
 #include "panel/glyph_label.h"
 #include "panel/health_look.h"
 #include "panel/label_ink.h"
@@ -35,7 +37,8 @@ PageHeader::PageHeader(QWidget* parent)
       m_age(makeLabel(this, "pageAge", tr("Last heard"))),
       m_sign(new GlyphLabel(this)),
       m_word(makeLabel(this, "pageHealth", tr("Health"))),
-      m_reason(makeLabel(this, "pageReason", tr("Reason of the health"))) {
+      m_reason(makeLabel(this, "pageReason", tr("Reason of the health"))),
+      m_full(new FullButton(this)) {
   setObjectName(QStringLiteral("pageHeader"));
   QFont strong = font();
   strong.setPixelSize(static_cast<int>(std::lround(QFontInfo(strong).pixelSize() * 1.4)));
@@ -47,7 +50,7 @@ PageHeader::PageHeader(QWidget* parent)
   m_word->setFont(word);
   int widest = 0;
   for (const HealthLevel level :
-       {HealthLevel::Fine, HealthLevel::Attend, HealthLevel::Fault, HealthLevel::Silent})
+       {HealthLevel::Fine, HealthLevel::Quiet, HealthLevel::Attend, HealthLevel::Fault, HealthLevel::Silent})
     widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(level)));
   m_word->setMinimumWidth(widest);  // no word moves the sign
   const QFont small = secondaryFont(font());
@@ -71,6 +74,7 @@ PageHeader::PageHeader(QWidget* parent)
   m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   m_type->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  for (QLabel* label : {m_type, m_reason}) label->installEventFilter(this);
 
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(16, 8, 16, 8);
@@ -80,14 +84,21 @@ PageHeader::PageHeader(QWidget* parent)
   grid->addLayout(health, 0, 1);
   grid->addLayout(places, 1, 0);
   grid->addWidget(m_reason, 1, 1);
+  grid->addWidget(m_full, 0, 2, 2, 1);
+  m_full->hide();
+  connect(m_full, &QAbstractButton::clicked, this, &PageHeader::fullRequested);
   grid->setColumnStretch(0, 3);
   grid->setColumnStretch(1, 2);
 }
 
 void PageHeader::setPage(const MonitorPageValues& page) {
   setText(*m_title, page.title);
-  setText(*m_type, page.type);
-  m_type->setToolTip(page.type);
+  const QString type =
+      page.identity.isEmpty() ? page.type : QStringLiteral("%1 · %2").arg(page.identity, page.type);
+  m_typeText = type;
+  m_type->setToolTip(type);
+  m_type->setAccessibleDescription(type);
+  showTexts();
   setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
   setText(*m_age, page.age ? tr("heard %1 ago").arg(calmAge(*page.age)) : QString());
   if (page.health == m_health && !m_word->text().isEmpty()) return;
@@ -104,7 +115,8 @@ void PageHeader::showHealth() {
   QString first = reasons.isEmpty() ? QString() : reasons.front();
   if (reasons.size() > 1)
     first += QLatin1Char(' ') + tr("And %n more.", nullptr, static_cast<int>(reasons.size()) - 1);
-  setText(*m_reason, first);
+  m_reasonText = first;
+  showTexts();
   m_reason->setToolTip(reasons.join(QLatin1Char('\n')));
   m_word->setToolTip(m_reason->toolTip());
 }
@@ -113,9 +125,24 @@ void PageHeader::setColours(const Colours& colours) {
   m_colours = colours;
   setInk(*m_title, colours.text);
   for (QLabel* label : {m_type, m_place, m_age, m_reason}) setInk(*label, colours.textSecondary);
+  m_full->setColours(colours);
   showHealth();
   update();
 }
+
+void PageHeader::showTexts() {
+  setText(*m_type, m_type->fontMetrics().elidedText(m_typeText, Qt::ElideRight, m_type->width()));
+  setText(*m_reason, m_reason->fontMetrics().elidedText(m_reasonText, Qt::ElideRight, m_reason->width()));
+}
+
+bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
+  if ((watched == m_type || watched == m_reason) && event->type() == QEvent::Resize) showTexts();
+  return QWidget::eventFilter(watched, event);
+}
+
+void PageHeader::setFullOffered(bool isOffered) { m_full->setVisible(isOffered); }
+
+void PageHeader::setFull(bool isFull) { m_full->setFull(isFull); }
 
 void PageHeader::paintEvent(QPaintEvent*) {
   QPainter painter(this);

@@ -12,6 +12,7 @@ class QLabel;
 
 namespace deckpipe {
 
+class FullButton;
 class GlyphLabel;
 
 class PageHeader : public QWidget {
@@ -22,15 +23,25 @@ class PageHeader : public QWidget {
 
   void setPage(const MonitorPageValues& page);
   void setColours(const Colours& colours);
+  // Whether the button is there that spreads the dial over the window, and what it does now.
+  void setFullOffered(bool isOffered);
+  void setFull(bool isFull);
+
+ Q_SIGNALS:
+  void fullRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void showHealth();
+  // As much of the texts as has room; the tooltips say all.
+  void showTexts();
 
   Colours m_colours;
   DeviceHealth m_health;
+  QString m_typeText, m_reasonText;
   QLabel* m_title;
   QLabel* m_type;
   QLabel* m_place;
@@ -38,6 +49,7 @@ class PageHeader : public QWidget {
   GlyphLabel* m_sign;
   QLabel* m_word;
   QLabel* m_reason;
+  FullButton* m_full;
 };
 
 }  // namespace deckpipe

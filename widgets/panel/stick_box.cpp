@@ -2,6 +2,7 @@
 #include "panel/stick_box.h"
 
 #include <QGridLayout>
+#include <utility>
 
 #include "paint/stick_view.h"
 #include "panel/label_ink.h"
@@ -9,19 +10,20 @@
 
 namespace deckpipe {
 
-StickBox::StickBox(QWidget* parent)
+StickBox::StickBox(const QString& key, QWidget* parent)
     : QWidget(parent),
       m_colours(coloursOf(Theme::Light)),
       m_title(new SectionTitle(this)),
       m_view(new StickView(this)),
       m_x(new QLabel(this)),
-      m_y(new QLabel(this)) {
-  setObjectName(QStringLiteral("stick"));
-  setAccessibleName(tr("Stick"));
-  m_title->setTitle(tr("Stick"));
-  setFixedWidth(240);
-  m_x->setObjectName(QStringLiteral("stickX"));
-  m_y->setObjectName(QStringLiteral("stickY"));
+      m_y(new QLabel(this)),
+      m_theta(new QLabel(this)) {
+  setObjectName(key);
+  setFixedWidth(kWidth);
+  m_view->setObjectName(key + QStringLiteral("View"));
+  m_x->setObjectName(key + QStringLiteral("X"));
+  m_y->setObjectName(key + QStringLiteral("Y"));
+  m_theta->setObjectName(key + QStringLiteral("Theta"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(16);
@@ -29,8 +31,8 @@ StickBox::StickBox(QWidget* parent)
   grid->addWidget(m_title, 0, 0, 1, 2);
   grid->addWidget(m_view, 1, 0, 1, 2, Qt::AlignHCenter);
   int row = 2;
-  for (QLabel* value : {m_x, m_y}) {
-    auto* axis = new QLabel(value == m_x ? tr("X") : tr("Y"), this);
+  for (const auto& [value, name] : {std::pair(m_x, tr("X")), {m_y, tr("Y")}, {m_theta, tr("Theta")}}) {
+    auto* axis = new QLabel(name, this);
     axis->setObjectName(value->objectName() + QStringLiteral("Name"));
     value->setMinimumWidth(value->fontMetrics().horizontalAdvance(tr("100.0 % forward")));
     m_names.push_back(axis);
@@ -43,6 +45,8 @@ StickBox::StickBox(QWidget* parent)
 }
 
 void StickBox::setStick(const PageStick& stick) {
+  m_title->setTitle(stick.title);
+  setAccessibleName(stick.title);
   m_title->setAge(stick.age, stick.isStale);
   m_view->setValues({stick.x, stick.y, stick.isStale});
   const auto show = [&](QLabel& label, const QString& name, const QString& text) {
@@ -52,10 +56,14 @@ void StickBox::setStick(const PageStick& stick) {
   };
   show(*m_x, tr("X"), stick.xText);
   show(*m_y, tr("Y"), stick.yText);
+  show(*m_theta, tr("Theta"), stick.thetaText);
+  const bool hasTheta = !stick.thetaText.isEmpty();
+  m_theta->setVisible(hasTheta);
+  m_names.back()->setVisible(hasTheta);
+  m_view->setAccessibleName(stick.title);
   m_view->setAccessibleDescription(tr("X %1, Y %2").arg(stick.xText, stick.yText));
   const QColor ink = stick.isStale ? m_colours.stale.ink : m_colours.text;
-  setInk(*m_x, ink);
-  setInk(*m_y, ink);
+  for (QLabel* label : {m_x, m_y, m_theta}) setInk(*label, ink);
 }
 
 void StickBox::setColours(const Colours& colours) {

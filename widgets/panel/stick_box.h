@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A joystick's stick, drawn and in numbers beneath.
+// A joystick's stick or its grip, drawn and in numbers beneath.
 #pragma once
 
 #include <QWidget>
@@ -19,7 +19,10 @@ class StickBox : public QWidget {
   Q_OBJECT
 
  public:
-  explicit StickBox(QWidget* parent = nullptr);
+  static constexpr int kWidth = 240;
+
+  // `key` names the box and its parts, never shown: "stick", "grip".
+  explicit StickBox(const QString& key, QWidget* parent = nullptr);
 
   void setStick(const PageStick& stick);
   void setColours(const Colours& colours);
@@ -31,6 +34,7 @@ class StickBox : public QWidget {
   std::vector<QLabel*> m_names;
   QLabel* m_x;
   QLabel* m_y;
+  QLabel* m_theta;  // hidden where there is none
 };
 
 }  // namespace deckpipe

@@ -69,8 +69,7 @@ TracePainter::TracePainter(QPainter& painter, const Colours& colours, const Trac
 void TracePainter::row(const QRect& rect, const QModelIndex& index, Look look) {
   const auto marks = Marks::fromInt(index.data(TraceModel::MarksRole).toUInt());
   const Colours& c = m_colours;
-  const bool isOdd = index.data(TraceModel::FrameRole).toULongLong() % 2 != 0;
-  m_painter.fillRect(rect, look.isSelected ? c.accent.fill : isOdd ? c.surfaceAlternate : c.surface);
+  m_painter.fillRect(rect, look.isSelected ? c.accent.fill : look.isOdd ? c.surfaceAlternate : c.surface);
   cells(rect, index, marks, look.isSelected);
   gutter(rect, marks, look.isSelected);
   if (marks.testFlag(TraceModel::TimeJump)) {

@@ -42,6 +42,7 @@ class TracePainter {
 
   struct Look {
     bool isSelected = false;
+    bool isOdd = false;
     bool hasFocus = false;  // the current row of a view that has the focus
   };
   void row(const QRect& rect, const QModelIndex& index, Look look);

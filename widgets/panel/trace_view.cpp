@@ -64,6 +64,7 @@ void TraceView::setModel(TraceModel* model) {
   m_header->setModel(model);
   if (m_model != nullptr) {
     connect(m_model, &TraceModel::viewChanged, this, &TraceView::takeView);
+    connect(m_model, &TraceModel::filterChanged, this, &TraceView::keepInPlace);
     connect(m_model, &QAbstractItemModel::dataChanged, viewport(), qOverload<>(&QWidget::update));
   }
   setDefaultWidths();
@@ -76,24 +77,38 @@ void TraceView::setColours(const Colours& colours) {
   viewport()->update();
 }
 
+// The model has other rows from now on. The numbers of the rows before are still known here, no more what
+// they were; the frame at the top was told to the model's window.
+void TraceView::keepInPlace() {
+  m_kept.reset();
+  if (!m_isFollowing) m_kept = m_place;
+}
+
 // The log, its length or its cursor may be another.
 void TraceView::takeView() {
   const LogView view = m_model != nullptr ? m_model->view() : LogView();
   const bool isAnother = view.document != m_log;
   const bool sawCursor = !isAnother && m_scroll.shows(m_cursorRow);
-  const std::uint64_t cursorRow = view.cursor.frames == 0 ? 0 : view.cursor.frames - 1;
-  const bool cursorMoved = cursorRow != m_cursorRow;
-  m_scroll.rows = m_model != nullptr ? m_model->logRows() : 0;
+  const std::uint64_t passed = m_model != nullptr ? m_model->rowOf(view.cursor.frames) : 0;
+  const std::uint64_t cursorRow = passed == 0 ? 0 : passed - 1;
+  const bool cursorMoved = view.cursor.frames != m_cursorFrames;
+  m_scroll.rows = m_model != nullptr ? m_model->rows() : 0;
   m_cursorRow = cursorRow;
+  m_cursorFrames = view.cursor.frames;
   if (isAnother) {
     m_log = view.document;
     m_scroll.top = 0;
+    m_kept.reset();
     setCurrentFrame({});
   }
   if (isAnother || view.atEnd != m_wasAtEnd) setFollowing(view.atEnd);
   m_wasAtEnd = view.atEnd;
   if (m_isFollowing) {
     m_scroll.moveTo(m_scroll.lastTop());
+  } else if (m_kept) {
+    const std::uint64_t row = m_model->rowOf(m_kept->frame);
+    m_scroll.moveTo(row - std::min(row, m_kept->rowsBelowTop));
+    if (m_model->filteredFrames() > m_kept->frame) m_kept.reset();
   } else if (cursorMoved && (sawCursor || isAnother)) {
     m_scroll.show(cursorRow);
   }
@@ -116,7 +131,18 @@ void TraceView::showScroll() {
     bar->setSingleStep(1);
     bar->setValue(m_scroll.barValue());
   }
+  notePlace();
   viewport()->update();
+}
+
+// What would have to stay in place: the current frame if it is in sight, otherwise the frame at the top.
+void TraceView::notePlace() {
+  if (m_model == nullptr || m_kept) return;
+  const auto top = m_model->frameOf(m_scroll.top);
+  m_place = Kept{top.value_or(0), 0};
+  if (!m_current) return;
+  const std::uint64_t row = m_model->rowOf(*m_current);
+  if (m_scroll.shows(row)) m_place = Kept{*m_current, row - m_scroll.top};
 }
 
 void TraceView::setFollowing(bool isFollowing) {
@@ -178,11 +204,23 @@ void TraceView::setDefaultWidths() {
 
 // The last column takes what is left, and never so little that nothing could be read.
 void TraceView::stretchDecoded() {
-  if (m_header->count() == 0) return;
+  if (m_header->count() == 0 || m_header->isSectionHidden(TraceModel::Decoded)) return;
   const int others = m_header->length() - m_header->sectionSize(TraceModel::Decoded);
   const int left = viewport()->width() - TracePainter::kGutter - others;
   const QSignalBlocker blocker(m_header);
   m_header->resizeSection(TraceModel::Decoded, std::max(kLeastDecoded, left));
+}
+
+void TraceView::setColumnShown(int column, bool isShown) {
+  m_header->setSectionHidden(column, !isShown);
+  stretchDecoded();
+  layOut();
+}
+
+void TraceView::resetColumns() {
+  for (int column = 0; column < m_header->count(); ++column) m_header->setSectionHidden(column, false);
+  setDefaultWidths();
+  layOut();
 }
 
 QByteArray TraceView::saveState() const { return m_header->saveState(); }
@@ -210,12 +248,21 @@ QModelIndex TraceView::indexOf(std::uint64_t row, int column) const {
   return m_model->index(static_cast<int>(inWindow), column);
 }
 
+QModelIndex TraceView::indexOfFrame(std::uint64_t frame, int column) const {
+  const QModelIndex index = m_model == nullptr ? QModelIndex() : indexOf(m_model->rowOf(frame), column);
+  return index.data(TraceModel::FrameRole).toULongLong() == frame ? index : QModelIndex();
+}
+
 void TraceView::paintEvent(QPaintEvent*) {
   QPainter p(viewport());
   p.fillRect(viewport()->rect(), m_colours.surface);
   if (m_scroll.rows == 0) {
+    const bool isFiltered = m_model != nullptr && m_model->isFiltered() && m_model->view().frameCount > 0;
     p.setPen(m_colours.textSecondary);
-    p.drawText(viewport()->rect(), Qt::AlignCenter, tr("No frames"));
+    p.drawText(viewport()->rect(), Qt::AlignCenter,
+               !isFiltered              ? tr("No frames")
+               : m_model->isFiltering() ? tr("Looking for frames that pass the filter…")
+                                        : tr("No frame passes the filter"));
     return;
   }
   TracePainter painter(p, m_colours, m_fonts, columns());
@@ -225,18 +272,22 @@ void TraceView::paintEvent(QPaintEvent*) {
   for (; y < viewport()->height() && row < m_scroll.rows; y += m_rowHeight, ++row) {
     const QModelIndex index = indexOf(row);
     if (!index.isValid()) break;
+    const auto frame = index.data(TraceModel::FrameRole).toULongLong();
     painter.row(QRect(0, y, width, m_rowHeight), index,
-                {.isSelected = m_selection.has(row), .hasFocus = hasFocus() && m_current == row});
+                {.isSelected = m_selection.has(frame),
+                 .isOdd = row % 2 != 0,
+                 .hasFocus = hasFocus() && m_current == frame});
   }
   p.fillRect(QRect(0, y, TracePainter::kGutter, viewport()->height() - y), m_colours.surfaceAlternate);
 }
 
 QString TraceView::copyText() const {
-  if (!m_log) return {};
-  const std::uint64_t end = std::min(m_selection.end, m_selection.first + kMostCopied);
+  if (!m_log || m_selection.isEmpty()) return {};
   std::string text;
-  for (std::uint64_t row = m_selection.first; row < end; ++row) {
-    const Frame& frame = m_log->frames[row];
+  const std::uint64_t row = m_model->rowOf(m_selection.first);
+  const std::uint64_t end = std::min(m_model->rowOf(m_selection.end), row + kMostCopied);
+  for (const std::uint64_t i : m_model->framesOf(row, static_cast<std::size_t>(end - row))) {
+    const Frame& frame = m_log->frames[i];
     writeCandump(frame, m_log->frames.channelName(frame.channel), text);
   }
   return QString::fromStdString(text);

@@ -8,7 +8,10 @@
 //      the end by wheel, key or bar resumes it, and so does the cursor when it comes to the live edge; the
 //      cursor leaving the live edge ends it, so that what a person stopped to look at stays.
 //   3. A cursor that was in sight is kept in sight while it moves.
-//   4. Colours and the application's palette come from the console; nothing here sends anything.
+//   4. What is current and selected are frames, which a filter does not change; what is scrolled are rows.
+//   When
+//      the filter changes, the frame that was looked at, or the next one that is let through, stays in place.
+//   5. Colours and the application's palette come from the console; nothing here sends anything.
 #pragma once
 
 #include <QAbstractScrollArea>
@@ -49,7 +52,25 @@ class TraceView : public QAbstractScrollArea {
 
   // The selected rows in candump's log form; what Ctrl+C puts on the clipboard.
   QString copyText() const;
+  // The first frame of the selection and the one behind its last; nothing selected: empty.
+  struct FrameRange {
+    std::uint64_t first = 0, end = 0;
+    bool has(std::uint64_t frame) const { return frame >= first && frame < end; }
+    bool isEmpty() const { return first >= end; }
+  };
+  FrameRange selection() const { return m_selection; }
+  // What a person points at or has chosen, for a menu: the frame, and the column under the pointer.
+  struct Cell {
+    std::uint64_t frame = 0;
+    int column = 0;
+  };
+  std::optional<Cell> cellAt(QPoint viewportPoint) const;
 
+  void copy();
+  QModelIndex indexOfFrame(std::uint64_t frame, int column) const;
+
+  void setColumnShown(int column, bool isShown);
+  void resetColumns();
   // Column widths, for the caller's settings.
   QByteArray saveState() const;
   bool restoreState(const QByteArray& state);
@@ -62,6 +83,7 @@ class TraceView : public QAbstractScrollArea {
   void followingChanged(bool isFollowing);
   // `copied` is less than `selected` where the selection was longer than kMostCopied.
   void copied(std::uint64_t copied, std::uint64_t selected);
+  void menuRequested(std::optional<deckpipe::TraceView::Cell> cell, const QPoint& global);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -73,33 +95,31 @@ class TraceView : public QAbstractScrollArea {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   void takeView();
+  void keepInPlace();
+  void notePlace();
   void layOut();
   void stretchDecoded();
   void setDefaultWidths();
   void updateFonts();
   std::vector<TraceColumn> columns() const;
 
-  struct RowRange {
-    std::uint64_t first = 0, end = 0;
-    bool has(std::uint64_t row) const { return row >= first && row < end; }
-  };
-
   // After m_scroll changed: window, bar, picture.
   void showScroll();
   void scrollByHand(std::int64_t rows);
   void barActed(int action);
-  void select(std::uint64_t row, bool extend);
+  void select(std::uint64_t frame, bool extend);
+  void selectRow(std::uint64_t row, bool extend);
   void moveCurrent(std::int64_t by, bool extend);
   void selectAll();
   std::optional<std::uint64_t> rowAt(QPointF point) const;
   QModelIndex indexOf(std::uint64_t row, int column = 0) const;
-  void copy();
   void describe();
   void showToolTip(const QPoint& at, const QPoint& global);
 
@@ -111,9 +131,16 @@ class TraceView : public QAbstractScrollArea {
   TraceScroll m_scroll;
   std::shared_ptr<const LogDocument> m_log;  // whose rows the numbers below are
   std::optional<std::uint64_t> m_current;
-  std::uint64_t m_anchor = 0;  // where extending the selection began
-  RowRange m_selection;
+  std::uint64_t m_anchor = 0;  // the frame where extending the selection began
+  FrameRange m_selection;
   std::uint64_t m_cursorRow = 0;
+  std::uint64_t m_cursorFrames = 0;
+  // While a new filter is looked through: the frame that stays in sight, and how many rows from the top.
+  struct Kept {
+    std::uint64_t frame = 0, rowsBelowTop = 0;
+  };
+  std::optional<Kept> m_kept;
+  Kept m_place;  // what would stay, if the filter were to change now
   bool m_wasAtEnd = true;
   bool m_isFollowing = true;
   int m_wheelRest = 0;

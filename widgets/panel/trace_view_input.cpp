@@ -21,6 +21,7 @@ constexpr int kWheelNotch = 120;
 }  // namespace
 
 void TraceView::scrollByHand(std::int64_t rows) {
+  m_kept.reset();
   m_scroll.moveBy(rows);
   showScroll();
   setFollowing(m_scroll.isAtEnd());
@@ -46,6 +47,7 @@ void TraceView::scrollContentsBy(int dx, int) {
   }
   const int value = verticalScrollBar()->value();
   if (value == m_scroll.barValue()) return;
+  m_kept.reset();
   m_scroll.moveTo(m_scroll.topOf(value));
   showScroll();
   setFollowing(m_scroll.isAtEnd());
@@ -65,7 +67,7 @@ void TraceView::wheelEvent(QWheelEvent* event) {
 }
 
 void TraceView::setCurrentFrame(std::optional<std::uint64_t> frame) {
-  if (frame && *frame < m_scroll.rows) {
+  if (frame && m_model != nullptr && *frame < m_model->view().frameCount) {
     select(*frame, false);
   } else if (m_current) {
     m_current.reset();
@@ -76,27 +78,35 @@ void TraceView::setCurrentFrame(std::optional<std::uint64_t> frame) {
   }
 }
 
-void TraceView::select(std::uint64_t row, bool extend) {
-  const bool isNew = m_current != row;
-  if (!extend || !m_current) m_anchor = row;
-  m_current = row;
-  m_selection = {std::min(m_anchor, row), std::max(m_anchor, row) + 1};
-  if (!m_scroll.shows(row)) {
-    m_scroll.show(row);
+// A frame that the filter hides may be current as well: its place is shown.
+void TraceView::select(std::uint64_t frame, bool extend) {
+  const bool isNew = m_current != frame;
+  if (!extend || !m_current) m_anchor = frame;
+  m_current = frame;
+  m_selection = {std::min(m_anchor, frame), std::max(m_anchor, frame) + 1};
+  const std::uint64_t row = m_model->rowOf(frame);
+  if (!m_scroll.shows(row) && m_scroll.rows > 0) {
+    m_kept.reset();
+    m_scroll.show(std::min(row, m_scroll.rows - 1));
     showScroll();
     setFollowing(m_scroll.isAtEnd());
   }
+  notePlace();
   viewport()->update();
   if (!isNew) return;
   describe();
   Q_EMIT currentFrameChanged(m_current);
 }
 
+void TraceView::selectRow(std::uint64_t row, bool extend) {
+  if (const auto frame = m_model->frameOf(row)) select(*frame, extend);
+}
+
 // All rows there are now; what is in sight, and looked at, stays.
 void TraceView::selectAll() {
   if (m_scroll.rows == 0) return;
-  if (!m_current) select(m_scroll.top, false);
-  m_selection = {0, m_scroll.rows};
+  if (!m_current) selectRow(m_scroll.top, false);
+  m_selection = {0, m_model->view().frameCount};
   viewport()->update();
 }
 
@@ -104,13 +114,16 @@ void TraceView::moveCurrent(std::int64_t by, bool extend) {
   if (m_scroll.rows == 0) return;
   if (!m_current) {
     // The first key picks what is in sight.
-    select(by < 0 ? std::min(m_scroll.top + m_scroll.pageRows, m_scroll.rows) - 1 : m_scroll.top, false);
+    selectRow(by < 0 ? std::min(m_scroll.top + m_scroll.pageRows, m_scroll.rows) - 1 : m_scroll.top, false);
     return;
   }
   const std::uint64_t last = m_scroll.rows - 1;
+  const std::uint64_t row = m_model->rowOf(*m_current);
+  // Where the filter hides the current frame, the row there is already the next.
+  if (by > 0 && row <= last && m_model->frameOf(row) != m_current) --by;
   const std::uint64_t far = by < 0 ? 0 - static_cast<std::uint64_t>(by) : static_cast<std::uint64_t>(by);
-  select(by < 0 ? *m_current - std::min(*m_current, far) : *m_current + std::min(last - *m_current, far),
-         extend);
+  const std::uint64_t from = std::min(row, last);
+  selectRow(by < 0 ? row - std::min(row, far) : from + std::min(last - from, far), extend);
 }
 
 void TraceView::keyPressEvent(QKeyEvent* event) {
@@ -130,11 +143,9 @@ void TraceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Down: moveCurrent(1, extend); break;
     case Qt::Key_PageUp: moveCurrent(-page, extend); break;
     case Qt::Key_PageDown: moveCurrent(page, extend); break;
-    case Qt::Key_Home:
-      if (m_scroll.rows > 0) select(0, extend);
-      break;
+    case Qt::Key_Home: selectRow(0, extend); break;
     case Qt::Key_End:
-      if (m_scroll.rows > 0) select(last, extend);
+      selectRow(last, extend);
       setFollowing(true);
       break;
     case Qt::Key_Left: horizontalScrollBar()->triggerAction(QAbstractSlider::SliderSingleStepSub); break;
@@ -148,7 +159,7 @@ void TraceView::keyPressEvent(QKeyEvent* event) {
 }
 
 std::optional<std::uint64_t> TraceView::rowAt(QPointF point) const {
-  if (point.y() < 0) return {};
+  if (m_model == nullptr || point.y() < 0) return {};
   const std::uint64_t row =
       m_scroll.top + static_cast<std::uint64_t>(point.y()) / static_cast<unsigned>(m_rowHeight);
   return row < m_scroll.rows ? std::optional(row) : std::nullopt;
@@ -156,17 +167,47 @@ std::optional<std::uint64_t> TraceView::rowAt(QPointF point) const {
 
 void TraceView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (const auto row = rowAt(event->position())) select(*row, (event->modifiers() & Qt::ShiftModifier) != 0);
+  if (const auto row = rowAt(event->position()))
+    selectRow(*row, (event->modifiers() & Qt::ShiftModifier) != 0);
 }
 
 void TraceView::mouseMoveEvent(QMouseEvent* event) {
   if (!(event->buttons() & Qt::LeftButton) || !m_current) return;
-  if (const auto row = rowAt(event->position())) select(*row, true);
+  if (const auto row = rowAt(event->position())) selectRow(*row, true);
+}
+
+std::optional<TraceView::Cell> TraceView::cellAt(QPoint point) const {
+  const auto row = rowAt(point);
+  const auto frame = row ? m_model->frameOf(*row) : std::nullopt;
+  if (!frame) return {};
+  const int column = point.x() < TracePainter::kGutter ? -1 : m_header->logicalIndexAt(point.x());
+  return Cell{*frame, column};
+}
+
+// By mouse for the cell under it, by key for the current row.
+void TraceView::contextMenuEvent(QContextMenuEvent* event) {
+  if (m_model == nullptr) return;
+  if (event->reason() == QContextMenuEvent::Keyboard) {
+    std::optional<Cell> cell;
+    QPoint at(TracePainter::kGutter, 0);
+    if (m_current) {
+      cell = Cell{*m_current, -1};
+      const std::uint64_t row = m_model->rowOf(*m_current);
+      if (m_scroll.shows(row)) at.setY(static_cast<int>(row - m_scroll.top + 1) * m_rowHeight);
+    }
+    Q_EMIT menuRequested(cell, viewport()->mapToGlobal(at));
+    return;
+  }
+  const auto cell = cellAt(viewport()->mapFromGlobal(event->globalPos()));
+  if (cell && !m_selection.has(cell->frame)) select(cell->frame, false);
+  Q_EMIT menuRequested(cell, event->globalPos());
 }
 
 void TraceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (const auto row = rowAt(event->position())) Q_EMIT cursorRequested(*row);
+  if (const auto row = rowAt(event->position())) {
+    if (const auto frame = m_model->frameOf(*row)) Q_EMIT cursorRequested(*frame);
+  }
 }
 
 void TraceView::focusInEvent(QFocusEvent* event) {
@@ -182,13 +223,13 @@ void TraceView::focusOutEvent(QFocusEvent* event) {
 void TraceView::copy() {
   if (!m_current) return;
   QApplication::clipboard()->setText(copyText());
-  const std::uint64_t selected = m_selection.end - m_selection.first;
+  const std::uint64_t selected = m_model->rowOf(m_selection.end) - m_model->rowOf(m_selection.first);
   Q_EMIT copied(std::min(selected, kMostCopied), selected);
 }
 
 void TraceView::describe() {
-  setAccessibleDescription(m_current ? indexOf(*m_current).data(Qt::AccessibleTextRole).toString()
-                                     : QString());
+  const QModelIndex index = m_current ? indexOfFrame(*m_current, 0) : QModelIndex();
+  setAccessibleDescription(index.data(Qt::AccessibleTextRole).toString());
 }
 
 bool TraceView::viewportEvent(QEvent* event) {

@@ -2,10 +2,12 @@
 #include "panel/transport_bar.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <cmath>
@@ -19,7 +21,6 @@ namespace {
 
 constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4, 8, 16};
 constexpr int kPixelsABin = 3;
-constexpr int kMoreMs = 20;
 
 }  // namespace
 
@@ -33,9 +34,9 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_colours(colours
     made->setToolTip(label);
     return made;
   };
-  m_back = button(TransportButton::Sign::StepBack, "stepBack", tr("Back by one frame"));
+  m_back = button(TransportButton::Sign::StepBack, "stepBack", {});
   m_play = button(TransportButton::Sign::Play, "play", tr("Play"));
-  m_forward = button(TransportButton::Sign::StepForward, "stepForward", tr("On by one frame"));
+  m_forward = button(TransportButton::Sign::StepForward, "stepForward", {});
   m_end = button(TransportButton::Sign::ToEnd, "toEnd", tr("To the end of the log, and on with it"));
   const QString atEnd = tr("At the end"), toEnd = tr("To the end");
   const QFontMetrics metrics(font());
@@ -63,17 +64,21 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_colours(colours
   row->addWidget(m_speed);
   row->addWidget(m_end);
 
-  connect(m_back, &QAbstractButton::clicked, this, [this] { Q_EMIT stepRequested(-1); });
-  connect(m_forward, &QAbstractButton::clicked, this, [this] { Q_EMIT stepRequested(1); });
+  connect(m_back, &QAbstractButton::clicked, this,
+          [this] { step(-1, (QApplication::keyboardModifiers() & Qt::ShiftModifier) != 0); });
+  connect(m_forward, &QAbstractButton::clicked, this,
+          [this] { step(1, (QApplication::keyboardModifiers() & Qt::ShiftModifier) != 0); });
   connect(m_play, &QAbstractButton::clicked, this, &TransportBar::playOrPause);
   connect(m_end, &QAbstractButton::clicked, this, &TransportBar::endRequested);
   connect(m_timeline, &Timeline::seekRequested, this, &TransportBar::seekRequested);
   connect(m_timeline, &Timeline::endRequested, this, &TransportBar::endRequested);
   connect(m_speed, &QComboBox::activated, this,
           [this](int index) { Q_EMIT speedRequested(m_speed->itemData(index).toDouble()); });
-  m_more.setInterval(kMoreMs);
-  m_more.setSingleShot(true);
-  connect(&m_more, &QTimer::timeout, this, &TransportBar::showTimeline);
+  connect(m_timeline, &Timeline::shownChanged, this, &TransportBar::showTimeline);
+  connect(m_timeline, &Timeline::selectionChanged, this, &TransportBar::showTimeline);
+  m_timeline->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(m_timeline, &QWidget::customContextMenuRequested, this, &TransportBar::showMenu);
+  setFiltered(false);
   setView({}, {});
 }
 
@@ -118,7 +123,8 @@ void TransportBar::showControls() {
 
 void TransportBar::showTimeline() {
   const int bins = std::max(1, m_timeline->width() / kPixelsABin);
-  if (!m_marks.take(m_view, bins)) m_more.start();
+  m_marks.take(m_view, m_timeline->isZoomed() ? m_timeline->shown() : TimelineSpan{m_view.begin, m_view.end},
+               bins);
   TimelineValues values;
   values.isEmpty = !m_view.document || m_view.frameCount == 0;
   if (!values.isEmpty) {
@@ -128,9 +134,66 @@ void TransportBar::showTimeline() {
     values.atEnd = m_view.atEnd;
     values.density = m_marks.density();
     values.marks = m_marks.marks();
+    values.gaps = m_marks.gaps();
+    values.selection = selectionText();
   }
   m_timeline->setValues(values);
   m_timeline->setAccessibleDescription(values.isEmpty ? tr("no frames") : m_readout->elapsed());
+}
+
+void TransportBar::setFiltered(bool isFiltered) {
+  m_isFiltered = isFiltered;
+  const auto say = [](TransportButton* button, const QString& text) {
+    button->setAccessibleName(text);
+    button->setToolTip(text);
+  };
+  say(m_back, isFiltered ? tr("Back by one row of the filter; with Shift by one frame (,)")
+                         : tr("Back by one frame (,)"));
+  say(m_forward, isFiltered ? tr("On by one row of the filter; with Shift by one frame (.)")
+                            : tr("On by one frame (.)"));
+}
+
+void TransportBar::step(int by, bool isByFrame) {
+  if (!(by < 0 ? m_back : m_forward)->isEnabled()) return;
+  if (m_isFiltered && !isByFrame) {
+    Q_EMIT rowStepRequested(by);
+  } else {
+    Q_EMIT stepRequested(by);
+  }
+}
+
+// "12.345 s, 4,512 frames, 366/s"
+QString TransportBar::selectionText() const {
+  const auto span = m_timeline->selection();
+  if (!span || !m_view.document) return {};
+  const FrameStore& frames = m_view.document->frames;
+  const std::uint64_t count = frames.firstAtOrAfter(span->end) - frames.firstAtOrAfter(span->begin);
+  const double seconds = span->ns() / 1e9;
+  const QLocale locale;
+  return tr("%1 s, %2 frames, %3/s")
+      .arg(locale.toString(seconds, 'f', seconds < 100 ? 3 : 1),
+           locale.toString(static_cast<qulonglong>(count)),
+           locale.toString(static_cast<double>(count) / seconds, 'f', 0));
+}
+
+void TransportBar::showMenu(const QPoint& at) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("timelineMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto span = m_timeline->selection();
+  const auto seconds = [this](Instant time) {
+    return QString::number(static_cast<double>((time - m_view.begin).count()) / 1e9, 'f', 6);
+  };
+  QAction* zoom = menu->addAction(tr("Look closer at the selection"), this,
+                                  [this, span] { m_timeline->showSpan(*span); });
+  QAction* only = menu->addAction(tr("Show only the selection in the trace"), this, [this, span, seconds] {
+    Q_EMIT spanRequested(QStringLiteral("t>=%1 and t<%2").arg(seconds(span->begin), seconds(span->end)));
+  });
+  QAction* none = menu->addAction(tr("No selection"), this, [this] { m_timeline->select({}); });
+  for (QAction* action : {zoom, only, none}) action->setEnabled(span.has_value());
+  menu->addSeparator();
+  menu->addAction(tr("The whole log"), m_timeline, &Timeline::fit)->setEnabled(m_timeline->isZoomed());
+  menu->popup(m_timeline->mapToGlobal(at));
 }
 
 void TransportBar::playOrPause() {
@@ -146,6 +209,14 @@ void TransportBar::playOrPause() {
 void TransportBar::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space) {
     if (!event->isAutoRepeat()) playOrPause();
+    return;
+  }
+  const bool isBack =
+      event->key() == Qt::Key_Comma || event->key() == Qt::Key_Less || event->key() == Qt::Key_Semicolon;
+  const bool isOn =
+      event->key() == Qt::Key_Period || event->key() == Qt::Key_Greater || event->key() == Qt::Key_Colon;
+  if (isBack || isOn) {
+    step(isBack ? -1 : 1, (event->modifiers() & Qt::ShiftModifier) != 0);
     return;
   }
   QWidget::keyPressEvent(event);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bar at the foot of the window that moves the cursor through the log: play and pause, step by a frame,
 // the timeline, speed, and the way to the live edge. The console feeds it on each tick and acts on what it
-// asks for; it is the same for a bus and for a file. Space plays and pauses while the timeline has the focus.
+// asks for; it is the same for a bus and for a file. Space plays and pauses while the timeline has the focus,
+// comma and full stop step. With a filter in the trace, steps are its rows; with Shift they are frames.
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 
 #include "paint/palette.h"
@@ -34,12 +34,17 @@ class TransportBar : public QWidget {
 
   void setView(const LogView& view, const Playback& playback);
   void setColours(const Colours& colours);
+  // Whether the trace shows only some of the frames.
+  void setFiltered(bool isFiltered);
 
  Q_SIGNALS:
   void playRequested();
   void pauseRequested();
   void seekRequested(deckpipe::Instant time);
-  void stepRequested(int frames);  // -1 or 1
+  void stepRequested(int frames);   // -1 or 1
+  void rowStepRequested(int rows);  // of the trace, -1 or 1
+  // Only frames of a span are of interest: an expression of the trace's filter.
+  void spanRequested(const QString& expression);
   void endRequested();
   void speedRequested(double speed);
 
@@ -50,6 +55,9 @@ class TransportBar : public QWidget {
 
  private:
   void playOrPause();
+  void step(int by, bool isByFrame);
+  void showMenu(const QPoint& at);
+  QString selectionText() const;
   void showTimeline();
   void showControls();
 
@@ -57,7 +65,7 @@ class TransportBar : public QWidget {
   LogView m_view;
   Playback m_playback;
   LogMarks m_marks;
-  QTimer m_more;  // while a long log is looked through for marks
+  bool m_isFiltered = false;
   TransportButton* m_back;
   TransportButton* m_play;
   TransportButton* m_forward;

@@ -7,7 +7,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kSide = 40;
+constexpr int kSide = 44;
 constexpr double kSign = 16;
 constexpr int kGap = 8;
 

@@ -37,7 +37,9 @@ constexpr Group kGroups[] = {
 struct FaultText {
   const char* name;
   const char* text;
+  int first = 0, second = 0;  // numbers in it
 };
+constexpr int milliseconds(Duration d) { return static_cast<int>(d / 1ms); }
 constexpr FaultText kFaults[] = {
     {"silent", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sends nothing")},
     {"addressTaken", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Another controller takes its address")},
@@ -50,16 +52,22 @@ constexpr FaultText kFaults[] = {
     {"motorAxis1", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Motor of axis 1, which stands still")},
     {"olderFaults", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Bits 17–20 and 22, of older manuals")},
     {"olderFirmware", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "5 bytes, as older firmware answers")},
-    {"answersLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Two of three lost")},
-    {"answersLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "800 ms late")},
+    {"answersLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "%1 of %2 lost"), TwinNumbers::kAnswersLost,
+     TwinNumbers::kAnswersOf},
+    {"answersLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "%1 ms late"),
+     milliseconds(TwinNumbers::kAnswersLate)},
     {"answersTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sent twice")},
     {"answersWrongLength", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "A byte short")},
     {"answersWrongSource", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "From the next address")},
-    {"acksLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Every tenth acknowledgement lost")},
-    {"acksLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements 400 ms late")},
+    {"acksLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "1 of %1 acknowledgements lost"),
+     TwinNumbers::kPipeLostOneOf},
+    {"acksLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements %1 ms late"),
+     milliseconds(TwinNumbers::kAcksLate)},
     {"acksTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements sent twice")},
-    {"packetsLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Every tenth packet of its own lost")},
-    {"vanishesInTransfer", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No power after 50 packets, for 3 s")},
+    {"packetsLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "1 of %1 packets of its own lost"),
+     TwinNumbers::kPipeLostOneOf},
+    {"vanishesInTransfer", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No power after %1 packets, for %2 s"),
+     TwinNumbers::kVanishesAfter, milliseconds(TwinNumbers::kVanishesFor) / 1000},
 };
 static_assert(std::size(kFaults) == kTwinFaults);
 
@@ -129,10 +137,10 @@ QWidget* TwinPanel::makeControls() {
   m_allWell = makeButton("twinAllWell", tr("All is well again"), layout);
 
   connect(m_devices, &QComboBox::currentIndexChanged, this, &TwinPanel::showDevice);
-  connect(m_powerOff, &QPushButton::clicked, this, [this] { press(TwinButton::PowerOff); });
-  connect(m_powerOn, &QPushButton::clicked, this, [this] { press(TwinButton::PowerOn); });
-  connect(m_reset, &QPushButton::clicked, this, [this] { press(TwinButton::Reset); });
-  connect(m_allWell, &QPushButton::clicked, this, [this] { wishFaults({}); });
+  connect(m_powerOff, &QPushButton::clicked, this, [this] { wish(TwinButton::PowerOff); });
+  connect(m_powerOn, &QPushButton::clicked, this, [this] { wish(TwinButton::PowerOn); });
+  connect(m_reset, &QPushButton::clicked, this, [this] { wish(TwinButton::Reset); });
+  connect(m_allWell, &QPushButton::clicked, this, [this] { wish(TwinAllWell{}); });
   return page;
 }
 
@@ -154,14 +162,12 @@ QWidget* TwinPanel::makeFaults() {
       title->setContentsMargins(0, i == 0 ? 0 : 12, 0, 4);
       layout->addWidget(title);
     }
-    auto* box = new TickBox(tr(kFaults[i].text), list);
+    auto* box = new TickBox(faultText(fault), list);
     box->setObjectName(QStringLiteral("twinFault_") + QLatin1String(kFaults[i].name));
     box->setAccessibleName(tr("%1: %2").arg(group, box->text()));
     connect(box, &TickBox::clicked, this, [this, fault](bool on) {
-      if (device() == nullptr) return;
-      TwinFaults faults = device()->faults;
-      faults.set(fault, on);
-      wishFaults(faults);
+      wish(TwinSwitch{fault, on});
+      showDevice();
     });
     layout->addWidget(box);
     m_faults[i] = box;
@@ -182,17 +188,20 @@ QWidget* TwinPanel::makeFaults() {
   return m_scroll;
 }
 
+QString TwinPanel::faultText(TwinFault fault) {
+  const FaultText& text = kFaults[static_cast<std::size_t>(fault)];
+  if (text.first == 0) return tr(text.text);
+  const QString withFirst = tr(text.text).arg(text.first);
+  return text.second == 0 ? withFirst : withFirst.arg(text.second);
+}
+
 const TwinDevice* TwinPanel::device() const {
   const auto index = static_cast<std::size_t>(m_devices->currentIndex());
   return index < m_status.devices.size() ? &m_status.devices[index] : nullptr;
 }
 
-void TwinPanel::wishFaults(const TwinFaults& faults) {
-  if (device() != nullptr) Q_EMIT wished({static_cast<std::size_t>(m_devices->currentIndex()), faults});
-}
-
-void TwinPanel::press(TwinButton button) {
-  if (device() != nullptr) Q_EMIT wished({static_cast<std::size_t>(m_devices->currentIndex()), button});
+void TwinPanel::wish(decltype(TwinWish::what) what) {
+  if (device() != nullptr) Q_EMIT wished({static_cast<std::size_t>(m_devices->currentIndex()), what});
 }
 
 void TwinPanel::setStatus(const TwinStatus& status) {

@@ -44,8 +44,8 @@ class TwinPanel : public QWidget {
   QWidget* makeFaults();
   QPushButton* makeButton(const char* name, const QString& text, QVBoxLayout* layout);
   const TwinDevice* device() const;
-  void wishFaults(const TwinFaults& faults);
-  void press(TwinButton button);
+  void wish(decltype(TwinWish::what) what);
+  static QString faultText(TwinFault fault);
   void listDevices();
   void showDevice();
   void showState(const TwinDevice& device);

@@ -43,11 +43,31 @@ constexpr NumberName kParts[] = {
 constexpr NumberName kStyles[] = {{3356, QT_TRANSLATE_NOOP("Style", "Trident")}};
 constexpr NumberName kSubtypes[] = {{14, QT_TRANSLATE_NOOP("Subtype", "analog sensors")}};
 
+// SAE J1939-81. Of the functions only the one that our sources name; the industry groups are all there are.
+constexpr NumberName kFunctions[] = {{129, QT_TRANSLATE_NOOP("Function", "off-board service tool")}};
+constexpr NumberName kIndustryGroups[] = {
+    {0, QT_TRANSLATE_NOOP("IndustryGroup", "global")},
+    {1, QT_TRANSLATE_NOOP("IndustryGroup", "on-highway equipment")},
+    {2, QT_TRANSLATE_NOOP("IndustryGroup", "agricultural and forestry equipment")},
+    {3, QT_TRANSLATE_NOOP("IndustryGroup", "construction equipment")},
+    {4, QT_TRANSLATE_NOOP("IndustryGroup", "marine")},
+    {5, QT_TRANSLATE_NOOP("IndustryGroup", "industrial process control")},
+};
+
 template <std::size_t N>
 QString named(const char* context, const NumberName (&names)[N], std::uint32_t number) {
   const auto found = std::ranges::find(names, number, &NumberName::number);
   if (found == std::end(names)) return QString::number(number);
   return Words::tr("%1: %2").arg(number).arg(QCoreApplication::translate(context, found->name));
+}
+
+// "1, on-highway equipment"
+template <std::size_t N>
+QString numberedName(const char* context, const NumberName (&names)[N], std::uint32_t number) {
+  const auto found = std::ranges::find(names, number, &NumberName::number);
+  if (found == std::end(names)) return QString::number(number);
+  return Words::tr("%1, %2", "a number and what it means")
+      .arg(QString::number(number), QCoreApplication::translate(context, found->name));
 }
 
 }  // namespace
@@ -99,9 +119,14 @@ QString makerText(unsigned manufacturerCode) {
 
 QStringList nameLines(Name name) {
   QStringList lines;
+  const bool isGlobal = name.part(fieldOf(j1939::kNameFields, "industry_group").bits) == 0;
   const auto add = [&](std::string_view key) {
     const auto field = std::ranges::find(j1939::kNameFields, key, &Field::key);
-    lines << Words::tr("%1: %2").arg(fieldName(*field)).arg(name.part(field->bits));
+    const std::uint32_t number = name.part(field->bits);
+    QString text = QString::number(number);
+    if (key == "industry_group") text = numberedName("IndustryGroup", kIndustryGroups, number);
+    if (key == "function" && isGlobal) text = numberedName("Function", kFunctions, number);
+    lines << Words::tr("%1: %2").arg(fieldName(*field), text);
   };
   lines << Words::tr("Maker: %1").arg(makerText(name.manufacturerCode()));
   for (const std::string_view key : {"identity_number", "function", "function_instance", "ecu_instance",

@@ -97,6 +97,8 @@ TEST_F(Docks, FloatOnlyWhileALogIsOpen) {
 TEST_F(Docks, AreReachedOneAfterAnotherByF6) {
   m_window.activateWindow();
   only<TransportBar>()->setFocus();
+  QTest::keyClick(&m_window, Qt::Key_F6);
+  EXPECT_TRUE(hasFocus(named<QWidget>("statusStrip")));
   const QList<QWidget*> panes = only<Workspace>()->panes();
   ASSERT_EQ(panes.size(), 3);
   for (const QWidget* pane : panes) {

@@ -50,19 +50,21 @@ TEST_F(RunningTwin, SwitchesTheirPower) {
 }
 
 TEST_F(RunningTwin, LetsThemGoWrongAndRightAgain) {
-  const TwinFaults wrong{TwinFault::Silent, TwinFault::AcksLost};
-  m_twin.obey({0, wrong});
-  EXPECT_EQ(m_status.devices[0].faults, wrong);
+  m_twin.obey({0, TwinSwitch{TwinFault::Silent, true}});
+  m_twin.obey({0, TwinSwitch{TwinFault::AcksLost, true}});
+  m_twin.obey({0, TwinSwitch{TwinFault::AcksLate, true}});
+  m_twin.obey({0, TwinSwitch{TwinFault::AcksLate, false}});
+  EXPECT_EQ(m_status.devices[0].faults, (TwinFaults{TwinFault::Silent, TwinFault::AcksLost}));
   EXPECT_TRUE(m_twin.bench().bench.device(0).misbehaviour().silent);
   EXPECT_TRUE(m_status.devices[1].faults.isNone());
-  m_twin.obey({0, TwinFaults{}});
+  m_twin.obey({0, TwinAllWell{}});
   EXPECT_TRUE(m_status.devices[0].faults.isNone());
   EXPECT_EQ(m_twin.bench().bench.device(0).misbehaviour(), simulator::Misbehaviour{});
 }
 
 TEST_F(RunningTwin, ResetsThemAndMovesThemElsewhere) {
   const Address before = m_status.devices[0].address;
-  m_twin.obey({0, TwinFaults{TwinFault::ReturnsElsewhere}});
+  m_twin.obey({0, TwinSwitch{TwinFault::ReturnsElsewhere, true}});
   m_twin.obey({0, TwinButton::Reset});
   EXPECT_FALSE(has(0));
   ASSERT_TRUE(waitFor([&] { return has(0); }));

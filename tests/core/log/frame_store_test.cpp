@@ -334,5 +334,16 @@ TEST(FrameStore, ReadersSeeWholeFramesWhileItGrows) {
   EXPECT_EQ(wrong, 0u);
 }
 
+TEST(FrameStore, ListsTheFramesWhereTheClockJumps) {
+  FrameStore store;
+  std::vector<Frame> frames(5);
+  const std::int64_t stamps[] = {10, 11, 5, 12, 90'000};
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].stamp = stamps[i] * kSecond;
+  ASSERT_TRUE(store.append(frames));
+  ASSERT_EQ(store.jumps().size(), 2u);
+  EXPECT_EQ(store.jumps()[0], 2u);
+  EXPECT_EQ(store.jumps()[1], 4u);
+}
+
 }  // namespace
 }  // namespace deckpipe

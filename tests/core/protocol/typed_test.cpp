@@ -72,6 +72,7 @@ TEST(Typed, JoystickAgreesWithTheCatalogueForAnyBytes) {
       EXPECT_EQ(y.number(), *j.y.tenths);
     }
     EXPECT_EQ(field(f, kId, "y_back").text(), word(j.y.minus));
+    EXPECT_EQ(field(f, kId, "x_detent").text(), word(j.x.detent));
     for (std::size_t n = 0; n < 12; ++n) {
       EXPECT_EQ(field(f, kId, "switch_" + std::to_string(n + 1)).text(), word(j.switches[n]));
     }

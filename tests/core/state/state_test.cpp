@@ -47,10 +47,66 @@ TEST_F(StateOfOneChannel, KnowsADeviceByItsPinThroughChangesOfAddress) {
   hear("18EFFF81", kAnnouncesA);
   ASSERT_NE(device(kPinA), nullptr);
   EXPECT_EQ(device(kPinA)->address, Address{0x81});
-  EXPECT_EQ(device(kPinA)->previousAddress, Address{0x80});
+  EXPECT_EQ(device(kPinA)->previousAddress(), Address{0x80});
   EXPECT_EQ(device(kPinA)->addressChanges, 1);
   EXPECT_EQ(device(kPinA)->position.value().rotation.tenths, 473);
   EXPECT_EQ(at(0x80), nullptr);
+}
+
+TEST_F(StateOfOneChannel, RemembersTheAddressesThatADeviceHadAndUntilWhen) {
+  std::array<Instant, 5> moved{};
+  for (unsigned i = 0; i < 5; ++i) {
+    char id[9];
+    std::snprintf(id, sizeof id, "18EFFF%02X", 0x80 + i);
+    hear(id, kAnnouncesA);
+    moved[i] = m_now;
+    pass(1s);
+  }
+  const Device& d = *device(kPinA);
+  EXPECT_EQ(d.address, Address{0x84});
+  EXPECT_EQ(d.formerAddresses[0], (FormerAddress{moved[4], {0x83}}));
+  EXPECT_EQ(d.formerAddresses[1], (FormerAddress{moved[3], {0x82}}));
+  EXPECT_EQ(d.formerAddresses[2], (FormerAddress{moved[2], {0x81}})) << "the oldest is forgotten";
+  EXPECT_EQ(d.addressChanges, 4);
+}
+
+TEST_F(StateOfOneChannel, KnowsAnAddressThatItsDeviceLeftUntilSomebodyIsHeardThere) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EFFF81", kAnnouncesA);
+  EXPECT_TRUE(node(0x80).wasLeft);
+  EXPECT_FALSE(node(0x81).wasLeft);
+  hear("18FF0080", "00");
+  EXPECT_FALSE(node(0x80).wasLeft);
+}
+
+TEST_F(StateOfOneChannel, TakesOnePinOnTwoChannelsForTwoDevices) {
+  hear("18EFFF80", kAnnouncesA);
+  m_state.apply(frame("18EFFF90", kAnnouncesA, 1), m_now);
+  m_state.apply(frame("18EFFF90", kPosition, 1), m_now);
+  const Device* first = m_state.devices().byPin(kCan0, *Pin::parse(kPinA));
+  const Device* second = m_state.devices().byPin(Channel{1}, *Pin::parse(kPinA));
+  ASSERT_NE(first, nullptr);
+  ASSERT_NE(second, nullptr);
+  EXPECT_EQ(first->address, Address{0x80});
+  EXPECT_FALSE(first->position.isKnown());
+  EXPECT_EQ(first->addressChanges, 0);
+  EXPECT_EQ(second->address, Address{0x90});
+  EXPECT_TRUE(second->position.isKnown());
+  EXPECT_EQ(device(kPinA), first);
+}
+
+TEST_F(StateOfOneChannel, CountsFramesASecondInWholeSeconds) {
+  for (int i = 0; i < 25; ++i) {
+    hear("18EFFF80", kPosition);
+    pass(100ms);
+  }
+  // Heard from 1.0 s to 3.4 s of log time.
+  EXPECT_EQ(at(0x80)->rate.at(m_now, at(0x80)->lastHeard), 10u);
+  EXPECT_EQ(node(0x80).rate.at(m_now, node(0x80).lastHeard), 10u);
+  pass(1s);
+  EXPECT_EQ(at(0x80)->rate.at(m_now, at(0x80)->lastHeard), 5u) << "five in the second that ended";
+  pass(1s);
+  EXPECT_EQ(at(0x80)->rate.at(m_now, at(0x80)->lastHeard), 0u);
 }
 
 TEST_F(StateOfOneChannel, GivesAnAddressToWhoAnnouncedItLast) {
@@ -78,7 +134,7 @@ TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceWhoseNameItCannotBe) {
   EXPECT_EQ(device(kPinA)->address, Address{0x80});
   hear("18EEFF80", kLowerForeignName);
   EXPECT_EQ(device(kPinA)->address, kNullAddress);
-  EXPECT_EQ(device(kPinA)->previousAddress, Address{0x80});
+  EXPECT_EQ(device(kPinA)->previousAddress(), Address{0x80});
 }
 
 TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceThatCannotClaim) {
@@ -309,6 +365,25 @@ TEST_F(StateOfOneChannel, RunsOutOfDevicesWithoutHarm) {
     }
   }
   EXPECT_EQ(m_state.devices().untracked(), 4 * 0x78 - kMaxDevices);
+}
+
+TEST_F(StateOfOneChannel, MakesRoomForAPinInAFullTable) {
+  unsigned made = 0;
+  for (unsigned channel = 1; channel < kMaxChannels; ++channel) {
+    for (unsigned address = 0x80; address < 0xF8 && made < kMaxDevices; ++address, ++made) {
+      char id[9];
+      std::snprintf(id, sizeof id, "18EFFF%02X", address);
+      m_state.apply(frame(id, kPosition, static_cast<std::uint8_t>(channel)), m_now);
+      pass(1ms);
+    }
+  }
+  ASSERT_EQ(made, kMaxDevices);
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EFFF80", kPosition);
+  ASSERT_NE(device(kPinA), nullptr);
+  EXPECT_TRUE(device(kPinA)->position.isKnown());
+  EXPECT_EQ(m_state.devices().byAddress(Channel{1}, Address{0x80}), nullptr) << "heard longest ago";
+  EXPECT_NE(m_state.devices().byAddress(Channel{1}, Address{0x81}), nullptr);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST_F(DeviceTable, ShowsAMonitorWithEverything) {
   m_bus.monitor();
   show();
   ASSERT_EQ(m_model.rowCount(), 1);
-  EXPECT_EQ(all(0), "1032AE100801035 | 6032 Universal II | 80 | < 1 s | fine | 5");
+  EXPECT_EQ(all(0), "1032AE100801035 | 6032 Universal II | 80 | < 1 s | fine | 0/s | 5");
   EXPECT_EQ(m_model.index(0, 0).data(Model::GroupTextRole).toString(), QStringLiteral("Monitors"));
 }
 
@@ -124,6 +124,21 @@ INSTANTIATE_TEST_SUITE_P(
         HealthCase{"Stale", [](Heard& b) { b.monitor().pass(1s).hear("18EFFF80", kOutputs); }, "attend",
                    "position status is overdue"},
         HealthCase{"Silent", [](Heard& b) { b.monitor().pass(3s); }, "silent", "Nothing heard"},
+        HealthCase{"RiserSilent", [](Heard& b) { b.hear("18EFFF91", "848000").pass(3s); }, "silent",
+                   "Nothing heard"},
+        HealthCase{"ControlSendsNothingFromTheAddressOfItsPin",
+                   [](Heard& b) { b.hear("18EFFF82", announcementOf("1035AE100804442")).pass(1h); }, "quiet",
+                   "no periodic message"},
+        HealthCase{"ForeignNodesHaveNoPeriodThatWeKnow",
+                   [](Heard& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "quiet",
+                   "no periodic message"},
+        HealthCase{"QuietGivesWayToAnythingElse",
+                   [](Heard& b) {
+                     b.hear("18EEFF21", kHigherForeignName).hear("18EEFFFE", kHigherForeignName).pass(1h);
+                   },
+                   "attend", "could not claim"},
+        HealthCase{"JoystickSilent", [](Heard& b) { b.hear("0CFDD633", kRestingStick).pass(3s); }, "silent",
+                   "Nothing heard"},
         HealthCase{"SilentSaysItsFaultsToo",
                    [](Heard& b) { b.monitor().hear("18EF0580", "02002000000000").pass(1h); }, "silent",
                    "fault bits"},
@@ -153,8 +168,19 @@ TEST_F(DeviceTable, KeepsTheRowWhenTheAddressChanges) {
   EXPECT_TRUE(removed.isEmpty());
   EXPECT_EQ(row.row(), 0);
   EXPECT_EQ(text(0, Model::AddressColumn), QStringLiteral("81"));
-  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("81 hex for 0.0 s, before that 80 hex")))
+  EXPECT_TRUE(
+      tooltip(0).contains(QStringLiteral("Address: 81 hex for 0.0 s\nBefore: 80 hex until 0.0 s ago")))
       << tooltip(0).toStdString();
+}
+
+TEST_F(DeviceTable, ShowsNoRowsOfAddressesThatADeviceLeft) {
+  for (const char* id : {"18EFFF80", "18EFFF81", "18EFFF82", "18EFFF83", "18EFFF84", "18EFFF85"})
+    m_bus.pass(1s).hear(id, kAnnouncesA);
+  show();
+  EXPECT_EQ(m_model.rowCount(), 1);
+  m_bus.hear("18FF0081", "00");
+  show();
+  EXPECT_EQ(m_model.rowCount(), 2) << "somebody else is there now";
 }
 
 TEST_F(DeviceTable, SaysThatAnAddressWasLost) {
@@ -262,6 +288,71 @@ TEST_F(DeviceTable, TellsTheNameInWords) {
     EXPECT_TRUE(tooltip(0).contains(QString::fromLatin1(line))) << tooltip(0).toStdString();
 }
 
+TEST_F(DeviceTable, CountsFramesASecond) {
+  for (int i = 0; i < 20; ++i) m_bus.hear("18EFFF80", kPosition).pass(100ms);
+  show();
+  EXPECT_EQ(text(0, Model::RateColumn), QStringLiteral("10/s"));
+  m_bus.pass(2s);
+  show();
+  EXPECT_EQ(text(0, Model::RateColumn), QStringLiteral("0/s"));
+}
+
+TEST_F(DeviceTable, PutsAPersonsLabelBeforeThePin) {
+  m_bus.monitor();
+  show();
+  const auto detail = [&] { return m_model.index(0, 0).data(Model::DetailRole).toString(); };
+  EXPECT_EQ(detail(), QStringLiteral("6032 Universal II"));
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  m_model.setLabels(labels);
+  EXPECT_EQ(text(0, Model::DeviceColumn), QStringLiteral("Roof"));
+  EXPECT_EQ(detail(), QStringLiteral("1032AE100801035 · 6032 Universal II"));
+  EXPECT_TRUE(tooltip(0).startsWith(QStringLiteral("Roof (1032AE100801035) – 6032")));
+  EXPECT_EQ(m_model.index(0, 0).data(Qt::AccessibleTextRole).toString(),
+            QStringLiteral("Roof (1032AE100801035), 6032 Universal II, Monitors"));
+}
+
+TEST_F(DeviceTable, LetsALabelBeEditedWhereThereIsAPin) {
+  m_bus.monitor().hear("724", "05");
+  show();
+  QSignalSpy edited(&m_model, &Model::labelEdited);
+  EXPECT_TRUE((m_model.flags(m_model.index(0, 0)) & Qt::ItemIsEditable) != 0);
+  EXPECT_FALSE((m_model.flags(m_model.index(0, Model::AgeColumn)) & Qt::ItemIsEditable) != 0);
+  EXPECT_FALSE((m_model.flags(m_model.index(1, 0)) & Qt::ItemIsEditable) != 0) << "a node has no PIN";
+  EXPECT_FALSE(m_model.setData(m_model.index(1, 0), QStringLiteral("x")));
+  EXPECT_TRUE(m_model.setData(m_model.index(0, 0), QStringLiteral("Roof")));
+  ASSERT_EQ(edited.size(), 1);
+  EXPECT_EQ(edited[0][0].value<Pin>(), keyOfA().pin);
+  EXPECT_EQ(text(0, 0), QString::fromLatin1(kPinA)) << "whoever keeps the labels gives them";
+}
+
+TEST_F(DeviceTable, TellsOnePinOnTwoChannelsApart) {
+  m_bus.document().frames.channel("can1");
+  m_bus.hear("18EFFF80", kAnnouncesA).hear("18EFFF90", kAnnouncesA, 1);
+  show();
+  ASSERT_EQ(m_model.rowCount(), 2);
+  EXPECT_EQ(m_model.index(0, 0).data(Model::DetailRole).toString(),
+            QStringLiteral("6032 Universal II · can0"));
+  EXPECT_EQ(m_model.index(1, 0).data(Model::DetailRole).toString(),
+            QStringLiteral("6032 Universal II · can1"));
+  EXPECT_NE(m_model.keyAt(0), m_model.keyAt(1));
+  EXPECT_EQ(text(1, Model::AddressColumn), QStringLiteral("90"));
+}
+
+TEST(DeviceLabelsTest, KeepOneLineAPin) {
+  DeviceLabels labels;
+  const Pin pin = keyOfA().pin;
+  EXPECT_EQ(labels.of(pin), QString());
+  EXPECT_TRUE(labels.set(pin, QStringLiteral("  Roof\n monitor ")));
+  EXPECT_EQ(labels.of(pin), QStringLiteral("Roof monitor"));
+  EXPECT_FALSE(labels.set(pin, QStringLiteral("Roof monitor"))) << "nothing changed";
+  EXPECT_TRUE(labels.set(pin, QString(200, QLatin1Char('x'))));
+  EXPECT_EQ(labels.of(pin).size(), DeviceLabels::kLongest);
+  EXPECT_TRUE(labels.set(pin, QStringLiteral(" ")));
+  EXPECT_TRUE(labels.all().isEmpty());
+  EXPECT_FALSE(labels.set(Pin{}, QStringLiteral("x")));
+}
+
 class DeviceOrderTest : public DeviceTable {
  protected:
   void SetUp() override {
@@ -312,6 +403,33 @@ TEST_F(DeviceOrderTest, DoesNotMoveDevicesThatAreWellWhileTimePasses) {
     show();
     EXPECT_EQ(order(), before);
   }
+}
+
+TEST_F(DeviceOrderTest, ShowsOnlyWhatHasEveryWordOfTheFilter) {
+  m_order.setFilter(QStringLiteral("MONITORS  91"));
+  EXPECT_EQ(order(), "91 ");
+  m_order.setFilter(QStringLiteral("node"));
+  EXPECT_EQ(order(), "24 21 ");
+  m_bus.hear("725", "05");
+  show();
+  EXPECT_EQ(order(), "24 25 21 ") << "newcomers are filtered too";
+  m_order.setFilter(QStringLiteral("no such thing"));
+  EXPECT_EQ(order(), "");
+  m_order.setFilter({});
+  EXPECT_EQ(order(), "92 91 33 24 25 21 ");
+}
+
+TEST_F(DeviceOrderTest, FindsADeviceByItsLabel) {
+  m_bus.monitor();
+  show();
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  m_order.setFilter(QStringLiteral("roof"));
+  EXPECT_EQ(order(), "");
+  m_model.setLabels(labels);
+  EXPECT_EQ(order(), "80 ");
+  m_order.setFilter(QStringLiteral("1032ae"));
+  EXPECT_EQ(order(), "80 ") << "and still by its PIN";
 }
 
 TEST_F(DeviceOrderTest, PutsANewcomerIntoItsGroup) {

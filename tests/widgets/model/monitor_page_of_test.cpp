@@ -295,17 +295,17 @@ TEST(MonitorPageOf, ShowsAJoystickWithItsStickAndTiming) {
   bus.pass(120ms).hear("0CFDD633", "107D046400004000");
   const MonitorPageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1035AB000000002")));
   EXPECT_FALSE(page.dial);
-  ASSERT_TRUE(page.stick);
-  EXPECT_NEAR(*page.stick->x, 0.5, 1e-9);
-  EXPECT_NEAR(*page.stick->y, -0.4, 1e-9);
-  EXPECT_EQ(page.stick->xText, QStringLiteral("50.0 % right"));
-  EXPECT_EQ(page.stick->yText, QStringLiteral("40.0 % back"));
+  ASSERT_FALSE(page.sticks.empty());
+  EXPECT_NEAR(*page.sticks[0].x, 0.5, 1e-9);
+  EXPECT_NEAR(*page.sticks[0].y, -0.4, 1e-9);
+  EXPECT_EQ(page.sticks[0].xText, QStringLiteral("50.0 % right"));
+  EXPECT_EQ(page.sticks[0].yText, QStringLiteral("40.0 % back"));
   EXPECT_EQ(lamp(page, "switches", "5 Flow high"), Status2::On);
   EXPECT_EQ(fact(page, "Priority").value, QStringLiteral("1 of 6, the highest on CAN"));
   EXPECT_EQ(fact(page, "Worst gap").value, QStringLiteral("140 ms, more than 100 ms"));
   EXPECT_EQ(fact(page, "Worst gap").tone, FactTone::Attend);
   bus.pass(200ms);
-  EXPECT_TRUE(pageOf(bus, page.key).stick->isStale);
+  EXPECT_TRUE(pageOf(bus, page.key).sticks[0].isStale);
 }
 
 struct StickCase {
@@ -318,8 +318,8 @@ TEST_P(StickWords, SayWhatTheAxisSays) {
   Heard bus;
   bus.hear("0CFDD634", GetParam().frame);
   const MonitorPageValues page = pageOf(bus, addressKey(0x34));
-  ASSERT_TRUE(page.stick);
-  EXPECT_EQ(page.stick->xText.toStdString(), GetParam().x);
+  ASSERT_FALSE(page.sticks.empty());
+  EXPECT_EQ(page.sticks[0].xText.toStdString(), GetParam().x);
 }
 INSTANTIATE_TEST_SUITE_P(OfAnAxis, StickWords,
                          testing::Values(StickCase{"Neutral", kRestingStick, "neutral"},
@@ -373,10 +373,98 @@ TEST(MonitorPageOf, FollowsTheDeviceToItsNewAddress) {
   bus.monitor().pass(2s).hear("18EFFF81", kAnnouncesA).pass(5s);
   const MonitorPageValues page = pageOf(bus);
   EXPECT_EQ(page.address, QStringLiteral("address 81 hex"));
-  EXPECT_EQ(fact(page, "Address").value, QStringLiteral("81 hex for 5.0 s, before that 80 hex"));
+  EXPECT_EQ(fact(page, "Address").value, QStringLiteral("81 hex for 5.0 s"));
+  EXPECT_EQ(fact(page, "Before").value, QStringLiteral("80 hex until 5.0 s ago"));
   EXPECT_EQ(pageOf(bus, addressKey(0x81)).key, keyOfA()) << "an address means who has it";
   bus.hear("18EEFF81", kLowerForeignName);
   EXPECT_EQ(pageOf(bus).address, QStringLiteral("address lost"));
+}
+
+TEST(MonitorPageOf, TellsTheAddressesBeforeAndHowManyMore) {
+  Heard bus;
+  for (const char* id : {"18EFFF80", "18EFFF81", "18EFFF82", "18EFFF83", "18EFFF84", "18EFFF85"})
+    bus.hear(id, kAnnouncesA).pass(10s);
+  EXPECT_EQ(
+      fact(pageOf(bus), "Before").value,
+      QStringLiteral("84 hex until 10 s ago\n83 hex until 20 s ago\n82 hex until 30 s ago\nand 2 earlier"));
+  bus.hear("18EEFF85", kLowerForeignName);
+  EXPECT_EQ(fact(pageOf(bus), "Address").value, QStringLiteral("lost 0.0 s ago, it was 85 hex"));
+  EXPECT_TRUE(fact(pageOf(bus), "Before").value.startsWith(QStringLiteral("84 hex")))
+      << fact(pageOf(bus), "Before").value.toStdString();
+}
+
+TEST(MonitorPageOf, PutsTheLabelBeforeThePin) {
+  Heard bus;
+  bus.monitor();
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  const MonitorPageValues page = monitorPageOf(bus.view(), keyOfA(), labels);
+  EXPECT_EQ(page.title, QStringLiteral("Roof"));
+  EXPECT_EQ(page.identity, QString::fromLatin1(kPinA));
+  EXPECT_EQ(pageOf(bus).identity, QString());
+}
+
+TEST(MonitorPageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
+  Heard bus;
+  bus.monitor().hear("18EFFF91", kPosition);
+  bus.hear("0CFDD634", kStickLeft).hear("0CFDD635", kStickRightBack).hear("0CFDD638", kRestingStick);
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  MonitorPageValues page = monitorPageOf(bus.view(), addressKey(0x35), labels);
+  EXPECT_EQ(fact(page, "Rotation").value, QStringLiteral("Joystick 34: left at 100 %"));
+  EXPECT_EQ(fact(page, "Elevation").value, QStringLiteral("this one: up at 40 %"));
+  EXPECT_EQ(fact(page, "Before it").value,
+            QStringLiteral("a 6032's own switches, which no message tells of\nJoystick 34: deflected"));
+  EXPECT_EQ(fact(page, "After it").value, QStringLiteral("Joystick 38: at rest"));
+  EXPECT_EQ(fact(page, "Moves").value,
+            QStringLiteral("Roof (1032AE100801035)\nAddress 91\nand any that listens without being heard"));
+  bus.pass(200ms).hear("0CFDD635", kRestingStick);
+  page = pageOf(bus, addressKey(0x35));
+  EXPECT_EQ(fact(page, "Rotation").value, QStringLiteral("nobody commands"));
+  EXPECT_EQ(fact(page, "After it").value, QStringLiteral("Joystick 38: stopped sending"));
+}
+
+TEST(MonitorPageOf, SaysThatAnotherSourceMovesNothing) {
+  Heard bus;
+  bus.monitor().hear("0CFDD640", kStickLeft);
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, FactTone::Attend);
+}
+
+TEST(MonitorPageOf, ShowsAGripWithItsDetentsAndSwitches) {
+  Heard bus;
+  bus.hear("0CFDD634", "107D046450000000").hear("0CFDD734", "107D0464FFFF4450");
+  MonitorPageValues page = pageOf(bus, addressKey(0x34));
+  ASSERT_EQ(page.sticks.size(), 2u);
+  EXPECT_NEAR(*page.sticks[1].x, 0.5, 1e-9);
+  EXPECT_EQ(page.sticks[1].yText, QStringLiteral("40.0 % back"));
+  EXPECT_EQ(page.sticks[1].thetaText, QStringLiteral("not fitted"));
+  EXPECT_EQ(lamp(page, "detents", "X detent"), Status2::On);
+  EXPECT_EQ(lamp(page, "detents", "Y detent"), Status2::On);
+  EXPECT_EQ(lamp(page, "grip", "Grip X detent"), Status2::On);
+  EXPECT_EQ(lamp(page, "grip", "Grip Y detent"), Status2::Off);
+  EXPECT_EQ(lamp(page, "grip", "Switch 13, reserved"), Status2::On);
+  EXPECT_FALSE(page.sticks[1].isStale);
+  bus.pass(200ms);
+  EXPECT_TRUE(pageOf(bus, addressKey(0x34)).sticks[1].isStale);
+}
+
+TEST(MonitorPageOf, DoesNotGuessWhichSourceIsAControlsOwn) {
+  Heard bus;
+  bus.hear("18EFFF82", announcementOf("1035AE100804442")).hear("0CFDD633", kRestingStick);
+  const MonitorPageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1035AE100804442")));
+  EXPECT_TRUE(page.sticks.empty());
+  EXPECT_EQ(fact(page, "Heard here").value, QStringLiteral("Joystick 33: at rest"));
+  EXPECT_TRUE(fact(page, "Its own").value.startsWith(QStringLiteral("not known")));
+}
+
+TEST(MonitorPageOf, SaysThatADriveIsOneBecauseAPersonSaidSo) {
+  Heard bus;
+  bus.hear("18EF0521", "8200");
+  bus.note({.frame = 1, .time = bus.now(), .kind = NoteKind::DriveSaid, .address = {0x21}});
+  const MonitorPageValues page = pageOf(bus, addressKey(0x21));
+  EXPECT_EQ(page.type, QStringLiteral("Copley drive"));
+  EXPECT_EQ(fact(page, "Taken for").value, QStringLiteral("a Copley drive, because a person said so"));
+  EXPECT_EQ(fact(page, "Frames").value, QStringLiteral("1, now 0 a second"));
 }
 
 TEST(MonitorPageOf, IsNotFoundWhereNothingWasHeardOfTheDevice) {

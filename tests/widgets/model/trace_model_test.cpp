@@ -50,7 +50,7 @@ std::vector<Frame> manyFrames(std::size_t count, std::size_t from = 0) {
 TEST_F(TraceModelTest, SaysNothingWithoutALog) {
   model.setWindow(0, 50);
   EXPECT_EQ(model.rowCount(), 0);
-  EXPECT_EQ(model.logRows(), 0u);
+  EXPECT_EQ(model.rows(), 0u);
   model.setView(test::viewOf(nullptr));
   EXPECT_EQ(model.rowCount(), 0);
   model.setWindow(1000, 50);
@@ -129,7 +129,7 @@ TEST_F(TraceModelTest, HoldsAWindowOfRowsAndNoMore) {
   model.setView(test::viewOf(test::logOf(manyFrames(10'000))));
   model.setWindow(500, 40);
   EXPECT_EQ(model.rowCount(), 40);
-  EXPECT_EQ(model.logRows(), 10'000u);
+  EXPECT_EQ(model.rows(), 10'000u);
   EXPECT_EQ(frame(0), 500u);
   EXPECT_EQ(frame(39), 539u);
   EXPECT_EQ(cell(0, Time).toStdString(), "0.500000");
@@ -178,7 +178,7 @@ TEST_F(TraceModelTest, GrowsOnceATickHoweverManyFramesCame) {
   model.setView(test::viewOf(log));
   EXPECT_EQ(inserted.count(), 2);
   EXPECT_EQ(model.rowCount(), 1'000);
-  EXPECT_EQ(model.logRows(), 100'510u);
+  EXPECT_EQ(model.rows(), 100'510u);
   model.setView(test::viewOf(log));
   EXPECT_EQ(inserted.count(), 2);
   EXPECT_EQ(reset.count(), 0);

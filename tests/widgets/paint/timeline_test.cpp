@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "base/time.h"
 
@@ -100,6 +102,79 @@ TEST_F(TimelineTest, AsksForNothingWithoutFrames) {
   EXPECT_EQ(seek.count(), 0);
   EXPECT_EQ(end.count(), 0);
   timeline.grab();
+}
+
+TEST_F(TimelineTest, LooksCloserWithWheelAndKeysAndFitsAgain) {
+  const QSignalSpy shown(&timeline, &Timeline::shownChanged);
+  QTest::keyClick(&timeline, Qt::Key_Plus);
+  EXPECT_EQ(timeline.shown(), (TimelineSpan{at(125), at(175)}));
+  QTest::keyClick(&timeline, Qt::Key_Plus);
+  EXPECT_EQ(timeline.shown(), (TimelineSpan{at(137.5), at(162.5)}));
+  QTest::keyClick(&timeline, Qt::Key_Minus);
+  EXPECT_EQ(timeline.shown(), (TimelineSpan{at(125), at(175)}));
+  const QPointF left(10, 20);
+  QWheelEvent in(left, timeline.mapToGlobal(left), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                 Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&timeline, &in);
+  EXPECT_EQ(timeline.shown().begin, at(125));
+  EXPECT_LT(timeline.shown().end, at(165));
+  QTest::mouseClick(&timeline, Qt::LeftButton, {}, {10, 20});
+  EXPECT_EQ(last(), at(125));
+  QTest::keyClick(&timeline, Qt::Key_0);
+  EXPECT_FALSE(timeline.isZoomed());
+  EXPECT_EQ(shown.count(), 5);
+  timeline.grab();
+}
+
+TEST_F(TimelineTest, KeepsTheCursorInSight) {
+  timeline.showSpan({at(140), at(160)});
+  TimelineValues values = timeline.values();
+  values.cursor = at(161);
+  timeline.setValues(values);
+  EXPECT_TRUE(timeline.shown().has(at(161)));
+  values.cursor = at(110);
+  timeline.setValues(values);
+  EXPECT_TRUE(timeline.shown().has(at(110)));
+  EXPECT_EQ(timeline.shown().ns(), 20e9);
+}
+
+TEST_F(TimelineTest, SelectsAboveTheStripWithShiftAndByKeys) {
+  QTest::mousePress(&timeline, Qt::LeftButton, {}, {260, 4});
+  QTest::mouseMove(&timeline, {510, 4});
+  EXPECT_EQ(seek.count(), 0);
+  QTest::mouseRelease(&timeline, Qt::LeftButton, {}, {510, 4});
+  EXPECT_EQ(timeline.selection(), (TimelineSpan{at(125), at(150)}));
+  timeline.grab();
+  QTest::keyClick(&timeline, Qt::Key_Escape);
+  EXPECT_FALSE(timeline.selection());
+  QTest::keyClick(&timeline, Qt::Key_BracketLeft);
+  EXPECT_EQ(timeline.selection(), (TimelineSpan{at(150), at(200)}));
+  QTest::keyClick(&timeline, Qt::Key_Delete);
+  QTest::keyClick(&timeline, Qt::Key_BracketRight);
+  EXPECT_EQ(timeline.selection(), (TimelineSpan{at(100), at(150)}));
+}
+
+TEST_F(TimelineTest, GoesFromMarkToMark) {
+  TimelineValues values = timeline.values();
+  values.marks = {{TimelineMark::Kind::Note, at(120)}, {TimelineMark::Kind::Attend, at(180)}};
+  values.gaps = {{TimelineGap::Kind::Silence, {at(130), at(140)}},
+                 {TimelineGap::Kind::LinkLost, {at(190), kNever}}};
+  timeline.setValues(values);
+  QTest::keyClick(&timeline, Qt::Key_Left, Qt::ControlModifier);
+  EXPECT_EQ(last(), at(120));
+  QTest::keyClick(&timeline, Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_EQ(last(), at(180));
+  timeline.grab();
+}
+
+TEST(TimelineSpans, StayWithinTheLog) {
+  const TimelineSpan whole{at(0), at(100)};
+  EXPECT_EQ(spanZoomed(whole, whole, at(0), 4), (TimelineSpan{at(0), at(25)}));
+  EXPECT_EQ(spanZoomed({at(90), at(100)}, whole, at(95), 0.01), whole);
+  EXPECT_EQ(spanMoved({at(90), at(100)}, whole, 5), (TimelineSpan{at(90), at(100)}));
+  EXPECT_EQ(spanMoved({at(50), at(60)}, whole, -1), (TimelineSpan{at(40), at(50)}));
+  EXPECT_GE(spanZoomed(whole, whole, at(50), 1e15).ns(), kLeastSpanNs);
+  EXPECT_EQ(spanZoomed({at(5), at(5)}, {at(5), at(5)}, at(5), 2), (TimelineSpan{at(5), at(5)}));
 }
 
 }  // namespace

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QClipboard>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
@@ -181,6 +185,94 @@ TEST_F(DevicePanelTest, NeedsNoMoreThanItsWidth) {
   EXPECT_LE(header->length(), m_list->viewport()->width());
   const int pin = m_list->fontMetrics().horizontalAdvance(QString::fromLatin1(kPinA)) + 16;
   EXPECT_GE(header->sectionSize(DeviceModel::DeviceColumn), pin) << "a PIN is never cut";
+}
+
+TEST_F(DevicePanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {
+  neighbours(m_bus.monitor());
+  show();
+  click(QString::fromLatin1(kPinA));
+  const int all = m_list->model()->rowCount();
+  auto* filter = m_panel.findChild<QLineEdit*>(QStringLiteral("deviceFilter"));
+  ASSERT_NE(filter, nullptr);
+  EXPECT_GE(filter->height(), 32);
+  m_panel.activateWindow();
+  m_list->setFocus();
+  QTest::keyClick(m_list, Qt::Key_F, Qt::ControlModifier);
+  EXPECT_TRUE(filter->hasFocus());
+  QTest::keyClicks(filter, QStringLiteral("forestry"));
+  EXPECT_EQ(m_list->model()->rowCount(), 1);
+  EXPECT_EQ(selectedText(), QString());
+  EXPECT_EQ(m_panel.selectedDevice(), keyOfA()) << "filtered away, it stays chosen";
+  EXPECT_EQ(m_chosen.size(), 1);
+  QTest::keyClicks(filter, QStringLiteral(" of nowhere"));
+  const auto* empty = m_panel.findChild<QLabel*>(QStringLiteral("noDevices"));
+  EXPECT_TRUE(empty->isVisible());
+  EXPECT_EQ(empty->text(), QStringLiteral("No device matches “forestry of nowhere”."));
+  show();
+  EXPECT_TRUE(empty->isVisible()) << "a tick changes nothing";
+  QTest::keyClick(filter, Qt::Key_Escape);
+  EXPECT_EQ(m_list->model()->rowCount(), all);
+  EXPECT_TRUE(m_list->hasFocus());
+  EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
+}
+
+TEST_F(DevicePanelTest, EditsALabelInPlaceByKeyboard) {
+  neighbours(m_bus.monitor());
+  show();
+  QSignalSpy edited(&m_panel, &DevicePanel::labelEdited);
+  click(QString::fromLatin1(kPinA));
+  QTest::keyClick(m_list, Qt::Key_F2);
+  auto* editor = m_list->findChild<QLineEdit*>(QStringLiteral("labelEditor"));
+  ASSERT_NE(editor, nullptr);
+  EXPECT_EQ(editor->accessibleName(), QStringLiteral("Label of 1032AE100801035"));
+  EXPECT_GE(editor->height(), 32);
+  EXPECT_GE(editor->width(), 120);
+  QTest::keyClicks(editor, QStringLiteral("Roof"));
+  m_bus.pass(1s);
+  show();
+  EXPECT_EQ(editor->text(), QStringLiteral("Roof")) << "values run on while a person types";
+  QTest::keyClick(editor, Qt::Key_Return);
+  QCoreApplication::processEvents();  // the delegate commits from its queue
+  ASSERT_EQ(edited.size(), 1);
+  EXPECT_EQ(edited[0][0].value<Pin>(), keyOfA().pin);
+  EXPECT_EQ(edited[0][1].toString(), QStringLiteral("Roof"));
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  m_panel.setLabels(labels);
+  EXPECT_EQ(selectedText(), QStringLiteral("Roof"));
+  EXPECT_EQ(m_chosen.size(), 1);
+}
+
+TEST_F(DevicePanelTest, EditsNoLabelOfWhatHasNoPin) {
+  neighbours(m_bus.monitor());
+  show();
+  click(QStringLiteral("Node 24"));
+  QTest::keyClick(m_list, Qt::Key_F2);
+  EXPECT_EQ(m_list->findChild<QLineEdit*>(QStringLiteral("labelEditor")), nullptr);
+}
+
+TEST_F(DevicePanelTest, SortsAndCopiesFromItsMenu) {
+  m_bus.hear("18EFFF95", kPosition).hear("18EFFF93", kPosition).monitor();
+  show();
+  click(QString::fromLatin1(kPinA));
+  Q_EMIT m_list->customContextMenuRequested(QPoint(10, 10));
+  auto* menu = m_panel.findChild<QMenu*>(QStringLiteral("deviceMenu"));
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->isVisible());
+  for (QAction* action : menu->actions()) {
+    if (action->objectName() == QStringLiteral("copyDeviceAction")) action->trigger();
+  }
+  EXPECT_EQ(QApplication::clipboard()->text(), QString::fromLatin1(kPinA));
+  const auto* sorts = m_panel.findChild<QMenu*>(QStringLiteral("deviceSortMenu"));
+  ASSERT_NE(sorts, nullptr);
+  const auto first = [&] { return m_list->model()->index(0, DeviceModel::AddressColumn).data().toString(); };
+  QAction* byAddress = sorts->actions()[1 + DeviceModel::AddressColumn];
+  EXPECT_EQ(byAddress->text(), QStringLiteral("Addr."));
+  byAddress->trigger();
+  EXPECT_EQ(first(), QStringLiteral("80"));
+  byAddress->trigger();
+  EXPECT_EQ(first(), QStringLiteral("95")) << "again: the other way round";
+  menu->close();
 }
 
 }  // namespace

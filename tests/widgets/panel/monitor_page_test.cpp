@@ -12,6 +12,7 @@
 #include "paint/dial.h"
 #include "paint/figures.h"
 #include "paint/status_lamp.h"
+#include "panel/full_dial.h"
 #include "text/age_text.h"
 #include "widgets/panel/panel_scenes.h"
 
@@ -249,6 +250,99 @@ TEST_F(PageTest, HasNamesForReaders) {
       EXPECT_FALSE(l->objectName().isEmpty()) << scene.name;
     }
   }
+}
+
+TEST_F(PageTest, PutsTheLabelBeforeThePin) {
+  m_bus.monitor();
+  show();
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  m_page.setLabels(labels);
+  EXPECT_EQ(text("pageTitle"), QStringLiteral("Roof"));
+  EXPECT_EQ(text("pageType"), QStringLiteral("1032AE100801035 · 6032 Universal II"));
+}
+
+TEST_F(PageTest, ElidesWhatHasNoRoomInItsHead) {
+  m_bus.monitor();
+  show();
+  m_page.resize(400, 500);
+  settle();
+  const auto* type = find<QLabel>("pageType");
+  EXPECT_LE(type->fontMetrics().horizontalAdvance(type->text()), type->width());
+  EXPECT_EQ(type->toolTip(), QStringLiteral("6032 Universal II"));
+  m_page.resize(1030, 500);
+  settle();
+  EXPECT_EQ(text("pageType"), QStringLiteral("6032 Universal II"));
+}
+
+class FullDialTest : public PageTest {
+ protected:
+  // The page as a part of a window, as the console has it.
+  void SetUp() override {
+    m_window.resize(900, 600);
+    m_page.setParent(&m_window);
+    m_page.setGeometry(300, 40, 600, 500);
+    m_page.setAnimated(false);
+    m_window.show();
+    m_bus.monitor();
+    show();
+  }
+  ~FullDialTest() override { m_page.setParent(nullptr); }
+  QWidget m_window;
+};
+
+TEST_F(FullDialTest, FillsTheWindowOnADoubleClickAndGoesBackOnEscape) {
+  QTest::mouseDClick(find<QWidget>("dial"), Qt::LeftButton);
+  FullDial* full = m_page.full();
+  ASSERT_NE(full, nullptr);
+  EXPECT_EQ(full->parentWidget(), &m_window);
+  EXPECT_EQ(full->geometry(), m_window.rect());
+  auto* dial = full->findChild<Dial*>();
+  ASSERT_NE(dial, nullptr);
+  EXPECT_NEAR(dial->values().rotation.degrees, 47.3, 1e-9);
+  m_window.resize(1000, 700);
+  settle();
+  EXPECT_EQ(full->geometry(), m_window.rect());
+  m_bus.hear("18EFFF80", kNotFitted);
+  show();
+  EXPECT_EQ(dial->values().rotation.reading, DialAxis::Reading::NotFitted) << "it goes on with the page";
+  QTest::keyClick(full, Qt::Key_Escape);
+  EXPECT_EQ(m_page.full(), nullptr);
+}
+
+TEST_F(FullDialTest, OpensAndClosesByF11AndByItsButtons) {
+  m_window.activateWindow();
+  find<QWidget>("pageScroll")->setFocus();
+  QTest::keyClick(find<QWidget>("pageScroll"), Qt::Key_F11);
+  ASSERT_NE(m_page.full(), nullptr);
+  QTest::keyClick(m_page.full(), Qt::Key_F11);
+  EXPECT_EQ(m_page.full(), nullptr);
+  auto* button = find<QAbstractButton>("fullButton");
+  ASSERT_NE(button, nullptr);
+  EXPECT_GE(button->height(), 44);
+  QTest::mouseClick(button, Qt::LeftButton);
+  ASSERT_NE(m_page.full(), nullptr);
+  QTest::mouseClick(m_page.full()->findChild<QAbstractButton*>(QStringLiteral("fullButton")), Qt::LeftButton);
+  EXPECT_EQ(m_page.full(), nullptr);
+}
+
+TEST_F(FullDialTest, SaysThatTheDeviceIsNotThereAtTheCursor) {
+  m_page.showFull();
+  ASSERT_NE(m_page.full(), nullptr);
+  m_page.setView(Heard().view());
+  const auto* message = m_page.full()->findChild<QLabel*>(QStringLiteral("fullMessage"));
+  EXPECT_TRUE(message->isVisible());
+  m_page.setView(m_bus.view());
+  EXPECT_FALSE(message->isVisible());
+}
+
+TEST_F(FullDialTest, IsOfferedForMonitorsAlone) {
+  EXPECT_TRUE(isShown("fullButton"));
+  m_bus.hear("18EFFFF0", "8505");
+  show(DeviceKey::at(Channel{0}, Address{0xF0}));
+  EXPECT_FALSE(isShown("fullButton"));
+  m_page.showFull();
+  EXPECT_EQ(m_page.full(), nullptr);
 }
 
 // Two rooms that share nothing write ages; they write them alike.

@@ -8,7 +8,9 @@
 #include <cstdio>
 
 #include "panel/device_panel.h"
+#include "panel/full_dial.h"
 #include "panel/monitor_page.h"
+#include "panel/overview_panel.h"
 #include "widgets/panel/panel_scenes.h"
 
 namespace deckpipe {
@@ -42,6 +44,8 @@ QPixmap picture(const test::PanelScene& scene, Theme theme, QSize size, bool has
   layout->addWidget(page, 1);
   window.resize(size);
   window.show();
+  panel->setLabels(scene.labels);
+  page->setLabels(scene.labels);
   panel->setView(scene.view);
   panel->selectDevice(scene.device);
   page->setView(scene.view);
@@ -49,6 +53,33 @@ QPixmap picture(const test::PanelScene& scene, Theme theme, QSize size, bool has
   QPixmap result = window.grab();
   if (!hasTable) delete panel;
   return result;
+}
+
+QPixmap full(const test::PanelScene& scene, Theme theme, QSize size) {
+  QWidget window;
+  MonitorPage page(&window);
+  page.setColours(coloursOf(theme));
+  page.setAnimated(false);
+  window.resize(size);
+  window.show();
+  page.setDevice(scene.device);
+  page.setView(scene.view);
+  page.showFull();
+  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  return window.grab();
+}
+
+QPixmap overview(const LogView& view, Theme theme, QSize size) {
+  OverviewPanel panel;
+  panel.setColours(coloursOf(theme));
+  panel.setAnimated(false);
+  panel.setLabels(test::sceneLabels());
+  panel.setDevice(test::keyOfA());
+  panel.resize(size);
+  panel.show();
+  panel.setView(view);
+  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  return panel.grab();
 }
 
 int run(const QString& folder, const QString& only) {
@@ -72,6 +103,18 @@ int run(const QString& folder, const QString& only) {
         save({1366, 900}, true, "_high");
         save({560, 1100}, false, "_narrow");
       }
+      const bool hasDial = monitorPageOf(scene.view, scene.device).dial.has_value();
+      const QString file = QStringLiteral("%1_%2_full.png").arg(name, QString::fromLatin1(nameOf(theme)));
+      if (hasDial) isSaved = full(scene, theme, {1366, 768}).save(dir.filePath(file)) && isSaved;
+    }
+  }
+  for (const int count : {0, 1, 2, 4, 7, 30}) {
+    if (!only.isEmpty() && only != QStringLiteral("overview")) break;
+    for (const Theme theme : kThemes) {
+      const QString file = QStringLiteral("overview_%1_%2.png")
+                               .arg(count, 2, 10, QLatin1Char('0'))
+                               .arg(QString::fromLatin1(nameOf(theme)));
+      isSaved = overview(test::manyMonitors(count), theme, {1030, 500}).save(dir.filePath(file)) && isSaved;
     }
   }
   return isSaved ? 0 : 1;

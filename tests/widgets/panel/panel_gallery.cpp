@@ -2,14 +2,20 @@
 // Draws the panels in every theme, as wide as the smallest window they are made for.
 #include <QApplication>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QHeaderView>
 #include <QImage>
+#include <QLabel>
+#include <QLineEdit>
 #include <QStyleFactory>
+#include <QTabBar>
 #include <QTableView>
+#include <QTest>
 #include <cstdio>
 
 #include "panel/decode_panel.h"
-#include "panel/trace_view.h"
+#include "panel/id_view.h"
+#include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
 #include "panel/twin_panel.h"
 #include "widgets/panel/panel_samples.h"
@@ -54,6 +60,40 @@ struct Gallery {
     view.setCurrentFrame(current);
     view.setFocus();
     save(view, {kWidth, 480}, name);
+  }
+
+  void tracePanel(const char* name, const std::shared_ptr<LogDocument>& log, const char* filter,
+                  const char* search = nullptr) {
+    TracePanel panel;
+    panel.setColours(coloursOf(theme));
+    panel.setView(test::viewOf(log));
+    panel.setFilter(QString::fromUtf8(filter));
+    panel.resize(kWidth, 420);
+    panel.show();
+    QElapsedTimer patience;
+    patience.start();
+    while (panel.model()->isFiltering() && patience.elapsed() < 5000) QApplication::processEvents();
+    if (search != nullptr) {
+      QTest::keyClick(panel.view(), Qt::Key_F, Qt::ControlModifier);
+      panel.findChild<QLineEdit*>(QStringLiteral("traceSearch"))->setText(QString::fromUtf8(search));
+      const auto* said = panel.findChild<QLabel*>(QStringLiteral("traceSearchSaid"));
+      while (said->text() == QStringLiteral("Searching…") && patience.elapsed() < 5000)
+        QApplication::processEvents();
+    }
+    save(panel, {kWidth, 420}, name);
+  }
+
+  void byId(const char* name, const std::shared_ptr<LogDocument>& log) {
+    TracePanel panel;
+    panel.setColours(coloursOf(theme));
+    panel.setView(test::viewOf(log));
+    panel.resize(kWidth, 420);
+    panel.show();
+    panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
+    QElapsedTimer patience;
+    patience.start();
+    while (panel.ids()->rows()->isBehind() && patience.elapsed() < 5000) QApplication::processEvents();
+    save(panel, {kWidth, 420}, name);
   }
 
   void decode(const char* name, const std::shared_ptr<LogDocument>& log, std::uint64_t frame, QSize size,
@@ -101,6 +141,13 @@ struct Gallery {
     trace("trace_odd", test::logOfText(test::oddText()), 17, 8);
     trace("trace_empty", nullptr, {});
     trace("trace_foreign", foreign, 500);
+    tracePanel("panel_all", busy, "");
+    tracePanel("panel_filtered", busy, "pgn=EF00 and sa=80 and rotation_deg>20");
+    tracePanel("panel_mistyped", busy, "pgn=EF00 and rotation_deg>left");
+    tracePanel("panel_nothing", busy, "id=123");
+    tracePanel("panel_found", busy, "", "soft limits");
+    tracePanel("panel_not_found", busy, "dir=tx", "elevation_deg>80");
+    byId("panel_by_id", busy);
     decode("decode_position", busy, 3, {520, 760}, "Rotation");
     decode("decode_wide", busy, 3, {kWidth, 300}, "Rotation");
     decode("decode_joystick", busy, 6, {420, 600}, "Stick X");

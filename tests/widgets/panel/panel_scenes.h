@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "model/device_labels.h"
 #include "widgets/model/heard.h"
 
 namespace deckpipe::test {
@@ -12,6 +13,7 @@ struct PanelScene {
   std::string name;
   LogView view;
   DeviceKey device;  // looked at
+  DeviceLabels labels{};
 };
 
 inline constexpr char kPinRiser[] = "1033AB000000001";
@@ -34,10 +36,38 @@ inline Heard& neighbours(Heard& bus) {
       .hear("18FF0005", "00");
 }
 
+inline DeviceLabels sceneLabels() {
+  DeviceLabels labels;
+  labels.set(*Pin::parse(kPinA), QStringLiteral("Roof monitor"));
+  labels.set(*Pin::parse(kPinForestry), QStringLiteral("Front bumper turret, the one from the old truck"));
+  return labels;
+}
+
+// A truck with so many monitors, in every state that one can be in.
+inline LogView manyMonitors(int count) {
+  Heard bus;
+  static constexpr const char* kPositions[] = {kPosition,          kNotFitted,         kSensorError,
+                                               "0112350000000000", "011DA403714B0041", "013844016F004041",
+                                               "010000000F00A041"};
+  if (count > 0) bus.hear("18EFFF87", kPosition).pass(2s);  // it is overdue by now
+  for (int i = 0; i < count; ++i) {
+    char id[16], pin[32];
+    std::snprintf(id, sizeof id, "18EFFF%02X", 0x80u + static_cast<unsigned>(i));
+    std::snprintf(pin, sizeof pin, "10%sAE%09d", i % 3 == 2 ? "42" : "32", 100801035 + i);
+    bus.hear(id, announcementOf(i == 1 ? kPinForestry : pin));
+    if (i == 7) continue;
+    bus.hear(id, kPositions[static_cast<std::size_t>(i) % std::size(kPositions)]);
+    if (i % 4 != 3) bus.hear(id, i % 4 == 2 ? kOscillating : kRotationLimits).hear(id, kElevationLimits);
+    bus.hear(id, i % 5 == 3 ? "832000" : kOutputs);
+  }
+  if (count > 0) bus.hear("0CFDD634", kStickRightBack);
+  return bus.view();
+}
+
 inline std::vector<PanelScene> panelScenes() {
   std::vector<PanelScene> scenes;
   const auto add = [&](const char* name, const Heard& bus, const DeviceKey& key) {
-    scenes.push_back({name, bus.view(), key});
+    scenes.push_back({name, bus.view(), key, {}});
   };
   const auto node = [](int n) { return DeviceKey::at(Channel{0}, NodeId{static_cast<std::uint8_t>(n)}); };
   const auto address = [](int n) { return DeviceKey::at(Channel{0}, Address{static_cast<std::uint8_t>(n)}); };
@@ -50,7 +80,7 @@ inline std::vector<PanelScene> panelScenes() {
   };
 
   {
-    PanelScene nothing{"nothing_open", {}, {}};
+    PanelScene nothing{"nothing_open", {}, {}, {}};
     nothing.view.state = std::make_shared<State>();
     scenes.push_back(nothing);
   }
@@ -120,6 +150,22 @@ inline std::vector<PanelScene> panelScenes() {
     add("joystick", bus, pin(kPinJoystick));
     bus.pass(1s);
     add("joystick_stopped", bus, pin(kPinJoystick));
+  }
+  {
+    Heard bus;
+    neighbours(bus.monitor()).hear("18EFFF82", announcementOf("1035AE100804442")).pass(4s);
+    neighbours(bus.monitor());
+    add("control_without_source", bus, pin("1035AE100804442"));
+    bus.note({.frame = 1, .time = bus.now(), .kind = NoteKind::DriveSaid, .address = {0x21}});
+    bus.hear("18EF0521", "8200");
+    add("drive", bus, address(0x21));
+    add("labelled", bus, keyOfA());
+    scenes.back().labels = sceneLabels();
+    for (const char* id : {"18EFFF85", "18EFFF86", "18EFFF87", "18EFFF88", "18EFFF89"})
+      bus.pass(20s).hear(id, kAnnouncesA);
+    neighbours(bus);
+    add("address_history", bus, keyOfA());
+    add("invalid", neighbours(bus.hear("18EFFF89", "0112350000000000")), keyOfA());
   }
   {
     Heard bus;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <cstdlib>
@@ -157,7 +158,7 @@ TEST(LogMarks, CountsFramesInEqualPartsOfTheSpan) {
     frames.push_back(test::frame("123", "", 0, ms * 1'000'000 + 1));
   const LogView view = test::viewOf(test::logOf(frames));
   LogMarks marks;
-  EXPECT_TRUE(marks.take(view, 4));
+  marks.take(view, {view.begin, view.end}, 4);
   ASSERT_EQ(marks.density().size(), 4u);
   EXPECT_EQ(marks.density()[0], 1.0f);
   EXPECT_EQ(marks.density()[1], 0.0f);
@@ -165,17 +166,72 @@ TEST(LogMarks, CountsFramesInEqualPartsOfTheSpan) {
   EXPECT_FLOAT_EQ(marks.density()[3], std::sqrt(0.5f));
 }
 
-TEST(LogMarks, LooksThroughALongLogAPieceAtATime) {
-  std::vector<Frame> frames(LogMarks::kFramesAtOnce + 10, test::frame("123", "", 0, 5'000'000));
+TEST(LogMarks, CountsOnlyTheSpanInSight) {
+  std::vector<Frame> frames;
+  for (const std::int64_t ms : {0, 100, 200, 210, 900, 1000})
+    frames.push_back(test::frame("123", "", 0, ms * 1'000'000));
+  const LogView view = test::viewOf(test::logOf(frames));
+  LogMarks marks;
+  marks.take(view, {{50'000'000}, {250'000'000}}, 2);
+  EXPECT_FLOAT_EQ(marks.density()[0], std::sqrt(0.5f));
+  EXPECT_EQ(marks.density()[1], 1.0f);
+}
+
+TEST(LogMarks, FindsTheJumpsOfALongLogAtOnce) {
+  std::vector<Frame> frames(1'000'000, test::frame("123", "", 0, 5'000'000));
   frames.back().stamp = 1'000;
   const LogView view = test::viewOf(test::logOf(frames));
   LogMarks marks;
-  EXPECT_FALSE(marks.take(view, 100));
-  EXPECT_TRUE(marks.marks().empty());
-  EXPECT_TRUE(marks.take(view, 100));
+  marks.take(view, {view.begin, view.end}, 100);
   EXPECT_EQ(marks.marks().size(), 1u);
-  EXPECT_TRUE(marks.take(LogView{}, 100));
+  marks.take(LogView{}, {}, 100);
   EXPECT_TRUE(marks.marks().empty());
+}
+
+TEST(LogMarks, FindsSilenceAndLostLinks) {
+  std::vector<Frame> frames;
+  for (const std::int64_t s : {0, 1, 2, 3, 40, 41, 42, 100})
+    frames.push_back(test::frame("123", "", 0, s * 1'000'000'000));
+  const auto log = test::logOf(frames);
+  log->notes.append({.frame = 4, .time = {5'000'000'000}, .kind = NoteKind::LinkDown});
+  log->notes.append({.frame = 4, .time = {39'000'000'000}, .kind = NoteKind::LinkUp});
+  const LogView view = test::viewOf(log);
+  LogMarks marks;
+  marks.take(view, {view.begin, view.end}, 100);
+  ASSERT_EQ(marks.gaps().size(), 3u);
+  EXPECT_EQ(marks.gaps()[0], (TimelineGap{TimelineGap::Kind::LinkLost, {{5'000'000'000}, {39'000'000'000}}}));
+  EXPECT_EQ(marks.gaps()[1], (TimelineGap{TimelineGap::Kind::Silence, {{3'000'000'000}, {40'000'000'000}}}));
+  EXPECT_EQ(marks.gaps()[2],
+            (TimelineGap{TimelineGap::Kind::Silence, {{42'000'000'000}, {100'000'000'000}}}));
+}
+
+TEST_F(TransportBarTest, StepsByRowsOfTheFilterAndWithShiftByFrames) {
+  const QSignalSpy steps(&bar, &TransportBar::stepRequested), rows(&bar, &TransportBar::rowStepRequested);
+  bar.setView(test::viewOf(log, 50), {});
+  QTest::keyClick(timeline(), Qt::Key_Period);
+  EXPECT_EQ(steps.count(), 1);
+  bar.setFiltered(true);
+  QTest::keyClick(timeline(), Qt::Key_Comma);
+  EXPECT_EQ(rows.count(), 1);
+  EXPECT_EQ(rows.back().front().toInt(), -1);
+  QTest::keyClick(timeline(), Qt::Key_Period, Qt::ShiftModifier);
+  EXPECT_EQ(steps.count(), 2);
+}
+
+TEST_F(TransportBarTest, SaysWhatIsSelectedAndOffersItAsAFilter) {
+  bar.setView(test::viewOf(log, 50), {});
+  const Instant begin = timeline()->values().begin;
+  timeline()->select(TimelineSpan{begin, begin + 10ms});
+  EXPECT_TRUE(timeline()->values().selection.contains(QStringLiteral("frames")));
+  const QSignalSpy only(&bar, &TransportBar::spanRequested);
+  Q_EMIT timeline()->customContextMenuRequested({20, 20});
+  auto* menu = child<QMenu>("timelineMenu");
+  ASSERT_NE(menu, nullptr);
+  menu->actions()[1]->trigger();
+  EXPECT_EQ(only.back().front().toString(), QStringLiteral("t>=0.000000 and t<0.010000"));
+  menu->actions()[0]->trigger();
+  EXPECT_TRUE(timeline()->isZoomed());
+  delete menu;
 }
 
 TEST(TimeReadout, WritesTimesInFiguresThatDoNotJump) {

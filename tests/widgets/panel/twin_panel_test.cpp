@@ -69,15 +69,24 @@ TEST_F(TwinPanelTest, ButtonsWishForTheDeviceThatIsShown) {
                         {0, TwinButton::PowerOff}, {0, TwinButton::Reset}, {1, TwinButton::PowerOn}}));
 }
 
-TEST_F(TwinPanelTest, ATickWishesForAllThatIsTickedOnThatDevice) {
+TEST_F(TwinPanelTest, ATickIsAWishAndShownOnceTheTwinSaysSo) {
   panel.setStatus(test::twinSample());
   click("twinFault_silent");
-  EXPECT_EQ(wishes, (std::vector<TwinWish>{{0, TwinFaults{TwinFault::Silent, TwinFault::AnswersLate}}}));
+  EXPECT_EQ(wishes, (std::vector<TwinWish>{{0, TwinSwitch{TwinFault::Silent, true}}}));
+  EXPECT_FALSE(child<QCheckBox>("twinFault_silent")->isChecked());
   panel.setStatus(test::twinSample({TwinFault::Silent, TwinFault::AnswersLate}));
+  EXPECT_TRUE(child<QCheckBox>("twinFault_silent")->isChecked());
   QTest::keyClick(child<QCheckBox>("twinFault_answersLate"), Qt::Key_Space);
-  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinFaults{TwinFault::Silent}}));
+  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinSwitch{TwinFault::AnswersLate, false}}));
   click("twinAllWell");
-  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinFaults{}}));
+  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinAllWell{}}));
+}
+
+TEST_F(TwinPanelTest, SaysTheNumbersThatTheTwinGoesBy) {
+  EXPECT_EQ(child<QCheckBox>("twinFault_answersLost")->text(), QStringLiteral("2 of 3 lost"));
+  EXPECT_EQ(child<QCheckBox>("twinFault_acksLate")->text(), QStringLiteral("Acknowledgements 400 ms late"));
+  EXPECT_EQ(child<QCheckBox>("twinFault_vanishesInTransfer")->text(),
+            QStringLiteral("No power after 50 packets, for 3 s"));
 }
 
 TEST_F(TwinPanelTest, ShowsWhatTheTwinSaysAndWishesNothingByItself) {

@@ -127,7 +127,10 @@ TEST(DeviceText, TakesANameApart) {
   const QStringList lines = nameLines({0x9000420028C21A0B});
   EXPECT_EQ(lines.front(), QStringLiteral("Maker: Akron Brass"));
   EXPECT_TRUE(lines.contains(QStringLiteral("Function: 66"))) << lines.join(QLatin1Char('\n')).toStdString();
-  EXPECT_TRUE(lines.contains(QStringLiteral("Industry group: 1")));
+  EXPECT_TRUE(lines.contains(QStringLiteral("Industry group: 1, on-highway equipment")));
+  const Name tool{std::uint64_t{129} << 40};
+  EXPECT_TRUE(nameLines(tool).contains(QStringLiteral("Function: 129, off-board service tool")));
+  EXPECT_TRUE(nameLines(tool).contains(QStringLiteral("Industry group: 0, global")));
 }
 
 TEST(JoystickText, NamesSwitchesAndSources) {

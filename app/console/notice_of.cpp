@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notice_of.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+#include <algorithm>
+#include <limits>
+
+#include "model/device_rows.h"
+#include "status_text.h"
+#include "text/elapsed_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct NoticeText {
+  Q_DECLARE_TR_FUNCTIONS(NoticeText)
+};
+
+using From = SourceStatus::Kind;
+using Progress = SourceStatus::Progress;
+
+// Shorter silences are no riddle: devices start, people plug in.
+constexpr Duration kSilence = 3s;
+constexpr std::size_t kPlacesShown = 5;
+constexpr int kJ1939BitRate = 250'000;
+
+QString reasonText(Unkept reason) {
+  switch (reason) {
+    case Unkept::CanFd: return NoticeText::tr("CAN FD frame, not held");
+    case Unkept::CanXl: return NoticeText::tr("CAN XL frame, not held");
+    case Unkept::RecorderDropped: return NoticeText::tr("the recorder lost frames here");
+    case Unkept::Layout: return NoticeText::tr("not a line of a known form");
+    case Unkept::Binary: return NoticeText::tr("control characters");
+    case Unkept::LineTooLong: return NoticeText::tr("line too long");
+    case Unkept::Time: return NoticeText::tr("unreadable time");
+    case Unkept::TimeRange: return NoticeText::tr("time out of range");
+    case Unkept::Interface: return NoticeText::tr("unreadable interface name");
+    case Unkept::Identifier: return NoticeText::tr("unreadable identifier");
+    case Unkept::Data: return NoticeText::tr("unreadable data");
+    case Unkept::DataTooLong: return NoticeText::tr("more than 8 data bytes");
+    case Unkept::LengthMismatch: return NoticeText::tr("data bytes and length differ");
+  }
+  return {};
+}
+
+Notice unreadable(const Snapshot& snapshot) {
+  const UnkeptPlaces unkept = snapshot.view.document->unkept.content();
+  QStringList shown, all;
+  for (const UnkeptPlace& place : unkept.places()) {
+    if (!isUnreadable(place.reason)) continue;
+    all += NoticeText::tr("line %1: %2").arg(place.place).arg(reasonText(place.reason));
+    if (shown.size() < static_cast<qsizetype>(kPlacesShown)) shown.append(all.last());
+  }
+  if (all.size() > shown.size()) shown += QStringLiteral("…");
+  const int count =
+      static_cast<int>(std::min<std::uint64_t>(snapshot.source.unreadable, std::numeric_limits<int>::max()));
+  Notice notice{StatusTone::Attend};
+  notice.text = NoticeText::tr("%Ln lines of this log could not be read and are left out: %1", nullptr, count)
+                    .arg(shown.join(QStringLiteral("; ")));
+  notice.action = Notice::Action::CopyDetails;
+  notice.details = all.join(QLatin1Char('\n'));
+  return notice;
+}
+
+Notice fileNotice(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  if (source.progress == Progress::Failed) {
+    return {StatusTone::Fault,
+            NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason)};
+  }
+  if (source.progress != Progress::Done) return {};
+  if (source.unreadable > 0) return unreadable(snapshot);
+  if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};
+  return {};
+}
+
+// When the link of a live log came up last.
+Instant upSince(const LogDocument& log) {
+  Instant since = kNotYet;
+  for (const Note& note : log.notes.all()) {
+    if (note.kind == NoteKind::LinkUp) since = note.time;
+  }
+  return since;
+}
+
+Instant lastFrame(const State& state) {
+  Instant last = kNotYet;
+  for (std::uint8_t i = 0; i < kMaxChannels; ++i) last = std::max(last, state.channel({i}).lastFrame);
+  return last;
+}
+
+Notice failedLink(const SourceStatus& source) {
+  Notice notice{StatusTone::Fault};
+  const QString name = source.interfaceName;
+  switch (source.fault) {
+    case LinkFault::NoPlugin:
+      notice.text =
+          NoticeText::tr("The adapter plugin “%1” cannot be used: %2").arg(source.plugin, source.reason);
+      break;
+    case LinkFault::NoInterface:
+      notice.text =
+          NoticeText::tr("There is no interface %1. Is the adapter plugged in and its driver loaded?")
+              .arg(name);
+      if (source.plugin == QLatin1String("socketcan"))
+        notice.command = QStringLiteral("ip -details link show type can");
+      break;
+    case LinkFault::InterfaceDown:
+      notice.text = NoticeText::tr(
+                        "%1 is there but not set up. Set its bit rate and bring it up, listen-only for "
+                        "the first look:")
+                        .arg(name);
+      notice.command = setUpCommand(name, source.bitRate, true);
+      break;
+    case LinkFault::WrongBitRate:
+      notice.text =
+          NoticeText::tr("%1 is set to another bit rate (%2). To change it:").arg(name, source.reason);
+      notice.command =
+          QStringLiteral("sudo ip link set %1 down; ").arg(name) + setUpCommand(name, kJ1939BitRate, true);
+      break;
+    case LinkFault::BitRateRefused:
+      notice.text = NoticeText::tr("%1 does not take this bit rate: %2").arg(name, source.reason);
+      break;
+    case LinkFault::NoAnswer:
+      notice.text =
+          NoticeText::tr("%1 does not answer. Is the adapter plugged in, and used by no other program?")
+              .arg(name);
+      break;
+    case LinkFault::None:
+    case LinkFault::Gone:
+    case LinkFault::Other:
+      notice.text = NoticeText::tr("%1 cannot be opened: %2").arg(name, source.reason);
+      break;
+  }
+  notice.action = Notice::Action::Reconnect;
+  return notice;
+}
+
+// Traffic that is not what Deckpipe reads.
+Notice trafficNotice(const Snapshot& snapshot, const BusRates& rates) {
+  const auto rows = deviceRows(*snapshot.view.state);
+  const bool hasOurs = std::any_of(rows.begin(), rows.end(), [](const DeviceRow& row) {
+    return row.group != DeviceGroup::OtherNodes && row.group != DeviceGroup::CanopenNodes;
+  });
+  if (hasOurs || rates.extended + rates.standard == 0) return {};
+  if (rates.extended == 0) {
+    return {
+        StatusTone::Attend,
+        NoticeText::tr("Only 11-bit identifiers are heard: this looks like CANopen or another network, not "
+                       "the monitors' own J1939 bus. The 6051 CAN Gateway speaks CANopen, by default at "
+                       "125 kbit/s; its monitors appear once they are heard.")};
+  }
+  return {StatusTone::Attend,
+          NoticeText::tr("There is traffic, but no Akron device in it so far: other makers share this bus. "
+                         "Is the monitor's controller powered, and on this bus?")};
+}
+
+Notice runningLink(const Snapshot& snapshot, const BusRates& rates) {
+  const SourceStatus& source = snapshot.source;
+  const LogView& view = snapshot.view;
+  if (source.controller == ControllerState::BusOff) {
+    Notice notice{StatusTone::Fault,
+                  NoticeText::tr("The adapter left the bus after too many errors (bus-off): check bit rate, "
+                                 "termination and cable, then start it again:")};
+    notice.command = QStringLiteral("sudo ip link set %1 type can restart").arg(source.interfaceName);
+    return notice;
+  }
+  const Instant heard = std::max(lastFrame(*view.state), upSince(*view.document));
+  if (view.atEnd && heard != kNotYet && view.cursor.time - heard >= kSilence) {
+    return {StatusTone::Attend,
+            NoticeText::tr(
+                "Connected, but nothing heard for %Ln seconds. Check in this order: is the truck's CAN "
+                "powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H "
+                "and CAN-L; CAN-H and CAN-L not swapped.",
+                nullptr, static_cast<int>((view.cursor.time - heard) / 1s))};
+  }
+  if (view.atEnd) return trafficNotice(snapshot, rates);
+  return {};
+}
+
+Notice linkNotice(const Snapshot& snapshot, const BusRates& rates) {
+  const SourceStatus& source = snapshot.source;
+  switch (source.progress) {
+    case Progress::Opening:
+      return {StatusTone::Busy,
+              NoticeText::tr("Connecting to %1 …")
+                  .arg(source.simulated ? NoticeText::tr("the simulated truck") : source.name)};
+    case Progress::Failed: return failedLink(source);
+    case Progress::Lost: {
+      Notice notice{
+          StatusTone::Fault,
+          source.reason.isEmpty()
+              ? NoticeText::tr("The link to %1 is lost. What was received is kept.").arg(source.interfaceName)
+              : NoticeText::tr("The link to %1 is lost: %2. What was received is kept.")
+                    .arg(source.interfaceName, source.reason)};
+      notice.action = Notice::Action::Reconnect;
+      return notice;
+    }
+    case Progress::Running: return runningLink(snapshot, rates);
+    case Progress::Idle:
+    case Progress::Done: break;
+  }
+  return {};
+}
+
+// The past of a log that grows must not be taken for the present.
+Notice pastNotice(const Snapshot& snapshot) {
+  const LogView& view = snapshot.view;
+  if (snapshot.source.kind != From::Link || view.atEnd || view.frameCount == 0) return {};
+  Notice notice{StatusTone::Attend};
+  const QString behind = elapsedText(view.end - view.cursor.time);
+  notice.text = (snapshot.playing ? NoticeText::tr("Playing what was recorded %1 ago. Recording goes on.")
+                                  : NoticeText::tr("Paused: this is how it was %1 ago. Recording goes on."))
+                    .arg(behind.left(behind.size() - 4));
+  notice.action = Notice::Action::GoToEnd;
+  return notice;
+}
+
+}  // namespace
+
+QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnly) {
+  QString command = QStringLiteral("sudo ip link set %1 up type can bitrate %2")
+                        .arg(interfaceName)
+                        .arg(bitRate == 0 ? kJ1939BitRate : bitRate);
+  command += isListenOnly ? QStringLiteral(" listen-only on") : QStringLiteral(" listen-only off");
+  return command;
+}
+
+Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
+  if (!snapshot.view.document) return {};
+  if (snapshot.source.kind == From::File) return fileNotice(snapshot);
+  Notice notice = linkNotice(snapshot, rates);
+  if (notice.tone != StatusTone::Fault || notice.text.isEmpty()) {
+    if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
+  }
+  return notice;
+}
+
+}  // namespace deckpipe

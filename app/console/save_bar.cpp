@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "save_bar.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "panel/elided_label.h"
+#include "status_text.h"
+
+namespace deckpipe {
+
+SaveBar::SaveBar(QWidget* parent)
+    : QWidget(parent),
+      m_text(new ElidedLabel(this)),
+      m_progress(new QProgressBar(this)),
+      m_button(new QPushButton(this)) {
+  setObjectName(QStringLiteral("saveBar"));
+  setAccessibleName(tr("Saving"));
+  m_text->setObjectName(QStringLiteral("saveText"));
+  m_text->setAccessibleName(tr("Saving"));
+  m_progress->setObjectName(QStringLiteral("saveProgress"));
+  m_progress->setAccessibleName(tr("How much is saved"));
+  m_progress->setFixedWidth(240);
+  m_button->setObjectName(QStringLiteral("saveButton"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 4, 8, 4);
+  row->setSpacing(8);
+  row->addWidget(m_text, 1);
+  row->addWidget(m_progress);
+  row->addWidget(m_button);
+  connect(m_button, &QPushButton::clicked, this, &SaveBar::cancelOrClose);
+  m_tick.setInterval(100);
+  connect(&m_tick, &QTimer::timeout, this, &SaveBar::showProgress);
+  hide();
+}
+
+SaveBar::~SaveBar() = default;
+
+void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& path) {
+  m_saving = std::make_unique<LogSaving>(std::move(document), path);
+  connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
+  m_text->setText(tr("Saving %1 to %2").arg(frameCountText(m_saving->frames()), path));
+  m_button->setText(tr("Cancel"));
+  m_button->setAccessibleName(tr("Cancel saving"));
+  m_progress->show();
+  showProgress();
+  m_tick.start();
+  show();
+}
+
+void SaveBar::showProgress() {
+  if (m_saving) m_progress->setValue(static_cast<int>(m_saving->fraction() * 100));
+}
+
+void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
+  const QString path = m_saving->path();
+  const QString frames = frameCountText(m_saving->frames());
+  m_tick.stop();
+  m_saving.release()->deleteLater();  // it is telling us this
+  m_progress->hide();
+  m_button->setText(tr("Close"));
+  m_button->setAccessibleName(tr("Close this line"));
+  switch (outcome) {
+    case LogSaving::Outcome::Saved:
+      m_text->setText(tr("Saved %1 to %2").arg(frames, path));
+      Q_EMIT saved(path);
+      break;
+    case LogSaving::Outcome::Cancelled: m_text->setText(tr("Cancelled: nothing was saved.")); break;
+    case LogSaving::Outcome::Failed: m_text->setText(tr("%1 cannot be saved: %2").arg(path, reason)); break;
+  }
+}
+
+void SaveBar::cancelOrClose() {
+  if (m_saving) {
+    m_saving->cancel();
+  } else {
+    hide();
+  }
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Saves a log and shows how that goes: a line above the timeline with the progress and a way to cancel, then
+// what came of it. The window tells it what to save and where.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "session/log_saving.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace deckpipe {
+
+class SaveBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SaveBar(QWidget* parent = nullptr);
+  ~SaveBar() override;
+
+  // Gives up what is being saved now.
+  void save(std::shared_ptr<const LogDocument> document, const QString& path);
+  bool isSaving() const { return m_saving != nullptr; }
+
+ Q_SIGNALS:
+  void saved(const QString& path);
+
+ private:
+  void showProgress();
+  void ended(LogSaving::Outcome outcome, const QString& reason);
+  void cancelOrClose();
+
+  std::unique_ptr<LogSaving> m_saving;
+  QTimer m_tick;
+  QLabel* m_text;
+  QProgressBar* m_progress;
+  QPushButton* m_button;
+};
+
+}  // namespace deckpipe

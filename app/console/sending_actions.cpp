@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sending_actions.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QRandomGenerator>
+#include <QSettings>
+
+#include "panel/danger_dialog.h"
+
+namespace deckpipe {
+
+SendingActions::SendingActions(Session& session, QWidget* window)
+    : QObject(window), m_session(session), m_window(window), m_menu(new QMenu(tr("&Bus"), window)) {
+  m_lock = m_menu->addAction(tr("&Unlock sending…"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
+                             &SendingActions::toggleLock);
+  m_lock->setObjectName(QStringLiteral("lockAction"));
+  m_menu->addSeparator();
+  m_names = m_menu->addAction(tr("Ask who is &there"), this, [this] { wish(wish::AskNames{}); });
+  m_names->setObjectName(QStringLiteral("askNamesAction"));
+  m_names->setToolTip(tr("A request for the NAME to everyone (PGN 60928)"));
+  m_everyone = m_menu->addAction(tr("&Ask every device"), this, [this] {
+    wish(wish::AskDevice{{}, kPolls});
+  });
+  m_everyone->setObjectName(QStringLiteral("askEveryoneAction"));
+  setSnapshot({});
+}
+
+void SendingActions::setSnapshot(const Snapshot& snapshot) {
+  const ServiceStatus& services = *snapshot.services;
+  const bool isLive = snapshot.source.kind == SourceStatus::Kind::Link;
+  m_isLocked = services.locked;
+  m_lock->setText(m_isLocked ? tr("&Unlock sending…") : tr("&Lock sending"));
+  m_lock->setEnabled(isLive && (!m_isLocked || snapshot.view.atEnd));
+  m_names->setEnabled(isLive && snapshot.view.atEnd && !m_isLocked && services.linkUp);
+  m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canAsk());
+}
+
+void SendingActions::wish(const Wish& wish) { m_session.want(wish); }
+
+void SendingActions::lock() { m_session.want(wish::Lock{}); }
+
+void SendingActions::askToUnlock() {
+  const SourceStatus& source = m_session.snapshot().source;
+  const QString where = source.simulated ? tr("the simulated truck") : source.name;
+  DangerDialog::ask(
+      m_window,
+      {tr("Unlock sending?"),
+       tr("Until now this program only listened. Unlocked, it claims an address of its own on %1, "
+          "answers requests for its NAME, acknowledges data-pipe packets, and sends what you ask "
+          "for. It stays unlocked until you lock it or close the link.")
+           .arg(where),
+       tr("Unlock"), tr("Keep locked")},
+      [this] { wish(wish::Unlock{}); });
+}
+
+ClaimSettings claimSettings() {
+  QSettings settings;
+  const QString key = QStringLiteral("bus/identityNumber");
+  ClaimSettings claim;
+  bool isKept = false;
+  claim.identityNumber = settings.value(key).toUInt(&isKept) & 0x1F'FFFFu;
+  if (!isKept || claim.identityNumber == 0) {
+    claim.identityNumber = static_cast<std::uint32_t>(QRandomGenerator::global()->bounded(1, 0x20'0000));
+    settings.setValue(key, claim.identityNumber);
+  }
+  const uint address = settings.value(QStringLiteral("bus/preferredAddress"), claim.preferred.value).toUInt();
+  if (address <= 0xFD) claim.preferred = Address{static_cast<std::uint8_t>(address)};
+  return claim;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "status_text.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/field_text.h"
+#include "text/elapsed_text.h"
+#include "text/service_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct StatusText {
+  Q_DECLARE_TR_FUNCTIONS(StatusText)
+};
+
+using From = SourceStatus::Kind;
+using Progress = SourceStatus::Progress;
+
+constexpr int kJ1939BitRate = 250'000;
+
+int forPlural(std::uint64_t number) {
+  return static_cast<int>(std::min<std::uint64_t>(number, std::numeric_limits<int>::max()));
+}
+
+QString sourceName(const SourceStatus& source) {
+  if (source.simulated) return StatusText::tr("Simulated truck");
+  if (source.kind == From::File) return QFileInfo(source.name).fileName();
+  return source.interfaceName;
+}
+
+// Where the frames come from, with its rate.
+QString sourceTitle(const SourceStatus& source) {
+  if (source.kind != From::Link || source.bitRate == 0) return sourceName(source);
+  return StatusText::tr("%1 · %2 kbit/s").arg(sourceName(source)).arg(source.bitRate / 1000);
+}
+
+QString controllerText(ControllerState state) {
+  switch (state) {
+    case ControllerState::ErrorActive: return StatusText::tr("The CAN controller is well (error active).");
+    case ControllerState::ErrorWarning:
+      return StatusText::tr("The CAN controller sees many errors (warning).");
+    case ControllerState::ErrorPassive:
+      return StatusText::tr("The CAN controller sees too many errors (passive).");
+    case ControllerState::BusOff: return StatusText::tr("The CAN controller has left the bus (bus-off).");
+    case ControllerState::Stopped: return StatusText::tr("The CAN controller is stopped.");
+    case ControllerState::Sleeping: return StatusText::tr("The CAN controller is asleep.");
+    case ControllerState::Unknown: break;
+  }
+  return {};
+}
+
+QString linkState(const SourceStatus& source) {
+  switch (source.progress) {
+    case Progress::Opening: return StatusText::tr("connecting");
+    case Progress::Running:
+      if (source.controller == ControllerState::BusOff) return StatusText::tr("bus-off");
+      if (source.controller == ControllerState::ErrorPassive) return StatusText::tr("many errors");
+      return source.isListenOnly ? StatusText::tr("connected, listen-only") : StatusText::tr("connected");
+    case Progress::Lost: return StatusText::tr("link lost");
+    case Progress::Failed: return StatusText::tr("not connected");
+    case Progress::Idle:
+    case Progress::Done: break;
+  }
+  return {};
+}
+
+QString fileState(const SourceStatus& source) {
+  switch (source.progress) {
+    case Progress::Opening:
+      return StatusText::tr("reading, %1 %").arg(static_cast<int>(source.fraction * 100));
+    case Progress::Failed: return StatusText::tr("cannot be read");
+    default: return {};
+  }
+}
+
+StatusTone sourceTone(const SourceStatus& source) {
+  switch (source.progress) {
+    case Progress::Idle: return StatusTone::Idle;
+    case Progress::Opening: return StatusTone::Busy;
+    case Progress::Running:
+      if (source.controller == ControllerState::BusOff) return StatusTone::Fault;
+      return source.controller == ControllerState::ErrorPassive ? StatusTone::Attend : StatusTone::Fine;
+    case Progress::Done: return StatusTone::Fine;
+    case Progress::Lost:
+    case Progress::Failed: return StatusTone::Fault;
+  }
+  return StatusTone::Idle;
+}
+
+}  // namespace
+
+QString frameCountText(std::uint64_t frames) {
+  return StatusText::tr("%Ln frames", nullptr, forPlural(frames));
+}
+
+QString loadWords(long percent) { return StatusText::tr("Load %1 %").arg(percent); }
+
+QString rateWords(long frames) { return StatusText::tr("%L1 frames/s").arg(frames); }
+
+QString errorWords(std::uint64_t errors) {
+  return StatusText::tr("%Ln error frames", nullptr, forPlural(errors));
+}
+
+QString recordingWords(bool isRunning, const QString& length, std::uint64_t frames) {
+  return (isRunning ? StatusText::tr("Recording %1 · %2") : StatusText::tr("Recorded %1 · %2"))
+      .arg(length, frameCountText(frames));
+}
+
+int loadBitRate(const SourceStatus& source) { return source.bitRate != 0 ? source.bitRate : kJ1939BitRate; }
+
+StatusFact sourceFact(const SourceStatus& source) {
+  if (source.kind == From::Nothing)
+    return {StatusTone::Idle, StatusText::tr("Nothing open"), StatusText::tr("No bus and no log is open.")};
+  const QString state = source.kind == From::File ? fileState(source) : linkState(source);
+  StatusFact fact{sourceTone(source), sourceTitle(source)};
+  if (!state.isEmpty()) fact.text = StatusText::tr("%1 – %2").arg(fact.text, state);
+  QStringList story{fact.text};
+  if (source.kind == From::File) story += source.name;
+  if (source.kind == From::Link) {
+    story += source.simulated
+                 ? StatusText::tr("A bench twin of a truck, reached through a CAN adapter of Qt's.")
+                 : StatusText::tr("Adapter: %1").arg(source.name);
+    if (source.isListenOnly)
+      story += StatusText::tr("Listen-only: the controller neither sends nor acknowledges.");
+    if (const QString controller = controllerText(source.controller); !controller.isEmpty())
+      story += controller;
+  }
+  if (!source.reason.isEmpty()) story += source.reason;
+  fact.story = story.join(QLatin1Char('\n'));
+  return fact;
+}
+
+StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
+  const int bitRate = loadBitRate(snapshot.source);
+  const auto percent = std::lround(loadPercent(rates, bitRate));
+  StatusFact fact;
+  fact.text = loadWords(percent);
+  QStringList story{StatusText::tr("How much of the bus was taken in the last second, of %1 kbit/s.\n"
+                                   "Reckoned from the frames; stuff bits are estimated.")
+                        .arg(bitRate / 1000)};
+  if (snapshot.source.bitRate == 0)
+    story += StatusText::tr("The log does not say its bit rate: this takes it for J1939.");
+  if (const auto& document = snapshot.view.document; document && document->frames.channelCount() > 1) {
+    for (std::uint8_t i = 0; i < std::min<std::size_t>(document->frames.channelCount(), kMaxChannels); ++i) {
+      story += StatusText::tr("%1: %2 %")
+                   .arg(toQString(document->frames.channelName(i)))
+                   .arg(std::lround(100 * rates.bitsASecond[i] / bitRate));
+    }
+  }
+  fact.story = story.join(QLatin1Char('\n'));
+  // Above this, periodic messages begin to wait for one another.
+  if (percent >= 80) fact.tone = StatusTone::Attend;
+  return fact;
+}
+
+StatusFact rateFact(const BusRates& rates) {
+  return {StatusTone::Plain, rateWords(std::lround(rates.framesASecond)),
+          StatusText::tr("Frames in the last second before the cursor, of all buses.")};
+}
+
+StatusFact errorFact(const Snapshot& snapshot) {
+  std::uint64_t errors = 0;
+  for (std::uint8_t i = 0; i < kMaxChannels; ++i) errors += snapshot.view.state->channel({i}).errorFrames;
+  return {
+      errors == 0 ? StatusTone::Plain : StatusTone::Attend, errorWords(errors),
+      StatusText::tr("Error frames that the adapter reported up to the cursor. A wrong bit rate, missing\n"
+                     "termination or a bad cable make many. Not every adapter reports them.")};
+}
+
+StatusFact lockFact(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  if (!snapshot.services->locked) {
+    return {StatusTone::Attend, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
+            StatusText::tr("Deckpipe may send on this bus: its address claim, and what is asked for by hand.")};
+  }
+  QString story =
+      StatusText::tr("Deckpipe receives only: it sends nothing, no claim, no request, no command.");
+  if (source.kind == From::Link && !source.simulated) {
+    story += QLatin1Char('\n');
+    story += source.isListenOnly
+                 ? StatusText::tr("The adapter is in listen-only mode: it does not acknowledge either.")
+                 : StatusText::tr(
+                       "The adapter still acknowledges frames; at a wrong bit rate it disturbs the bus.\n"
+                       "Only its own listen-only mode keeps it off the bus electrically.");
+  }
+  return {StatusTone::Plain, StatusText::tr("Transmit locked"), story, Glyph::Locked};
+}
+
+StatusFact recordingFact(const Snapshot& snapshot) {
+  const LogView& view = snapshot.view;
+  const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : view.end - view.begin);
+  const QString shortLength = length.left(length.size() - 4);
+  if (snapshot.source.kind == From::File) {
+    const QString frames = frameCountText(view.frameCount);
+    return {StatusTone::Plain, frames, StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)};
+  }
+  const bool isRunning = snapshot.source.progress == Progress::Running;
+  StatusFact fact;
+  fact.text = recordingWords(isRunning, shortLength, view.frameCount);
+  fact.story = StatusText::tr(
+      "Everything that is received is kept until another source is opened;\n"
+      "File > Save log writes it to a file. Pausing stops only what is shown.");
+  fact.glyph = isRunning ? Glyph::On : Glyph::Off;
+  return fact;
+}
+
+std::uint64_t missingFrames(const Snapshot& snapshot) {
+  // Of a link every loss is counted once as not kept; of a file the notes say what the recorder lost.
+  if (snapshot.source.kind == From::Link) return snapshot.source.notKept;
+  std::uint64_t missing = snapshot.source.notKept;
+  for (std::uint8_t i = 0; i < kMaxChannels; ++i) missing += snapshot.view.state->channel({i}).dropped;
+  return missing;
+}
+
+StatusFact completenessFact(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  const std::uint64_t missing = missingFrames(snapshot);
+  if (source.unreadable == 0 && missing == 0) {
+    return {StatusTone::Fine, StatusText::tr("Complete"),
+            source.kind == From::File
+                ? StatusText::tr("Every line of the log was read and is held.")
+                : StatusText::tr("No frame is known to be lost since the link came up.")};
+  }
+  QStringList words, story;
+  if (source.unreadable > 0) {
+    words += StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable));
+    story += StatusText::tr("Lines that are no frames are left out; what they were is said below the strip.");
+  }
+  if (missing > 0) {
+    words += StatusText::tr("%Ln frames missing", nullptr, forPlural(missing));
+    story += source.kind == From::File
+                 ? StatusText::tr("CAN FD and CAN XL frames are not held.")
+                 : StatusText::tr(
+                       "Frames that came faster than they could be read, or are no classic CAN frames.");
+  }
+  return {StatusTone::Attend, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
+}
+
+}  // namespace deckpipe

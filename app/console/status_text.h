@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The facts of the status strip as sentences: pure functions of a snapshot, so that every state can be
+// tested without a window.
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "model/bus_rates.h"
+#include "panel/status_cell.h"
+#include "session/snapshot.h"
+
+namespace deckpipe {
+
+struct StatusFact {
+  StatusTone tone = StatusTone::Plain;
+  QString text{};
+  QString story{};  // the tooltip
+  std::optional<Glyph> glyph{};
+};
+
+// The bit rate to reckon the load with: the link's, or of a log, which does not say, that of J1939.
+int loadBitRate(const SourceStatus& source);
+
+StatusFact sourceFact(const SourceStatus& source);
+StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);
+StatusFact rateFact(const BusRates& rates);
+StatusFact errorFact(const Snapshot& snapshot);
+StatusFact lockFact(const Snapshot& snapshot);
+StatusFact recordingFact(const Snapshot& snapshot);
+StatusFact completenessFact(const Snapshot& snapshot);
+
+// Frames lost up to the cursor or refused by the store, of all channels.
+std::uint64_t missingFrames(const Snapshot& snapshot);
+// The words alone, for how wide they may become.
+QString loadWords(long percent);
+QString rateWords(long frames);
+QString errorWords(std::uint64_t errors);
+QString recordingWords(bool isRunning, const QString& length, std::uint64_t frames);
+// "1,234 frames": plurals take an int, logs may hold more.
+QString frameCountText(std::uint64_t frames);
+
+}  // namespace deckpipe

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looks for adapters on a thread of its own, for makers' libraries take their time, and keeps what Linux says
+// of its interfaces up to date while it is asked to. The connection page's console side owns one and runs it
+// while the page is seen.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "link/adapters.h"
+
+class QThread;
+
+namespace deckpipe {
+
+class InterfaceWatch;
+
+class AdapterScan : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr std::chrono::seconds kLookAgain{1};
+
+  explicit AdapterScan(QObject* parent = nullptr);
+  ~AdapterScan() override;
+
+  // Running, it looks for everything once, then watches the interfaces.
+  void setRunning(bool isRunning);
+  // Everything once more.
+  void search();
+
+  const AdapterList& list() const { return m_list; }
+  bool isSearching() const { return m_isSearching; }
+  // Frames came to that interface of Linux between the last two looks.
+  bool isHeard(const Adapter& adapter) const;
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void look();
+  void found(const AdapterList& list);
+
+  AdapterList m_list, m_before;
+  bool m_isSearching = false;
+  QThread* m_thread = nullptr;
+  QObject* m_worker = nullptr;  // lives on the thread
+  std::unique_ptr<InterfaceWatch> m_watch;
+  QTimer m_timer;
+};
+
+}  // namespace deckpipe

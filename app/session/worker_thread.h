@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How threads that work with adapters end: a maker's library may hang for as long as it likes while it opens
+// or lists, and the window must not hang with it.
+#pragma once
+
+class QThread;
+
+namespace deckpipe {
+
+// Asks the thread's event loop to end and waits two seconds at most. A thread that hangs is left to itself:
+// it owns what it works with (by its finished signal) and is gone when that returns. Null: nothing to do.
+void endThread(QThread* thread);
+
+}  // namespace deckpipe

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Devices as a person names them and looks at them in the window: labels that stay, the overview, the dial
+// over everything.
+#include <QLineEdit>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTreeView>
+
+#include "app/console/window_test.h"
+#include "console/settings_labels.h"
+#include "panel/device_panel.h"
+#include "panel/full_dial.h"
+#include "panel/monitor_page.h"
+#include "panel/monitor_tile.h"
+#include "panel/overview_panel.h"
+
+namespace deckpipe {
+namespace {
+
+using test::kTruck;
+
+const Pin kPin = *Pin::parse("1032AE100801035");
+
+class WindowDevices : public test::WindowTest {
+ protected:
+  void TearDown() override { SettingsLabels().write({}); }
+  QTabWidget* tabs() const { return named<QTabWidget>("centreTabs"); }
+};
+
+TEST_F(WindowDevices, KeepsALabelThatAPersonGives) {
+  openLog(kTruck);
+  auto* list = named<QTreeView>("deviceList");
+  list->setFocus();
+  QTest::keyClick(list, Qt::Key_F2);
+  auto* editor = list->findChild<QLineEdit*>(QStringLiteral("labelEditor"));
+  ASSERT_NE(editor, nullptr);
+  QTest::keyClicks(editor, QStringLiteral("Roof"));
+  QTest::keyClick(editor, Qt::Key_Return);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(text("pageTitle"), QStringLiteral("Roof"));
+  EXPECT_EQ(SettingsLabels().read().of(kPin), QStringLiteral("Roof"));
+  const MainWindow later(m_session);
+  EXPECT_EQ(later.findChild<QLabel*>(QStringLiteral("pageTitle"))->text(), QStringLiteral("Roof"));
+}
+
+TEST_F(WindowDevices, ShowsAllMonitorsAndGoesToThePageOfOne) {
+  openLog(kTruck + "(10.300000) can0 18EFFF81#011D940371000041\n");
+  tabs()->setCurrentWidget(only<OverviewPanel>());
+  auto* second = named<MonitorTile>("monitorTile2");
+  ASSERT_NE(second, nullptr);
+  QTest::mouseClick(second, Qt::LeftButton);
+  EXPECT_EQ(tabs()->currentWidget(), only<MonitorPage>());
+  EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey::at(Channel{0}, Address{0x81}));
+  EXPECT_EQ(only<MonitorPage>()->values().key, DeviceKey::at(Channel{0}, Address{0x81}));
+}
+
+TEST_F(WindowDevices, SpreadsTheDialOverTheWholeWindow) {
+  openLog(kTruck);
+  QTest::mouseDClick(named<QWidget>("dial"), Qt::LeftButton);
+  auto* full = only<FullDial>();
+  ASSERT_NE(full, nullptr);
+  EXPECT_EQ(full->parentWidget(), &m_window);
+  EXPECT_EQ(full->size(), m_window.size());
+  QTest::keyClick(full, Qt::Key_Escape);
+  EXPECT_EQ(only<MonitorPage>()->full(), nullptr);
+}
+
+TEST(SettingsLabelsTest, KeepAnyPinThatADeviceCanHave) {
+  SettingsLabels storage;
+  const Pin odd = *Pin::make(1042, '/', '%', 7);
+  DeviceLabels labels;
+  labels.set(kPin, QStringLiteral("Tête; = %1"));
+  labels.set(odd, QStringLiteral("odd"));
+  storage.write(labels);
+  EXPECT_EQ(storage.read(), labels);
+  labels.set(odd, {});
+  storage.write(labels);
+  EXPECT_EQ(storage.read(), labels);
+  storage.write({});
+  EXPECT_EQ(storage.read(), DeviceLabels());
+}
+
+}  // namespace
+}  // namespace deckpipe

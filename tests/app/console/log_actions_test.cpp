@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person does with a whole log: saves it, marks places in it, finds it again.
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+
+#include "app/console/window_test.h"
+#include "console/recent_logs.h"
+#include "model/event_model.h"
+#include "panel/event_panel.h"
+
+namespace deckpipe {
+namespace {
+
+using test::kPatience;
+using test::kTruck;
+
+class LogActions : public test::WindowTest {
+ protected:
+  void SetUp() override {
+    QSettings().clear();
+    WindowTest::SetUp();
+  }
+  QByteArray read(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+};
+
+TEST_F(LogActions, SaveTheWholeLogAsItWasRead) {
+  openLog(kTruck);
+  const QString path = m_dir.filePath(QStringLiteral("saved.log"));
+  m_window.saveLog(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("saveText").startsWith(QStringLiteral("Saved 3 frames")); },
+                              kPatience));
+  EXPECT_EQ(read(path), QByteArray(kTruck).replace("(10", "(0000000010"));
+  QTest::mouseClick(named<QPushButton>("saveButton"), Qt::LeftButton);
+  EXPECT_FALSE(named<QWidget>("saveBar")->isVisible());
+}
+
+TEST_F(LogActions, SayWhyALogCannotBeSaved) {
+  openLog(kTruck);
+  m_window.saveLog(m_dir.filePath(QStringLiteral("absent/saved.log")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("saveText").contains(QStringLiteral("cannot be saved")); },
+                              kPatience));
+}
+
+TEST_F(LogActions, KeepAMarkWithItsWordsAtTheCursor) {
+  openLog(kTruck);
+  m_session.seekFrames(2);
+  QTest::keyClick(&m_window, Qt::Key_M, Qt::ControlModifier);
+  auto* words = named<QLineEdit>("markText");
+  ASSERT_TRUE(words->isVisible());
+  QTest::keyClicks(words, QStringLiteral("valve opened"));
+  QTest::keyClick(words, Qt::Key_Return);
+  EXPECT_FALSE(words->isVisible());
+  const auto notes = m_session.snapshot().view.document->notes.all();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].text, "valve opened");
+  EXPECT_EQ(notes[0].frame, 2u);
+  EXPECT_EQ(notes[0].time, Instant{10'100'000'000});
+  EXPECT_EQ(only<EventPanel>()->model()->rowCount(), 2);
+}
+
+TEST_F(LogActions, KeepNoMarkAfterEscape) {
+  openLog(kTruck);
+  trigger("markAction");
+  QTest::keyClick(named<QLineEdit>("markText"), Qt::Key_Escape);
+  EXPECT_FALSE(named<QLineEdit>("markText")->isVisible());
+  EXPECT_EQ(m_session.snapshot().view.document->notes.count(), 0u);
+}
+
+TEST_F(LogActions, OpenADroppedFileAndRememberIt) {
+  const QString path = writeLog(kTruck);
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&m_window, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&m_window, &drop);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.frameCount == 3; }, kPatience));
+  EXPECT_EQ(recentLogs(), QStringList{path});
+}
+
+TEST_F(LogActions, ListTheNewestLogFirstAndForgetThem) {
+  rememberLog(QStringLiteral("/a.log"));
+  rememberLog(QStringLiteral("/b.log"));
+  rememberLog(QStringLiteral("/a.log"));
+  EXPECT_EQ(recentLogs(), (QStringList{QStringLiteral("/a.log"), QStringLiteral("/b.log")}));
+  trigger("closeAction");
+  m_window.hide();
+  m_window.show();
+  EXPECT_EQ(m_window.findChildren<QPushButton*>(QStringLiteral("recentLog")).size(), 2);
+  QTest::mouseClick(named<QPushButton>("forgetLogs"), Qt::LeftButton);
+  EXPECT_TRUE(recentLogs().isEmpty());
+}
+
+TEST_F(LogActions, GoBackToTheConnectionPageWhereNothingCouldBeOpened) {
+  m_session.openLog(m_dir.filePath(QStringLiteral("absent.log")));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
+  EXPECT_TRUE(named<QWidget>("startPage")->isVisible());
+  EXPECT_TRUE(text("noticeText").contains(QStringLiteral("absent.log cannot be read")))
+      << qPrintable(text("noticeText"));
+}
+
+}  // namespace
+}  // namespace deckpipe

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the window looks and explains itself: themes, sizes, the settings that keep them, help.
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+
+#include "app/console/window_test.h"
+#include "paint/density_style.h"
+#include "panel/help_panel.h"
+#include "panel/status_cell.h"
+
+namespace deckpipe {
+namespace {
+
+using test::kTruck;
+
+class Looks : public test::WindowTest {
+ protected:
+  void SetUp() override {
+    QSettings().clear();
+    WindowTest::SetUp();
+  }
+  void TearDown() override {
+    m_window.setDensity(Density::Desk);
+    m_window.setTheme(Theme::Light);
+  }
+  // Every control in sight that is touched, with less than its height.
+  QStringList tooSmall(int least) const {
+    QStringList names;
+    for (const auto* button : m_window.findChildren<QAbstractButton*>()) {
+      const bool isDocks = qobject_cast<QDockWidget*>(button->parentWidget()) != nullptr;
+      if (button->isVisible() && !isDocks && button->height() < least) names += button->objectName();
+    }
+    for (const auto* box : m_window.findChildren<QComboBox*>()) {
+      if (box->isVisible() && box->height() < least) names += box->objectName();
+    }
+    return names;
+  }
+};
+
+TEST_F(Looks, GiveGlovesTargetsOfFortyFourPixels) {
+  EXPECT_EQ(tooSmall(32).join(QLatin1Char(' ')).toStdString(), "");
+  const int before = QApplication::font().pointSize();
+  trigger("fieldDensityAction");
+  EXPECT_GT(QApplication::font().pointSize(), before);
+  QTest::qWait(0);
+  EXPECT_EQ(tooSmall(44).join(QLatin1Char(' ')).toStdString(), "");
+  openLog(kTruck);
+  QTest::qWait(0);
+  EXPECT_EQ(tooSmall(44).join(QLatin1Char(' ')).toStdString(), "");
+}
+
+TEST_F(Looks, ChangeAtOnceFromTheSettings) {
+  trigger("settingsAction");
+  ASSERT_TRUE(named<QWidget>("settingsPage")->isVisible());
+  QTest::mouseClick(named<QRadioButton>("sunlightTheme"), Qt::LeftButton, {}, QPoint(8, 8));
+  EXPECT_EQ(m_window.theme(), Theme::Sunlight);
+  QTest::mouseClick(named<QRadioButton>("fieldDensity"), Qt::LeftButton, {}, QPoint(8, 8));
+  EXPECT_TRUE(named<QAction>("fieldDensityAction")->isChecked());
+  QTest::keyClick(named<QRadioButton>("fieldDensity"), Qt::Key_Escape);
+  EXPECT_FALSE(named<QWidget>("settingsPage")->isVisible());
+}
+
+TEST_F(Looks, AreKeptForTheNextTime) {
+  m_window.setTheme(Theme::Dark);
+  m_window.setDensity(Density::Field);
+  m_window.close();
+  MainWindow next(m_session);
+  next.restoreLayout();
+  EXPECT_EQ(next.theme(), Theme::Dark);
+  EXPECT_TRUE(next.findChild<QAction*>(QStringLiteral("fieldDensityAction"))->isChecked());
+}
+
+TEST_F(Looks, ClosesTheSettingsForWhatWasOpened) {
+  trigger("aboutAction");
+  EXPECT_TRUE(named<QWidget>("aboutPage")->isVisible());
+  openLog(kTruck);
+  EXPECT_TRUE(named<QWidget>("workspace")->isVisible());
+}
+
+TEST_F(Looks, AboutSaysVersionLicenceAndPlaces) {
+  trigger("aboutAction");
+  EXPECT_TRUE(text("aboutTitle").startsWith(QStringLiteral("Deckpipe 0")));
+  EXPECT_TRUE(text("aboutLicence").contains(QStringLiteral("version 3 or later")));
+  EXPECT_TRUE(text("aboutQt").contains(QLatin1String(qVersion())));
+  EXPECT_TRUE(text("aboutPaths").contains(QSettings().fileName()));
+  QTest::mouseClick(named<QPushButton>("aboutDone"), Qt::LeftButton);
+  EXPECT_FALSE(named<QWidget>("aboutPage")->isVisible());
+}
+
+TEST_F(Looks, F1ExplainsWhatHasTheFocus) {
+  openLog(kTruck);
+  m_window.activateWindow();
+  named<QWidget>("transmitLockCell")->setFocus();
+  QTest::keyClick(&m_window, Qt::Key_F1);
+  ASSERT_TRUE(named<QDockWidget>("helpDock")->isVisible());
+  EXPECT_TRUE(only<HelpPanel>()->text().contains(QStringLiteral("receives only")))
+      << qPrintable(only<HelpPanel>()->text());
+  named<QWidget>("busLoadCell")->setFocus();
+  EXPECT_TRUE(only<HelpPanel>()->text().startsWith(QStringLiteral("Bus load")));
+}
+
+TEST_F(Looks, EveryControlHasANameForWhoCannotSeeIt) {
+  openLog(kTruck);
+  QStringList nameless;
+  for (const auto* widget : m_window.findChildren<QWidget*>()) {
+    const bool isControl = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
+    const bool isQts = widget->objectName().startsWith(QStringLiteral("qt_"));
+    if (isControl && !isQts && widget->accessibleName().isEmpty() && widget->focusProxy() == nullptr)
+      nameless +=
+          QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
+  }
+  EXPECT_EQ(nameless.join(QLatin1Char('\n')).toStdString(), "");
+}
+
+}  // namespace
+}  // namespace deckpipe

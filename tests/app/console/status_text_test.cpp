@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every state of a source in words: the strip's facts and the notice above the work.
+#include "console/status_text.h"
+
+#include <gtest/gtest.h>
+
+#include "console/notice_of.h"
+#include "support/logs.h"
+
+namespace deckpipe {
+namespace {
+
+using From = SourceStatus::Kind;
+using Progress = SourceStatus::Progress;
+using test::logOfText;
+using test::viewOf;
+
+constexpr auto kTruck =
+    "(10.000000) can0 18EFFF80#FF83150206021A0B\n"
+    "(10.100000) can0 18EFFF80#011D940371000041\n";
+
+Snapshot snapshotOf(const char* text, From kind, Progress progress) {
+  Snapshot snapshot;
+  const auto log = logOfText(text);
+  snapshot.view = viewOf(log);
+  auto state = std::make_shared<State>();
+  advance(*state, log->frames, log->notes, snapshot.view.cursor);
+  snapshot.view.state = state;
+  snapshot.source.kind = kind;
+  snapshot.source.progress = progress;
+  snapshot.source.name =
+      kind == From::File ? QStringLiteral("/logs/truck.log") : QStringLiteral("socketcan can0");
+  snapshot.source.plugin = QStringLiteral("socketcan");
+  snapshot.source.interfaceName = QStringLiteral("can0");
+  if (kind == From::Link) snapshot.source.bitRate = 250'000;
+  return snapshot;
+}
+
+Snapshot link(Progress progress, const char* text = kTruck) { return snapshotOf(text, From::Link, progress); }
+Snapshot file(const char* text, Progress progress = Progress::Done) {
+  return snapshotOf(text, From::File, progress);
+}
+
+std::string notice(const Snapshot& snapshot) {
+  return noticeOf(snapshot, ratesAt(snapshot.view)).text.toStdString();
+}
+bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+
+TEST(SourceFact, NamesTheLinkItsRateAndItsState) {
+  SourceStatus source = link(Progress::Running).source;
+  EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – connected");
+  EXPECT_EQ(sourceFact(source).tone, StatusTone::Fine);
+  source.isListenOnly = true;
+  EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – connected, listen-only");
+  source.controller = ControllerState::BusOff;
+  EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – bus-off");
+  EXPECT_EQ(sourceFact(source).tone, StatusTone::Fault);
+}
+
+TEST(SourceFact, NamesALogByItsFile) {
+  const StatusFact fact = sourceFact(file(kTruck).source);
+  EXPECT_EQ(fact.text.toStdString(), "truck.log");
+  EXPECT_TRUE(says(fact.story.toStdString(), "/logs/truck.log"));
+}
+
+TEST(LoadFact, ReckonsTheBusiestBusOfTheLastSecond) {
+  // 100 frames of 131 + 14 bits in a second of 250,000.
+  std::string text;
+  for (int i = 0; i < 101; ++i) {
+    char line[64];
+    std::snprintf(line, sizeof line, "(%d.%02d0000) can0 18EFFF80#011D940371000041\n", 10 + i / 100, i % 100);
+    text += line;
+  }
+  const Snapshot snapshot = link(Progress::Running, text.c_str());
+  const BusRates rates = ratesAt(snapshot.view);
+  EXPECT_DOUBLE_EQ(rates.framesASecond, 100);
+  EXPECT_EQ(loadFact(snapshot, rates).text.toStdString(), "Load 6 %");
+  EXPECT_EQ(rateFact(rates).text.toStdString(), "100 frames/s");
+}
+
+TEST(LoadFact, SaysThatALogDoesNotTellItsBitRate) {
+  const Snapshot snapshot = file(kTruck);
+  EXPECT_TRUE(says(loadFact(snapshot, {}).story.toStdString(), "does not say its bit rate"));
+}
+
+TEST(LockFact, SaysThatNothingIsSent) {
+  Snapshot snapshot = link(Progress::Running);
+  const StatusFact fact = lockFact(snapshot);
+  EXPECT_EQ(fact.text.toStdString(), "Transmit locked");
+  EXPECT_EQ(fact.glyph, Glyph::Locked);
+  EXPECT_TRUE(says(fact.story.toStdString(), "still acknowledges"));
+  ServiceStatus unlocked;
+  unlocked.locked = false;
+  snapshot.services = std::make_shared<const ServiceStatus>(unlocked);
+  EXPECT_EQ(lockFact(snapshot).text.toStdString(), "Unlocked, no address");
+  EXPECT_EQ(lockFact(snapshot).tone, StatusTone::Attend);
+}
+
+TEST(CompletenessFact, CountsWhatIsMissing) {
+  EXPECT_EQ(completenessFact(link(Progress::Running)).text.toStdString(), "Complete");
+  Snapshot lossy = link(Progress::Running);
+  lossy.source.notKept = 12;
+  EXPECT_EQ(completenessFact(lossy).text.toStdString(), "12 frames missing");
+  EXPECT_EQ(completenessFact(lossy).tone, StatusTone::Attend);
+}
+
+TEST(NoticeText, IsQuietWhileAllIsWell) {
+  EXPECT_EQ(notice(link(Progress::Running)), "");
+  EXPECT_EQ(notice(file(kTruck)), "");
+  EXPECT_EQ(notice({}), "");
+}
+
+TEST(NoticeText, SaysWhatToCheckWhenNothingIsHeard) {
+  Snapshot snapshot = link(Progress::Running);
+  snapshot.view.cursor.time = snapshot.view.cursor.time + 7s;
+  const std::string text = notice(snapshot);
+  EXPECT_TRUE(says(text, "nothing heard for 7 seconds")) << text;
+  EXPECT_TRUE(says(text, "60 ohms")) << text;
+}
+
+TEST(NoticeText, TellsWrongTraffic) {
+  EXPECT_TRUE(says(notice(link(Progress::Running, "(1.0) can0 123#11\n(1.2) can0 123#11\n")), "Only 11-bit"));
+  EXPECT_TRUE(says(notice(link(Progress::Running, "(1.0) can0 18FEF100#11\n(1.2) can0 18FEF100#11\n")),
+                   "no Akron device"));
+}
+
+TEST(NoticeText, SaysThatTheLinkIsLostAndOffersItAgain) {
+  Snapshot snapshot = link(Progress::Lost);
+  snapshot.source.reason = QStringLiteral("Network is down");
+  EXPECT_TRUE(says(notice(snapshot), "lost: Network is down"));
+  EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::Reconnect);
+}
+
+TEST(NoticeText, SaysThatTheCursorStandsInThePastOfALiveLog) {
+  Snapshot snapshot = link(Progress::Running);
+  snapshot.view.atEnd = false;
+  snapshot.view.end = snapshot.view.cursor.time + 65s;
+  EXPECT_TRUE(says(notice(snapshot), "0:01:05 ago"));
+  EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::GoToEnd);
+}
+
+TEST(NoticeText, GivesTheCommandForAnInterfaceThatIsDown) {
+  Snapshot snapshot = link(Progress::Failed, "");
+  snapshot.source.fault = LinkFault::InterfaceDown;
+  EXPECT_EQ(noticeOf(snapshot, {}).command.toStdString(),
+            "sudo ip link set can0 up type can bitrate 250000 listen-only on");
+}
+
+TEST(NoticeText, NamesTheLinesOfALogThatAreUnreadable) {
+  Snapshot snapshot = file("(1.0) can0 123#11\nrubbish\n(2.0) can0 123#1\n");
+  snapshot.source.unreadable = 2;
+  const std::string text = notice(snapshot);
+  EXPECT_TRUE(says(text, "2 lines")) << text;
+  EXPECT_TRUE(says(text, "line 2: ")) << text;
+  EXPECT_TRUE(says(text, "line 3: ")) << text;
+}
+
+TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {
+  EXPECT_EQ(notice(file("")), "This log holds no frames.");
+  Snapshot snapshot = file("", Progress::Failed);
+  snapshot.source.reason = QStringLiteral("No such file or directory");
+  EXPECT_EQ(notice(snapshot), "truck.log cannot be read: No such file or directory");
+}
+
+}  // namespace
+}  // namespace deckpipe

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Snapshots of every state that the window can be in, for pictures and for tests of its layout: made by hand,
+// as most of them need hardware to come about by themselves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session/snapshot.h"
+#include "support/logs.h"
+
+namespace deckpipe::test {
+
+struct Scene {
+  const char* name;
+  Snapshot snapshot;
+};
+
+// A monitor that turns, a joystick and a 6033 that reports, for so many seconds.
+inline std::string truckText(int seconds) {
+  std::string text =
+      "(1000.000000) can0 18EEFF80#3412C02800420090\n"
+      "(1000.001000) can0 18EFFF80#FF83150206021A0B\n"
+      "(1000.002000) can0 18EEFF90#3412A00000420090\n";
+  for (int i = 1; i < seconds * 10; ++i) {
+    char line[80];
+    const int angle = 100 + i % 400;
+    std::snprintf(line, sizeof line, "(%d.%d00000) can0 18EFFF80#01%02X%X40371000041\n", 1000 + i / 10,
+                  i % 10, angle >> 4, angle & 0xF);
+    text += line;
+    std::snprintf(line, sizeof line, "(%d.%d01000) can0 18EFFF80#83C001\n", 1000 + i / 10, i % 10);
+    text += line;
+    std::snprintf(line, sizeof line, "(%d.%d02000) can0 0CFDD633#0100010000000000\n", 1000 + i / 10, i % 10);
+    text += line;
+  }
+  return text;
+}
+
+inline Snapshot snapshotOf(const std::string& text, SourceStatus::Kind kind,
+                           SourceStatus::Progress progress) {
+  Snapshot snapshot;
+  const auto log = logOfText(text);
+  snapshot.view = viewOf(log);
+  auto state = std::make_shared<State>();
+  advance(*state, log->frames, log->notes, snapshot.view.cursor);
+  snapshot.view.state = state;
+  SourceStatus& source = snapshot.source;
+  source.kind = kind;
+  source.progress = progress;
+  source.unreadable = log->unkept.content().unreadable();
+  if (kind == SourceStatus::Kind::File) {
+    source.name =
+        QStringLiteral("/home/technician/logs/2026-11-22 ladder 4 monitor stops short of the left limit.log");
+  } else {
+    source.name = QStringLiteral("socketcan can0");
+    source.plugin = QStringLiteral("socketcan");
+    source.interfaceName = QStringLiteral("can0");
+    source.bitRate = 250'000;
+  }
+  return snapshot;
+}
+
+inline std::vector<Scene> windowScenes() {
+  using Kind = SourceStatus::Kind;
+  using Progress = SourceStatus::Progress;
+  const std::string truck = truckText(5);
+  Snapshot nothing;
+  nothing.view.state = std::make_shared<const State>();
+  std::vector<Scene> scenes{{"nothing_open", nothing}};
+  const auto add = [&](const char* name, const Snapshot& snapshot) { scenes.push_back({name, snapshot}); };
+  add("log_open", snapshotOf(truck, Kind::File, Progress::Done));
+  add("log_damaged", snapshotOf(truck + "rubbish\n(1) can0 123#1\n((\n", Kind::File, Progress::Done));
+  add("log_empty", snapshotOf("", Kind::File, Progress::Done));
+  Snapshot unreadable = snapshotOf("", Kind::File, Progress::Failed);
+  unreadable.source.reason = QStringLiteral("not a log of this format");
+  add("log_unreadable", unreadable);
+  Snapshot reading = snapshotOf(truck, Kind::File, Progress::Opening);
+  reading.source.fraction = 0.42;
+  add("log_reading", reading);
+  add("connecting", snapshotOf("", Kind::Link, Progress::Opening));
+  Snapshot live = snapshotOf(truck, Kind::Link, Progress::Running);
+  live.source.isListenOnly = true;
+  add("live", live);
+  Snapshot paused = live;
+  paused.view.atEnd = false;
+  paused.view.cursor = cursorAfter(paused.view.document->frames, 60);
+  add("live_paused", paused);
+  Snapshot silent = live;
+  silent.view.cursor.time = silent.view.cursor.time + 12s;
+  add("live_silent", silent);
+  add("live_canopen", snapshotOf("(1.0) can0 123#11\n(1.3) can0 1A4#0102\n", Kind::Link, Progress::Running));
+  add("live_foreign",
+      snapshotOf("(1.0) can0 18FEF100#11\n(1.3) can0 0CF00400#11\n", Kind::Link, Progress::Running));
+  Snapshot lossy = live;
+  lossy.source.notKept = 1'234;
+  lossy.source.controller = ControllerState::ErrorPassive;
+  add("live_lossy", lossy);
+  Snapshot off = live;
+  off.source.controller = ControllerState::BusOff;
+  add("live_bus_off", off);
+  Snapshot lost = snapshotOf(truck, Kind::Link, Progress::Lost);
+  lost.source.reason = QStringLiteral("Network is down");
+  add("link_lost", lost);
+  Snapshot down = snapshotOf("", Kind::Link, Progress::Failed);
+  down.source.fault = LinkFault::InterfaceDown;
+  add("link_down", down);
+  return scenes;
+}
+
+}  // namespace deckpipe::test

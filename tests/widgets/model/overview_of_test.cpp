@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/overview_of.h"
+
+#include <gtest/gtest.h>
+
+#include "widgets/model/heard.h"
+
+namespace deckpipe {
+namespace {
+
+using namespace test;
+
+TEST(OverviewOf, ListsMonitorsAloneInOrderOfAppearance) {
+  Heard bus;
+  bus.hear("0CFDD633", kStickRightBack)
+      .hear("724", "05")
+      .hear("1A5", kPosition)
+      .monitor()
+      .hear("18EFFF91", announcementOf("1033AB000000001"))
+      .hear("18EFFF90", kNotFitted);
+  const std::vector<OverviewMonitor> monitors = overviewOf(bus.view());
+  ASSERT_EQ(monitors.size(), 3u);
+  EXPECT_EQ(monitors[0].title, QStringLiteral("Node 25"));
+  EXPECT_EQ(monitors[1].key, keyOfA());
+  EXPECT_EQ(monitors[1].detail, QStringLiteral("6032 Universal II · 80 hex"));
+  EXPECT_EQ(monitors[1].dial.rotation.reading, (PositionReading{PositionState::Ok, 473}));
+  ASSERT_TRUE(monitors[1].dial.rotation.command);
+  EXPECT_EQ(monitors[1].dial.rotation.command->source, QStringLiteral("Joystick 33"));
+  EXPECT_EQ(monitors[2].title, QStringLiteral("No PIN, address 90"));
+  EXPECT_EQ(monitors[2].dial.rotation.reading->state, PositionState::NotFitted);
+}
+
+TEST(OverviewOf, NamesTheStopsThatADialDoesNotShow) {
+  Heard bus;
+  bus.monitor("011D940371004141");  // axis 3 + and axis 4 -
+  EXPECT_EQ(overviewOf(bus.view())[0].stops,
+            QStringLiteral("Pattern Stream, Axis 4, by monitor Low | Stow, Discharge valve Open"));
+  EXPECT_FALSE(overviewOf(bus.view())[0].areStopsStale);
+  bus.pass(300ms);
+  EXPECT_TRUE(overviewOf(bus.view())[0].areStopsStale);
+  EXPECT_EQ(overviewOf(bus.view())[0].health.level, HealthLevel::Attend);
+}
+
+TEST(OverviewOf, PutsTheLabelBeforeThePin) {
+  Heard bus;
+  bus.monitor();
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  const OverviewMonitor monitor = overviewOf(bus.view(), labels)[0];
+  EXPECT_EQ(monitor.title, QStringLiteral("Roof"));
+  EXPECT_EQ(monitor.detail, QStringLiteral("1032AE100801035 · 6032 Universal II · 80 hex"));
+}
+
+TEST(OverviewOf, IsEmptyWithoutAState) { EXPECT_TRUE(overviewOf({}).empty()); }
+
+}  // namespace
+}  // namespace deckpipe

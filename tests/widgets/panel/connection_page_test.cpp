@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/connection_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "panel/notice_bar.h"
+
+namespace deckpipe {
+namespace {
+
+AdapterOffer offer(const char* name, bool canConnect = true) {
+  AdapterOffer made;
+  made.plugin = QStringLiteral("socketcan");
+  made.interfaceName = made.title = QLatin1String(name);
+  made.canConnect = canConnect;
+  if (!canConnect) made.command = QStringLiteral("sudo ip link set can0 up");
+  return made;
+}
+
+struct PageToConnect : testing::Test {
+  void SetUp() override {
+    page.resize(1366, 640);
+    page.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
+  }
+  void click(const char* name, int which = 0) {
+    const auto buttons = page.findChildren<QPushButton*>(QLatin1String(name));
+    QTest::mouseClick(buttons.at(which), Qt::LeftButton);
+  }
+  ConnectionPage page;
+};
+
+TEST_F(PageToConnect, ConnectsToTheAdapterThatIsClickedAtTheRateChosen) {
+  page.setOffers({{offer("can0"), offer("can1")}});
+  page.setBitRate(125'000);
+  QCoreApplication::sendPostedEvents();
+  QSignalSpy requests(&page, &ConnectionPage::connectRequested);
+  QTest::qWait(0);
+  for (auto* button : page.findChildren<QPushButton*>(QStringLiteral("adapterConnect"))) {
+    if (button->isVisible() && button->accessibleDescription().startsWith(QStringLiteral("can1")))
+      QTest::mouseClick(button, Qt::LeftButton);
+  }
+  ASSERT_EQ(requests.size(), 1);
+  EXPECT_EQ(requests[0][1].toString(), QStringLiteral("can1"));
+  EXPECT_EQ(requests[0][2].toInt(), 125'000);
+}
+
+TEST_F(PageToConnect, CopiesTheCommandThatHelps) {
+  page.setOffers({{offer("can0", false)}});
+  for (auto* button : page.findChildren<QPushButton*>(QStringLiteral("adapterCopy"))) {
+    if (button->isVisible()) QTest::mouseClick(button, Qt::LeftButton);
+  }
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("sudo ip link set can0 up"));
+}
+
+TEST_F(PageToConnect, TellsThatARateWasChosenByHand) {
+  QSignalSpy chosen(&page, &ConnectionPage::bitRateChosen);
+  auto* rates = page.findChild<QComboBox*>(QStringLiteral("bitRate"));
+  rates->setFocus();
+  QTest::keyClick(rates, Qt::Key_Down);
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].toInt(), page.bitRate());
+}
+
+TEST_F(PageToConnect, ListsRecentLogsAndShowsWhichAreGone) {
+  QSignalSpy requests(&page, &ConnectionPage::logRequested);
+  page.setRecentLogs({{QStringLiteral("/a/one.log")}, {QStringLiteral("/a/two.log"), true}});
+  const auto buttons = page.findChildren<QPushButton*>(QStringLiteral("recentLog"));
+  ASSERT_EQ(buttons.size(), 2);
+  EXPECT_FALSE(buttons[1]->isEnabled());
+  EXPECT_TRUE(buttons[1]->text().contains(QStringLiteral("gone")));
+  QTest::qWait(0);
+  buttons[0]->click();
+  ASSERT_EQ(requests.size(), 1);
+  EXPECT_EQ(requests[0][0].toString(), QStringLiteral("/a/one.log"));
+}
+
+TEST_F(PageToConnect, SaysThatThereIsNoAdapter) {
+  page.setOffers({});
+  EXPECT_TRUE(page.findChild<QWidget*>(QStringLiteral("noAdapters"))->isVisible());
+  page.setOffers({{offer("can0")}});
+  EXPECT_FALSE(page.findChild<QWidget*>(QStringLiteral("noAdapters"))->isVisible());
+}
+
+TEST(BarOfNotices, TakesNoRoomWithoutWordsAndActsOnAClick) {
+  NoticeBar bar;
+  bar.resize(900, 60);
+  EXPECT_TRUE(bar.isHidden());
+  Notice notice{StatusTone::Fault, QStringLiteral("The link is lost.")};
+  notice.action = Notice::Action::Reconnect;
+  bar.setNotice(notice);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar));
+  QSignalSpy actions(&bar, &NoticeBar::actionRequested);
+  QTest::mouseClick(bar.findChild<QPushButton*>(QStringLiteral("noticeAction")), Qt::LeftButton);
+  EXPECT_EQ(actions.size(), 1);
+  bar.setNotice({});
+  EXPECT_TRUE(bar.isHidden());
+}
+
+}  // namespace
+}  // namespace deckpipe

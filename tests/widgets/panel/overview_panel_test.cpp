@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/overview_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "paint/dial.h"
+#include "panel/monitor_tile.h"
+#include "panel/overview_grid.h"
+#include "widgets/panel/panel_scenes.h"
+
+namespace deckpipe {
+namespace {
+
+using namespace test;
+
+struct GridCase {
+  const char* name;
+  int count;
+  QSize room;
+  int columns;
+  bool fits;
+};
+class Grid : public testing::TestWithParam<GridCase> {};
+
+TEST_P(Grid, PutsTilesSideBySideWithoutOverlap) {
+  const auto [name, count, room, columns, fits] = GetParam();
+  const OverviewGrid grid = overviewGrid(count, room);
+  EXPECT_EQ(grid.columns, columns);
+  EXPECT_EQ(grid.height(count) <= room.height(), fits);
+  EXPECT_GE(grid.tile.height(), OverviewGrid::kLeast.height());
+  for (int i = 0; i < count; ++i) {
+    EXPECT_GE(grid.place(i).left(), OverviewGrid::kGap);
+    EXPECT_LE(grid.place(i).right(), room.width() - OverviewGrid::kGap);
+    EXPECT_LE(grid.place(i).bottom(), grid.height(count) - OverviewGrid::kGap);
+    for (int j = 0; j < i; ++j) EXPECT_FALSE(grid.place(i).intersects(grid.place(j))) << i << ' ' << j;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(OfTiles, Grid,
+                         testing::Values(GridCase{"One", 1, {1030, 500}, 1, true},
+                                         GridCase{"Two", 2, {1030, 500}, 2, true},
+                                         GridCase{"Four", 4, {1030, 600}, 2, true},
+                                         GridCase{"SixOnA4K", 6, {3500, 1700}, 3, true},
+                                         GridCase{"Thirty", 30, {1030, 500}, 3, false},
+                                         GridCase{"Narrow", 5, {300, 500}, 1, false},
+                                         GridCase{"NarrowerThanATile", 3, {200, 500}, 1, false}),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+class OverviewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    m_panel.resize(1030, 500);
+    m_panel.setAnimated(false);
+    m_panel.show();
+    m_panel.activateWindow();
+  }
+  // This many monitors, the first with a PIN.
+  void hear(int count) {
+    m_bus.monitor();
+    for (int i = 1; i < count; ++i) {
+      char id[9];
+      std::snprintf(id, sizeof id, "18EFFF%02X", 0x80u + static_cast<unsigned>(i));
+      m_bus.hear(id, kPosition);
+    }
+    show();
+  }
+  void show() {
+    m_panel.setView(m_bus.view());
+    for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+  }
+  MonitorTile* tile(int number) const {
+    return m_panel.findChild<MonitorTile*>(QStringLiteral("monitorTile%1").arg(number));
+  }
+  QLabel* empty() const { return m_panel.findChild<QLabel*>(QStringLiteral("noMonitors")); }
+
+  Heard m_bus;
+  OverviewPanel m_panel;
+  QSignalSpy m_asked{&m_panel, &OverviewPanel::deviceRequested};
+};
+
+TEST_F(OverviewTest, SaysWhyThereIsNothing) {
+  EXPECT_TRUE(empty()->text().startsWith(QStringLiteral("Nothing is open.")));
+  show();
+  EXPECT_EQ(empty()->text(), QStringLiteral("No monitor heard up to this place of the log."));
+  m_bus.hear("724", "05");
+  show();
+  EXPECT_EQ(empty()->text(),
+            QStringLiteral("No monitor heard up to this place of the log.\nOther devices in the list: 1."));
+  hear(1);
+  EXPECT_FALSE(empty()->isVisible());
+}
+
+TEST_F(OverviewTest, ShowsEveryMonitorAtOnceWithItsDial) {
+  hear(4);
+  ASSERT_NE(tile(4), nullptr);
+  EXPECT_EQ(tile(5), nullptr);
+  EXPECT_TRUE(tile(4)->isVisible());
+  EXPECT_NEAR(tile(1)->findChild<Dial*>()->values().rotation.degrees, 47.3, 1e-9);
+  EXPECT_EQ(tile(1)->accessibleName(), QStringLiteral("1032AE100801035, 6032 Universal II · 80 hex, fine"));
+  EXPECT_TRUE(
+      tile(1)->findChild<Dial*>()->accessibleDescription().contains(QStringLiteral("47.3 degrees right")));
+  Heard fewer;
+  fewer.monitor();
+  m_panel.setView(fewer.view());
+  EXPECT_FALSE(tile(2)->isVisible()) << "the cursor went back";
+  EXPECT_TRUE(tile(1)->isVisible());
+}
+
+TEST_F(OverviewTest, AsksForAPageByClickAndByKeys) {
+  hear(4);
+  QTest::mouseClick(tile(2), Qt::LeftButton, {}, tile(2)->rect().center());
+  ASSERT_EQ(m_asked.size(), 1) << "on the dial too";
+  EXPECT_EQ(m_asked[0][0].value<DeviceKey>(), DeviceKey::at(Channel{0}, Address{0x81}));
+  tile(1)->setFocus();
+  QTest::keyClick(tile(1), Qt::Key_Return);
+  ASSERT_EQ(m_asked.size(), 2);
+  EXPECT_EQ(m_asked[1][0].value<DeviceKey>(), keyOfA());
+  QTest::keyClick(tile(1), Qt::Key_Space);
+  EXPECT_EQ(m_asked.size(), 3);
+}
+
+TEST_F(OverviewTest, GoesFromTileToTileByArrows) {
+  hear(30);
+  tile(1)->setFocus();
+  QTest::keyClick(tile(1), Qt::Key_Right);
+  EXPECT_TRUE(tile(2)->hasFocus());
+  QTest::keyClick(tile(2), Qt::Key_Down);
+  EXPECT_TRUE(tile(5)->hasFocus());
+  QTest::keyClick(tile(5), Qt::Key_End);
+  EXPECT_TRUE(tile(30)->hasFocus());
+  auto* scroll = m_panel.findChild<QScrollArea*>(QStringLiteral("overviewScroll"));
+  EXPECT_TRUE(scroll->viewport()->rect().contains(
+      QRect(tile(30)->mapTo(scroll->viewport(), QPoint()), tile(30)->size())));
+  EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0);
+  QTest::keyClick(tile(30), Qt::Key_Down);
+  EXPECT_TRUE(tile(30)->hasFocus());
+  QTest::keyClick(tile(30), Qt::Key_Home);
+  EXPECT_TRUE(tile(1)->hasFocus());
+}
+
+TEST_F(OverviewTest, FlowsAnewWhenItsSizeChanges) {
+  hear(4);
+  m_panel.resize(300, 900);
+  show();
+  EXPECT_EQ(tile(1)->x(), tile(2)->x());
+  m_panel.resize(1200, 400);
+  show();
+  EXPECT_EQ(tile(1)->y(), tile(2)->y());
+}
+
+TEST_F(OverviewTest, SaysHealthStopsAndWhoseIsThePage) {
+  m_bus.monitor("011D940371004141");
+  show();
+  DeviceLabels labels;
+  labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  m_panel.setLabels(labels);
+  m_panel.setDevice(keyOfA());
+  EXPECT_TRUE(tile(1)->accessibleName().startsWith(QStringLiteral("Roof, 1032AE100801035")));
+  EXPECT_TRUE(tile(1)->accessibleDescription().contains(QStringLiteral("Stands at: Pattern Stream")));
+  EXPECT_TRUE(tile(1)->accessibleDescription().contains(QStringLiteral("Its page is shown.")));
+  m_bus.pass(5s);
+  show();
+  EXPECT_TRUE(tile(1)->accessibleName().endsWith(QStringLiteral("silent")));
+}
+
+}  // namespace
+}  // namespace deckpipe

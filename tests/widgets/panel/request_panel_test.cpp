@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/request_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "model/answer_history.h"
+#include "panel/ask_card.h"
+#include "support/frames.h"
+
+namespace deckpipe {
+namespace {
+
+using test::frame;
+
+const Pin kPin = *Pin::parse("1032AE100801035");
+const DeviceKey kMonitor = DeviceKey::of(kPin);
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+// A log in which the monitor answered, and a panel over it.
+struct AskedDevice : ::testing::Test {
+  AskedDevice() {
+    services.locked = false;
+    services.linkUp = true;
+    services.claim.progress = ClaimStatus::Progress::Claimed;
+    services.claim.address = Address{0xF9};
+    DeviceServices& device = services.devices.emplace_back();
+    device.device = kMonitor;
+    device.address = Address{0x80};
+    device.takes = kPolls;
+    device.takes.add(Ask::Reset);
+    panel.resize(380, 700);
+    QObject::connect(&panel, &RequestPanel::wished, [this](const Wish& wish) { wishes.push_back(wish); });
+    panel.setDevice(kMonitor, QStringLiteral("Roof (1032AE100801035)"));
+    add({frame("18EFFF80", "FF83150206021A0B", 0, kSecond)});
+    panel.show();
+  }
+  void add(const std::vector<Frame>& frames) {
+    ASSERT_TRUE(document->frames.append(frames));
+    while (document->roles.build(1000)) {
+    }
+    show();
+  }
+  void show() {
+    view.document = document;
+    view.state = std::make_shared<State>();
+    view.frameCount = document->frames.count();
+    view.cursor = {view.frameCount, document->frames.timeAt(view.frameCount - 1)};
+    talk.take(*document, view.frameCount, 1'000'000);
+    panel.setView(view, talk, services, isLive);
+  }
+  RequestStatus& request(Ask ask) { return services.devices[0].requests[static_cast<std::size_t>(ask)]; }
+  AskCard* card(Ask ask) {
+    return panel.findChild<AskCard*>(QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
+  }
+  QPushButton* button(Ask ask) { return card(ask)->findChild<QPushButton*>(QStringLiteral("askButton")); }
+  QPushButton* button(const char* name) { return panel.findChild<QPushButton*>(QLatin1String(name)); }
+  QString hint() { return panel.findChild<QLabel*>(QStringLiteral("requestHint"))->text(); }
+  static QWidget* dialog() { return QApplication::activeModalWidget(); }
+
+  std::shared_ptr<LogDocument> document = std::make_shared<LogDocument>();
+  LogView view;
+  Conversations talk;
+  ServiceStatus services;
+  bool isLive = true;
+  RequestPanel panel;
+  std::vector<Wish> wishes;
+};
+
+TEST_F(AskedDevice, AButtonAsksTheChosenDeviceAndNothingElse) {
+  QTest::mouseClick(button(Ask::Firmware), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 1u);
+  const auto& wish = std::get<wish::AskDevice>(wishes[0]);
+  EXPECT_EQ(wish.device, kMonitor);
+  EXPECT_EQ(wish.asks, AskSet{Ask::Firmware});
+}
+
+TEST_F(AskedDevice, OffersOnlyWhatTheTypeTakes) {
+  EXPECT_TRUE(card(Ask::Vista)->isVisible());
+  EXPECT_TRUE(card(Ask::Reset)->isVisible());
+  EXPECT_FALSE(card(Ask::ZeroAxes)->isVisible());
+}
+
+TEST_F(AskedDevice, LockedItOffersNothingAndSaysWhy) {
+  services.locked = true;
+  show();
+  EXPECT_FALSE(button(Ask::Fault)->isEnabled());
+  EXPECT_FALSE(button("askAll")->isEnabled());
+  EXPECT_FALSE(hint().isEmpty());
+  QSignalSpy unlock(&panel, &RequestPanel::unlockRequested);
+  QTest::mouseClick(button("requestUnlock"), Qt::LeftButton);
+  EXPECT_EQ(unlock.count(), 1);
+}
+
+TEST_F(AskedDevice, OffTheLiveEdgeItOffersNothing) {
+  isLive = false;
+  show();
+  EXPECT_FALSE(button(Ask::Fault)->isEnabled());
+  EXPECT_FALSE(button("requestUnlock")->isVisible());
+}
+
+TEST_F(AskedDevice, ACommandIsAskedOnceByTheDevicesName) {
+  QTest::mouseClick(button(Ask::Reset), Qt::LeftButton);
+  EXPECT_TRUE(wishes.empty());
+  ASSERT_NE(dialog(), nullptr);
+  EXPECT_TRUE(
+      dialog()->findChild<QLabel*>(QStringLiteral("dangerTitle"))->text().contains(QStringLiteral("Roof")));
+  QTest::mouseClick(dialog()->findChild<QPushButton*>(QStringLiteral("dangerVerb")), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 1u);
+  EXPECT_EQ(std::get<wish::AskDevice>(wishes[0]).asks, AskSet{Ask::Reset});
+}
+
+TEST_F(AskedDevice, EnterAndEscapeInTheQuestionLeaveThingsAsTheyAre) {
+  for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
+    QTest::mouseClick(button(Ask::Reset), Qt::LeftButton);
+    ASSERT_NE(dialog(), nullptr);
+    QTest::keyClick(dialog(), key);
+    EXPECT_TRUE(wishes.empty()) << key;
+    EXPECT_TRUE(QTest::qWaitFor([] { return dialog() == nullptr; }));
+  }
+}
+
+TEST_F(AskedDevice, ShowsTheAnswerInWordsAndHowItWent) {
+  add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200200000000B", 0, 2 * kSecond)});
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
+                         .end = RequestEnd::Answered,
+                         .tries = 1,
+                         .sent = view.cursor.time,
+                         .ended = view.cursor.time,
+                         .latency = 3ms};
+  show();
+  EXPECT_TRUE(card(Ask::Fault)->values().answer.contains(QStringLiteral("nternal fuse")))
+      << card(Ask::Fault)->values().answer.toStdString();
+  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("3 ms")));
+  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Fine);
+}
+
+TEST_F(AskedDevice, NoAnswerIsSaidAsClearly) {
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
+                         .end = RequestEnd::NoAnswer,
+                         .tries = 3,
+                         .sent = view.cursor.time,
+                         .ended = view.cursor.time};
+  show();
+  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("no answer")));
+}
+
+TEST_F(AskedDevice, WhileOneWaitsItIsNotOfferedAgain) {
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Waiting, .tries = 2, .sent = view.cursor.time};
+  show();
+  EXPECT_FALSE(button(Ask::Fault)->isEnabled());
+  EXPECT_TRUE(button(Ask::Firmware)->isEnabled());
+  EXPECT_TRUE(button("askCancel")->isEnabled());
+}
+
+TEST_F(AskedDevice, RepeatsAtTheChosenPeriodUntilOnce) {
+  auto* period = panel.findChild<QComboBox*>(QStringLiteral("askRepeat"));
+  period->setFocus();
+  QTest::keyClick(period, Qt::Key_Down);
+  ASSERT_EQ(wishes.size(), 1u);
+  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).period, 500ms);
+  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).asks, kPolls);
+}
+
+TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {
+  QAbstractItemModel* history = panel.findChild<AnswerHistory*>();
+  QAbstractItemModelTester tester(history, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  add({frame("18EFF980", "02000000000000", 0, 2 * kSecond)});
+  add({frame("18EFF980", "0200200000000B", 0, 3 * kSecond),
+       frame("18EFF980", "0200200000000B", 0, 4 * kSecond)});
+  ASSERT_EQ(history->rowCount(), 3);
+  const auto changed = [&](int row) { return history->index(row, AnswerHistory::Changed).data().toString(); };
+  EXPECT_EQ(changed(0), QStringLiteral("first answer"));
+  EXPECT_TRUE(changed(1).contains(QStringLiteral("was"))) << changed(1).toStdString();
+  EXPECT_EQ(changed(2), QStringLiteral("unchanged"));
+  // An earlier cursor knows only what had been said by then.
+  view.cursor = {2, document->frames.timeAt(1)};
+  panel.setView(view, talk, services, false);
+  EXPECT_EQ(history->rowCount(), 1);
+}
+
+}  // namespace
+}  // namespace deckpipe

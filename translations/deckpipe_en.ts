@@ -1,0 +1,105 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>Details</name>
+    <message numerus="yes">
+        <source>and %n earlier</source>
+        <translation>
+            <numerusform>and %n earlier</numerusform>
+            <numerusform>and %n earlier</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>EventText</name>
+    <message numerus="yes">
+        <source>%1: %Ln frames lost</source>
+        <translation>
+            <numerusform>%1: %Ln frame lost</numerusform>
+            <numerusform>%1: %Ln frames lost</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>NoticeText</name>
+    <message numerus="yes">
+        <source>%Ln lines of this log could not be read and are left out: %1</source>
+        <translation>
+            <numerusform>%Ln line of this log could not be read and is left out: %1</numerusform>
+            <numerusform>%Ln lines of this log could not be read and are left out: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Connected, but nothing heard for %Ln seconds. Check in this order: is the truck&apos;s CAN powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H and CAN-L; CAN-H and CAN-L not swapped.</source>
+        <translation>
+            <numerusform>Connected, but nothing heard for %Ln second. Check in this order: is the truck&apos;s CAN powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H and CAN-L; CAN-H and CAN-L not swapped.</numerusform>
+            <numerusform>Connected, but nothing heard for %Ln seconds. Check in this order: is the truck&apos;s CAN powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H and CAN-L; CAN-H and CAN-L not swapped.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StatusText</name>
+    <message numerus="yes">
+        <source>%Ln frames</source>
+        <translation>
+            <numerusform>%Ln frame</numerusform>
+            <numerusform>%Ln frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln error frames</source>
+        <translation>
+            <numerusform>%Ln error frame</numerusform>
+            <numerusform>%Ln error frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln unreadable lines</source>
+        <translation>
+            <numerusform>%Ln unreadable line</numerusform>
+            <numerusform>%Ln unreadable lines</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames missing</source>
+        <translation>
+            <numerusform>%Ln frame missing</numerusform>
+            <numerusform>%Ln frames missing</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::OverviewPanel</name>
+    <message numerus="yes">
+        <source>No monitor heard up to this place of the log.
+Other devices in the list: %n.</source>
+        <translation>
+            <numerusform>No monitor heard up to this place of the log.
+Other devices in the list: %n.</numerusform>
+            <numerusform>No monitor heard up to this place of the log.
+Other devices in the list: %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::PageHeader</name>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>And %n more.</numerusform>
+            <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::TracePanel</name>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n frame</numerusform>
+            <numerusform>%n frames</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/answer_history.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "model/field_text.h"
+#include "model/message_text.h"
+#include "protocol/decode.h"
+#include "text/catalogue_text.h"
+#include "text/elapsed_text.h"
+#include "text/service_text.h"
+
+namespace deckpipe {
+namespace {
+
+Classified asAkron(MessageId message) { return {.family = Family::Akron, .message = message}; }
+
+}  // namespace
+
+std::optional<Ask> askAnsweredBy(MessageId message) {
+  switch (message) {
+    case MessageId::FaultResponse: return Ask::Fault;
+    case MessageId::FirmwareResponse: return Ask::Firmware;
+    case MessageId::PcodeResponse: return Ask::Pcode;
+    case MessageId::ConfigResponse: return Ask::Config;
+    case MessageId::VistaStatus:
+    case MessageId::VistaPosition: return Ask::Vista;
+    case MessageId::ZeroAxesAck: return Ask::ZeroAxes;
+    case MessageId::SetupModeAck: return Ask::SetupMode;
+    default: return {};
+  }
+}
+
+AnswerHistory::AnswerHistory(QObject* parent) : QAbstractTableModel(parent) {}
+
+void AnswerHistory::setView(const LogView& view, const Conversations& talk, const DeviceKey& device) {
+  const bool isOther = view.document != m_view.document || device != m_device;
+  if (isOther || view.cursor.frames < m_cursor.frames) {
+    beginResetModel();
+    m_rows.clear();
+    m_last = {};
+    m_taken = 0;
+    m_device = device;
+    endResetModel();
+  }
+  m_view = view;
+  m_cursor = view.cursor;
+  std::vector<Row> fresh;
+  for (; m_taken < talk.list().size() && talk.list()[m_taken].frame < m_cursor.frames; ++m_taken) {
+    const Utterance& said = talk.list()[m_taken];
+    if (said.device == m_device && said.isFromDevice && askAnsweredBy(said.message))
+      fresh.push_back(read(said));
+  }
+  if (fresh.empty()) return;
+  if (fresh.size() > kMostRows)
+    fresh.erase(fresh.begin(), fresh.end() - static_cast<std::ptrdiff_t>(kMostRows));
+  if (const std::size_t all = m_rows.size() + fresh.size(); all > kMostRows) {
+    const auto surplus = static_cast<int>(all - kMostRows);
+    beginRemoveRows({}, 0, surplus - 1);
+    m_rows.erase(m_rows.begin(), m_rows.begin() + surplus);
+    endRemoveRows();
+  }
+  beginInsertRows({}, static_cast<int>(m_rows.size()), static_cast<int>(m_rows.size() + fresh.size()) - 1);
+  std::ranges::move(fresh, std::back_inserter(m_rows));
+  endInsertRows();
+}
+
+AnswerHistory::Row AnswerHistory::read(const Utterance& said) {
+  const Frame& frame = m_view.document->frames[said.frame];
+  const Message& message = messageOf(said.message);
+  Row row;
+  row.frame = said.frame;
+  row.time = said.time;
+  row.ask = *askAnsweredBy(said.message);
+  row.message = said.message;
+  row.answer = summaryText(frame, asAkron(said.message));
+  if (row.answer.isEmpty()) row.answer = messageName(message.id);
+  std::optional<Frame>& before = m_last[static_cast<std::size_t>(said.message)];
+  row.isFirst = !before.has_value();
+  if (before) {
+    QStringList changes;
+    for (const Field& field : message.fields) {
+      if (field.key.empty() || !isPresent(field, frame)) continue;
+      const QString now = valueText(message, field, valueOf(field, frame));
+      const QString then =
+          isPresent(field, *before) ? valueText(message, field, valueOf(field, *before)) : QString();
+      if (now != then)
+        changes.append(tr("%1 was %2").arg(fieldName(field), then.isEmpty() ? tr("not sent") : then));
+    }
+    row.changed = changes.join(QStringLiteral(", "));
+  }
+  before = frame;
+  return row;
+}
+
+const AnswerHistory::Row* AnswerHistory::latest(Ask ask) const {
+  for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
+    if (row->ask == ask) return &*row;
+  }
+  return nullptr;
+}
+
+QString AnswerHistory::latestText(Ask ask) const {
+  const Row* last = latest(ask);
+  if (last == nullptr) return {};
+  for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
+    if (row->ask == ask && row->message != last->message)
+      return row->answer + QLatin1Char('\n') + last->answer;
+  }
+  return last->answer;
+}
+
+int AnswerHistory::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int AnswerHistory::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+QVariant AnswerHistory::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+  const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+  if (role == FrameRole) return static_cast<qulonglong>(row.frame);
+  if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
+  switch (index.column()) {
+    case When: return elapsedText(row.time - m_view.begin);
+    case What: return askText(row.ask);
+    case Answer: return row.answer;
+    case Changed:
+      return row.isFirst ? tr("first answer") : row.changed.isEmpty() ? tr("unchanged") : row.changed;
+    default: return {};
+  }
+}
+
+QVariant AnswerHistory::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  switch (section) {
+    case When: return tr("Time");
+    case What: return tr("Asked");
+    case Answer: return tr("Answer");
+    case Changed: return tr("Changed");
+    default: return {};
+  }
+}
+
+}  // namespace deckpipe

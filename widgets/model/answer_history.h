@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one device answered up to the cursor, oldest first, in words, and what each answer changed against the
+// one of its kind before. Read from the log, so live and of a file alike. The request panel asks for it on
+// every tick; new rows are appended, another device or an earlier cursor starts anew.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "control/ask.h"
+#include "state/conversations.h"
+
+namespace deckpipe {
+
+// The ask that a message answers; nothing for any other message.
+std::optional<Ask> askAnsweredBy(MessageId message);
+
+class AnswerHistory : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { When, What, Answer, Changed, ColumnCount };
+  enum Role { FrameRole = Qt::UserRole };  // place in the log, quint64
+  // Older ones are left out.
+  static constexpr std::size_t kMostRows = 500;
+
+  explicit AnswerHistory(QObject* parent = nullptr);
+
+  // `talk` belongs to the view's log and has been taken up to its end.
+  void setView(const LogView& view, const Conversations& talk, const DeviceKey& device);
+
+  struct Row {
+    std::uint64_t frame = 0;
+    Instant time;
+    Ask ask = Ask::Fault;
+    MessageId message = MessageId::Count;
+    QString answer;
+    QString changed;  // empty: nothing, or the first of its kind
+    bool isFirst = true;
+  };
+  const std::vector<Row>& rows() const { return m_rows; }
+  // The last row of a kind; null where none came.
+  const Row* latest(Ask ask) const;
+  // The last answer in words; of one that takes two messages both, a line each.
+  QString latestText(Ask ask) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+ private:
+  Row read(const Utterance& said);
+
+  LogView m_view;
+  DeviceKey m_device;
+  std::size_t m_taken = 0;  // utterances looked at
+  Cursor m_cursor;
+  std::vector<Row> m_rows;
+  std::array<std::optional<Frame>, kMessageCount> m_last{};  // by message
+};
+
+}  // namespace deckpipe

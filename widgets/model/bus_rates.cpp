@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/bus_rates.h"
+
+#include <algorithm>
+
+#include "bus/load.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr Duration kSpan = 1s;
+constexpr Duration kLeastSpan = 100ms;          // before that a rate says nothing
+constexpr std::uint64_t kMostFrames = 100'000;  // four full buses send 36,000; a log without times has more
+
+}  // namespace
+
+BusRates ratesAt(const LogView& view) {
+  BusRates rates;
+  if (!view.document) return rates;
+  const FrameStore& frames = view.document->frames;
+  const std::uint64_t end = std::min(view.cursor.frames, frames.count());
+  const Duration span = std::min(kSpan, view.cursor.time - view.begin);
+  if (end == 0 || view.cursor.time < view.begin || span < kLeastSpan) return rates;
+  const std::uint64_t earliest = end > kMostFrames ? end - kMostFrames : 0;
+  std::uint64_t i = std::max(earliest, frames.firstAfter(view.cursor.time - span));
+  std::uint64_t count = 0;
+  while (i < end) {
+    for (const Frame& frame : frames.run(i)) {
+      ++i;
+      ++count;
+      if (frame.isError()) continue;
+      ++(frame.isExtended() ? rates.extended : rates.standard);
+      if (frame.channel < kMaxChannels) rates.bitsASecond[frame.channel] += estimatedBits(frame);
+      if (i == end) break;
+    }
+  }
+  const double seconds = std::chrono::duration<double>(span).count();
+  rates.framesASecond = static_cast<double>(count) / seconds;
+  for (double& bits : rates.bitsASecond) bits /= seconds;
+  return rates;
+}
+
+double loadPercent(const BusRates& rates, int bitRate) {
+  if (bitRate <= 0) return 0;
+  return 100 * *std::max_element(rates.bitsASecond.begin(), rates.bitsASecond.end()) / bitRate;
+}
+
+}  // namespace deckpipe

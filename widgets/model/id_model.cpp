@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/id_model.h"
+
+#include <QLocale>
+#include <algorithm>
+
+#include "model/field_text.h"
+#include "model/id_table_walker.h"
+#include "model/message_text.h"
+#include "model/trace_cells.h"
+#include "model/trace_rows.h"
+#include "protocol/catalogue.h"
+#include "text/age_text.h"
+
+namespace deckpipe {
+namespace {
+
+QString milliseconds(std::optional<Duration> duration) {
+  if (!duration) return {};
+  return IdModel::tr("%1 ms").arg(
+      QLocale().toString(static_cast<double>(duration->count()) / 1e6, 'f', *duration < 10s ? 1 : 0));
+}
+
+bool isToRight(int column) {
+  return column == IdModel::Count || column == IdModel::Period || column == IdModel::Jitter ||
+         column == IdModel::Age;
+}
+
+}  // namespace
+
+IdModel::IdModel(QObject* parent) : QAbstractTableModel(parent), m_table(std::make_shared<const IdTable>()) {}
+
+IdModel::~IdModel() = default;
+
+void IdModel::setView(const LogView& view) {
+  if (view.document != m_view.document) {
+    beginResetModel();
+    m_view = view;
+    m_walker = view.document ? std::make_unique<IdTableWalker>(view.document) : nullptr;
+    m_table = std::make_shared<const IdTable>();
+    m_words.clear();
+    endResetModel();
+  }
+  const bool isLater = view.cursor.time != m_view.cursor.time;
+  m_view = view;
+  if (!m_walker) return;
+  m_walker->request(view.cursor.frames);
+  const auto table = m_walker->latest();
+  const std::size_t before = m_table->rows().size(), now = table->rows().size();
+  if (now < before) {
+    beginResetModel();
+    m_table = table;
+    m_words.resize(now);
+    endResetModel();
+    return;
+  }
+  const bool isNew = table != m_table;
+  if (now > before) beginInsertRows({}, static_cast<int>(before), static_cast<int>(now) - 1);
+  m_table = table;
+  m_words.resize(now);
+  if (now > before) endInsertRows();
+  if (before > 0 && (isNew || isLater))
+    Q_EMIT dataChanged(index(0, Count), index(static_cast<int>(before) - 1, Decoded));
+}
+
+int IdModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_table->rows().size());
+}
+
+int IdModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+const IdModel::Words& IdModel::words(int row) const {
+  Words& words = m_words[static_cast<std::size_t>(row)];
+  const std::uint64_t last = m_table->rows()[static_cast<std::size_t>(row)].lastFrame;
+  if (words.isMade && words.frame == last) return words;
+  const Frame& frame = m_view.document->frames[last];
+  const Classified what = classifyAt(*m_view.document, last);
+  words = {last, true, frameTitle(frame, what), summaryText(frame, what), {}};
+  if (what.message != MessageId::Count) words.key = toQString(messageOf(what.message).key);
+  return words;
+}
+
+unsigned IdModel::changedBytes(const IdRow& row) const {
+  if (row.count < 2) return 0;
+  const Frame& frame = m_view.document->frames[row.lastFrame];
+  unsigned changed = 0;
+  for (unsigned i = 0; i < frame.bytes().size(); ++i) {
+    if (i >= row.lengthBefore || frame.data[i] != row.before[i]) changed |= 1u << i;
+  }
+  return changed;
+}
+
+QString IdModel::text(int at, int column) const {
+  const IdRow& row = m_table->rows()[static_cast<std::size_t>(at)];
+  const Frame& frame = m_view.document->frames[row.lastFrame];
+  switch (column) {
+    case ChannelName: return toQString(m_view.document->frames.channelName(frame.channel));
+    case Identifier: return identifierText(frame);
+    case Ends: return endsText(frame);
+    case Name: return words(at).title;
+    case Count: return QLocale().toString(static_cast<qulonglong>(row.count));
+    case Period: return milliseconds(row.period());
+    case Jitter: return row.jitter() ? QStringLiteral("±") + milliseconds(row.jitter()) : QString();
+    case Age: return calmAge(std::max(m_view.cursor.time - row.last, Duration(0)));
+    case Data: return bytesText(frame);
+    case Decoded: return words(at).summary;
+    default: return {};
+  }
+}
+
+QVariant IdModel::sortKey(int at, int column) const {
+  const IdRow& row = m_table->rows()[static_cast<std::size_t>(at)];
+  const auto ns = [](std::optional<Duration> d) {
+    return QVariant::fromValue<qlonglong>(d ? d->count() : -1);
+  };
+  switch (column) {
+    case Identifier: return QVariant::fromValue<qulonglong>(row.key & 0xFFFF'FFFF);
+    case Count: return QVariant::fromValue<qulonglong>(row.count);
+    case Period: return ns(row.period());
+    case Jitter: return ns(row.jitter());
+    case Age: return ns(m_view.cursor.time - row.last);
+    default: return text(at, column);
+  }
+}
+
+QVariant IdModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+  const IdRow& row = m_table->rows()[static_cast<std::size_t>(index.row())];
+  switch (role) {
+    case Qt::DisplayRole: return text(index.row(), index.column());
+    case Qt::ToolTipRole:
+      if (index.column() == Decoded) return text(index.row(), Decoded);
+      return {};
+    case Qt::AccessibleTextRole:
+      if (index.column() == Data && changedBytes(row) != 0) {
+        QStringList bytes;
+        for (int i = 0; i < 8; ++i) {
+          if ((changedBytes(row) >> i & 1u) != 0) bytes += QString::number(i + 1);
+        }
+        return tr("%1; changed: byte %2").arg(text(index.row(), Data), bytes.join(QStringLiteral(", ")));
+      }
+      return text(index.row(), index.column());
+    case Qt::TextAlignmentRole:
+      return QVariant::fromValue(
+          Qt::Alignment((isToRight(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    case FrameRole: return QVariant::fromValue<quint64>(row.lastFrame);
+    case SortRole: return sortKey(index.row(), index.column());
+    case ChangedRole: return changedBytes(row);
+    case FilterRole: {
+      const Frame& frame = m_view.document->frames[row.lastFrame];
+      if (frame.isError()) return QStringLiteral("err");
+      QString expression =
+          QStringLiteral("ch=\"%1\" and id=%2").arg(text(index.row(), ChannelName), identifierText(frame));
+      if ((row.key >> 40) != 0) expression += QStringLiteral(" and type=") + hexText(row.key >> 40 & 0xFF, 2);
+      return expression;
+    }
+    default: return {};
+  }
+}
+
+QVariant IdModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return QAbstractTableModel::headerData(section, orientation, role);
+  if (role == Qt::TextAlignmentRole)
+    return QVariant::fromValue(
+        Qt::Alignment((isToRight(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+  if (role == Qt::ToolTipRole) {
+    switch (section) {
+      case Count: return tr("Frames since the log's begin");
+      case Period: return tr("Mean time between frames, since the last long pause");
+      case Jitter: return tr("The worst that a period was beside the mean");
+      case Age: return tr("Time from the last frame to the cursor");
+      case Data: return tr("The last data; bytes that changed are bold and underlined");
+      default: return {};
+    }
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case ChannelName: return tr("Channel");
+    case Identifier: return tr("ID");
+    case Ends: return tr("From→To");
+    case Name: return tr("Name");
+    case Count: return tr("Count");
+    case Period: return tr("Period");
+    case Jitter: return tr("Jitter");
+    case Age: return tr("Age");
+    case Data: return tr("Data");
+    case Decoded: return tr("Decoded");
+    default: return {};
+  }
+}
+
+}  // namespace deckpipe

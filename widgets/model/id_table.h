@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The traffic of a log up to a cursor, by identifier: how often, how regular, what came last. A pure function
+// of frames, so it is the same live, in replay and after seeking. Copyable: copies are kept every so many
+// frames (id_table_walker.h), so that the table at any cursor is a short walk away.
+//
+//   1. A row is a channel and an identifier; of PGN EF00, which carries many messages, also its type byte.
+//   2. Periods are those of the present run: a pause of more than kPause times the mean, and of more than a
+//      second, begins a new run, so that a device that was off does not spoil them for good.
+//   3. After kMost rows further identifiers are only counted.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/time.h"
+#include "bus/frame.h"
+#include "log/frame_store.h"
+
+namespace deckpipe {
+
+struct IdRow {
+  std::uint64_t key = 0;
+  std::uint64_t count = 0;      // since the log's begin
+  std::uint64_t lastFrame = 0;  // in the log
+  Instant last{};               // log time
+  Payload before{};             // the data of the frame before the last …
+  std::uint8_t lengthBefore = 0;
+  // Of the present run.
+  std::uint32_t periods = 0;
+  Instant begin{};
+  Duration shortest{Duration::max()}, longest{0};
+
+  std::optional<Duration> period() const {
+    if (periods == 0) return {};
+    return (last - begin) / static_cast<std::int64_t>(periods);
+  }
+  // The worst that a period was beside the mean.
+  std::optional<Duration> jitter() const {
+    if (periods < 2) return {};
+    return std::max(longest - *period(), *period() - shortest);
+  }
+  friend bool operator==(const IdRow&, const IdRow&) = default;
+};
+
+class IdTable {
+ public:
+  static constexpr std::size_t kMost = 2048;
+  static constexpr int kPause = 10;
+
+  // The frames of the log that are behind what the table has seen, up to `end`.
+  void walk(const FrameStore& frames, std::uint64_t end);
+
+  std::uint64_t frames() const { return m_frames; }
+  const std::vector<IdRow>& rows() const { return m_rows; }  // in the order in which they came first
+  std::uint64_t others() const { return m_others; }          // frames that have no row
+
+  static std::uint64_t keyOf(const Frame& frame);
+
+ private:
+  IdRow* rowOf(std::uint64_t key);
+
+  std::vector<IdRow> m_rows;
+  std::vector<std::uint16_t> m_slots;  // open addressing: 0 free, otherwise row + 1
+  std::uint64_t m_frames = 0;
+  std::uint64_t m_others = 0;
+};
+
+}  // namespace deckpipe

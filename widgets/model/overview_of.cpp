@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/overview_of.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "model/device_details.h"
+#include "model/page_dial.h"
+#include "model/page_lamps.h"
+#include "text/device_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct Overview {
+  Q_DECLARE_TR_FUNCTIONS(Overview)
+};
+
+QString detailOf(const LogView& view, const DeviceRow& row, const DeviceLabels& labels) {
+  QStringList parts;
+  if (!labels.of(row.key).isEmpty()) parts << deviceText(row);
+  parts << typeText(row);
+  if (row.key.kind == DeviceKey::Kind::Pin) {
+    parts << (row.hasLostAddress() ? Overview::tr("address lost") : addressText(row.address));
+  }
+  if (const QString channel = channelText(view, row.channel); !channel.isEmpty()) parts << channel;
+  return parts.join(QStringLiteral(" · "));
+}
+
+QString stopsText(const PageStops& stops) {
+  QStringList parts;
+  for (std::size_t i = 2; i < stops.axes.size(); ++i) {
+    for (const PageLamp* side : {&stops.axes[i].minus, &stops.axes[i].plus}) {
+      if (side->state == Status2::On)
+        parts << Overview::tr("%1 %2", "axis and its side, as Pattern Fog")
+                     .arg(stops.axes[i].axis, side->label);
+    }
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+std::vector<OverviewMonitor> overviewOf(const LogView& view, const DeviceLabels& labels) {
+  std::vector<OverviewMonitor> monitors;
+  if (view.state == nullptr) return monitors;
+  const State& state = *view.state;
+  for (const Device& d : state.devices().all()) {
+    if (d.kind == Device::Kind::Free || !isMonitor(d)) continue;
+    const DeviceRow row = *deviceRow(state, keyOf(d));
+    OverviewMonitor& m = monitors.emplace_back();
+    m.key = row.key;
+    m.title = labels.of(row.key);
+    if (m.title.isEmpty()) m.title = deviceText(row);
+    m.detail = detailOf(view, row, labels);
+    m.health = row.health;
+    m.age = row.age;
+    m.dial = dialOf(state, d);
+    const PageStops stops = stopsOf(d, state.cursor().time);
+    m.stops = stopsText(stops);
+    m.areStopsStale = stops.isStale;
+  }
+  return monitors;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/page_arbitration.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "model/page_command.h"
+#include "text/device_text.h"
+#include "text/joystick_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct Arbitration {
+  Q_DECLARE_TR_FUNCTIONS(Arbitration)
+};
+
+PageFact plain(const QString& label, const QString& value, FactTone tone = FactTone::Plain) {
+  return {label, value, tone, {}};
+}
+
+PageFact axisFact(const QString& label, const std::optional<PageAxis::Command>& command, Address self,
+                  bool isRotation) {
+  if (!command) return plain(label, Arbitration::tr("nobody commands"));
+  const QString what = commandText(*command, isRotation);
+  if (command->from == self) return plain(label, Arbitration::tr("this one: %1").arg(what), FactTone::Fine);
+  return plain(label, Arbitration::tr("%1: %2", "who commands, and what").arg(command->source, what));
+}
+
+// "Joystick 34: at rest"
+QStringList heard(const Joysticks& joysticks, Address from, Address to) {
+  QStringList lines;
+  for (unsigned a = from.value; a <= to.value; ++a) {
+    const Joystick* stick = joysticks.find(Address{static_cast<std::uint8_t>(a)});
+    if (stick == nullptr) continue;
+    const QString name = joystickName(stick->source);
+    if (!stick->isActive()) {
+      lines << Arbitration::tr("%1: stopped sending").arg(name);
+      continue;
+    }
+    const BasicJoystick message = stick->basic.value();
+    const bool isAtRest = message.x.tenths.value_or(0) == 0 && message.y.tenths.value_or(0) == 0;
+    lines << (isAtRest ? Arbitration::tr("%1: at rest").arg(name)
+                       : Arbitration::tr("%1: deflected").arg(name));
+  }
+  return lines;
+}
+
+PageFact listed(const QString& label, const QStringList& lines) {
+  return lines.isEmpty() ? plain(label, Arbitration::tr("none heard"))
+                         : plain(label, lines.join(QLatin1Char('\n')));
+}
+
+Address next(Address a, int step) { return {static_cast<std::uint8_t>(a.value + step)}; }
+
+}  // namespace
+
+PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystick& stick,
+                            const DeviceLabels& labels) {
+  PageFactGroup group{QStringLiteral("arbitration"), Arbitration::tr("Who moves what"), {}};
+  auto& facts = group.facts;
+  if (!stick.priority()) {
+    facts.push_back(plain(Arbitration::tr("Moves"),
+                          Arbitration::tr("nothing: monitors do not listen to this source by default"),
+                          FactTone::Attend));
+    return group;
+  }
+  const PageCommands commands = joystickCommands(state, channelId);
+  const Joysticks& joysticks = state.channel(channelId).joysticks;
+  facts.push_back(axisFact(Arbitration::tr("Rotation"), commands.rotation, stick.source, true));
+  facts.push_back(axisFact(Arbitration::tr("Elevation"), commands.elevation, stick.source, false));
+  facts.push_back(listed(Arbitration::tr("Before it"),
+                         QStringList(Arbitration::tr("a 6032's own switches, which no message tells of")) +
+                             heard(joysticks, kFirstJoystick, next(stick.source, -1))));
+  facts.push_back(
+      listed(Arbitration::tr("After it"), heard(joysticks, next(stick.source, +1), kLastJoystick)));
+  QStringList moved;
+  for (const Device& d : state.devices().all()) {
+    if (d.kind == Device::Kind::Free || d.kind == Device::Kind::Node || d.channel != channelId) continue;
+    if (isMonitor(d)) moved << nameText(keyOf(d), labels);
+  }
+  if (moved.isEmpty()) moved << Arbitration::tr("no monitor heard on this channel");
+  moved << Arbitration::tr("and any that listens without being heard");
+  facts.push_back(plain(Arbitration::tr("Moves"), moved.join(QLatin1Char('\n'))));
+  return group;
+}
+
+PageFactGroup sourcesOf(const State& state, Channel channel) {
+  PageFactGroup group{QStringLiteral("sources"), Arbitration::tr("Joystick messages"), {}};
+  group.facts.push_back(listed(Arbitration::tr("Heard here"),
+                               heard(state.channel(channel).joysticks, kFirstJoystick, kLastJoystick)));
+  group.facts.push_back(plain(
+      Arbitration::tr("Its own"),
+      Arbitration::tr("not known: it sends them from an address of 33 to 38 hex, and none of them says whose "
+                      "it is")));
+  return group;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/pipe_transcript.h"
+
+#include <QCoreApplication>
+#include <utility>
+
+#include "model/field_text.h"
+#include "text/elapsed_text.h"
+
+namespace deckpipe {
+namespace {
+
+struct PipeTranscriptText {
+  Q_DECLARE_TR_FUNCTIONS(PipeTranscript)
+};
+
+bool isPrintable(char c) { return c >= 0x20 && c <= 0x7E; }
+
+}  // namespace
+
+QString pipeText(std::string_view bytes) {
+  QString text;
+  for (const char c : bytes) {
+    if (isPrintable(c) || c == '\n') {
+      text += QLatin1Char(c);
+    } else if (c != '\r') {
+      text += QStringLiteral("⟨%1⟩").arg(hexText(static_cast<unsigned char>(c), 2));
+    }
+  }
+  return text;
+}
+
+QString pipeHex(std::string_view bytes) {
+  QStringList hex;
+  for (const char c : bytes) hex.append(hexText(static_cast<unsigned char>(c), 2));
+  return hex.join(QLatin1Char(' '));
+}
+
+bool PipeTranscript::take(const LogView& view, const Conversations& talk, const DeviceKey& device) {
+  const bool isAnew = view.document.get() != m_log || device != m_device || view.cursor.frames < m_cursor;
+  if (isAnew) {
+    *this = {};
+    m_log = view.document.get();
+    m_device = device;
+  }
+  m_cursor = view.cursor.frames;
+  m_begin = view.begin;
+  for (; m_taken < talk.list().size() && talk.list()[m_taken].frame < m_cursor; ++m_taken) {
+    const Utterance& said = talk.list()[m_taken];
+    if (said.device != m_device) continue;
+    if (said.message == MessageId::PipeData) {
+      const Frame& frame = m_log->frames[said.frame];
+      std::string bytes(frame.data.begin() + 1, frame.data.begin() + frame.length);
+      m_open[said.isFromDevice ? 1 : 0] = m_packets.size();
+      m_packets.push_back({said.frame, said.time, said.isFromDevice, std::move(bytes), {}});
+    } else if (said.message == MessageId::PipeAck) {
+      // An ack answers the packet of the other direction.
+      auto& open = m_open[said.isFromDevice ? 0 : 1];
+      if (open) m_packets[*open].acknowledged = said.time;
+      open.reset();
+    }
+  }
+  return isAnew;
+}
+
+QString PipeTranscript::text() const {
+  QString text;
+  bool wasFromDevice = false, isLineOpen = false;
+  for (const PipePacket& packet : m_packets) {
+    if (isLineOpen && packet.isFromDevice != wasFromDevice) {
+      text += QLatin1Char('\n');
+      isLineOpen = false;
+    }
+    wasFromDevice = packet.isFromDevice;
+    for (const QChar c : pipeText(packet.bytes)) {
+      if (!isLineOpen) {
+        text += elapsedText(packet.time - m_begin) +
+                (packet.isFromDevice ? QStringLiteral("  < ") : QStringLiteral("  > "));
+        isLineOpen = true;
+      }
+      text += c;
+      if (c == QLatin1Char('\n')) isLineOpen = false;
+    }
+  }
+  if (isLineOpen) text += QLatin1Char('\n');
+  return text;
+}
+
+QString PipeTranscript::ledger() const {
+  QString text = QStringLiteral("time_s,direction,bytes,ack_ms\n");
+  for (const PipePacket& packet : m_packets) {
+    const auto milliseconds = [](Duration d) {
+      return QString::number(static_cast<double>(d.count()) / 1e6, 'f', 1);
+    };
+    text += QString::number(static_cast<double>((packet.time - m_begin).count()) / 1e9, 'f', 6) +
+            (packet.isFromDevice ? QStringLiteral(",in,") : QStringLiteral(",out,")) +
+            QString::number(packet.bytes.size()) + QLatin1Char(',') +
+            (packet.acknowledged ? milliseconds(*packet.acknowledged - packet.time) : QString()) +
+            QLatin1Char('\n');
+  }
+  return text;
+}
+
+}  // namespace deckpipe

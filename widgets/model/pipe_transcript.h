@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What went through the data pipe of one device up to the cursor: packets with their direction and the ack of
+// each. Read from the log, so live and of a file alike. The terminal appends what is new on every tick and
+// saves it as text; another device or an earlier cursor starts anew.
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "state/conversations.h"
+
+namespace deckpipe {
+
+struct PipePacket {
+  std::uint64_t frame = 0;
+  Instant time;
+  bool isFromDevice = false;
+  std::string bytes;
+  std::optional<Instant> acknowledged;  // by the other end
+};
+
+class PipeTranscript {
+ public:
+  // Says whether it started anew: what was shown before is not its begin any more.
+  bool take(const LogView& view, const Conversations& talk, const DeviceKey& device);
+
+  const std::vector<PipePacket>& packets() const { return m_packets; }
+  Instant begin() const { return m_begin; }
+
+  // Both directions, a line a packet or line of text, with times; for saving.
+  QString text() const;
+  // "time,direction,bytes,ack_ms" of every packet, the ack empty where none came.
+  QString ledger() const;
+
+ private:
+  const LogDocument* m_log = nullptr;
+  DeviceKey m_device;
+  std::size_t m_taken = 0;
+  std::uint64_t m_cursor = 0;
+  Instant m_begin;
+  std::vector<PipePacket> m_packets;
+  // The last packet of each direction that waits for its ack; [1] from the device.
+  std::array<std::optional<std::size_t>, 2> m_open;
+};
+
+// Characters that are not printable ASCII as their bytes: "⟨1B⟩"; line ends stay.
+QString pipeText(std::string_view bytes);
+QString pipeHex(std::string_view bytes);
+
+}  // namespace deckpipe

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The filter language of the trace: which frames are shown, and what is searched for. Parsed once in the
+// window, where a mistake is said with its place; matched by the sieve and the search on their workers.
+//
+//   expression = term { "or" term }            also ||
+//   term       = factor { ["and"] factor }     also &&; tests side by side are both wanted
+//   factor     = "not" factor | "(" expression ")" | flag | test          also !
+//   test       = key operator value { "," value }
+//   operator   = "=" | "!=" | "<" | "<=" | ">" | ">=" | "~" | "!~"        ~ contains, !~ does not
+//   value      = word | "words in quotes"
+//
+// pgn=EF00 and sa=80            hex keys: id, pgn, sa, da, node, type, data, b1 … b8
+// id=18EFFF80, id=18EFxx80      x is any digit; up to three digits are an 11-bit identifier
+// id=100-1FF, len=2,8           ranges, and any of several
+// data~"01 1D"                  these bytes one after another; data=… the whole, xx any byte
+// name~"soft limits"            the name shown, or the catalogue's key
+// rotation_deg>30, enable=off   fields of the catalogue by key, as decoded; rotation_deg=none has no value
+// t>=12.5 and t<20              seconds of log time since the log's begin
+// err, remote, malformed, …     flags; filter_keys.h lists all
+//
+// "!=" and "!~" are the exact opposite of "=" and "~": a frame without the thing asked for passes them, and
+// never passes the others.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "base/time.h"
+#include "bus/frame.h"
+#include "log/frame_store.h"
+#include "model/filter_node.h"
+#include "protocol/classify.h"
+
+namespace deckpipe {
+
+struct FilterError {
+  int at = 0;  // in the expression, in characters
+  int length = 0;
+  QString text;  // what was expected there, a sentence
+};
+
+struct FilterFrame {
+  const Frame& frame;
+  std::uint64_t index;
+  Instant time;
+  const Classified& what;  // only looked at where needsRoles()
+};
+
+class TraceFilter {
+ public:
+  // Lets everything through, as does an expression of blanks.
+  TraceFilter() = default;
+  static Result<TraceFilter, FilterError> parse(const QString& expression);
+  // Frames whose cells contain this text, whatever it is. Slower than an expression: words are made.
+  static TraceFilter containing(const QString& text);
+
+  bool isEmpty() const { return m_nodes.empty(); }
+  // Whether a frame's meaning decides, not its bytes alone.
+  bool needsRoles() const { return m_needsRoles; }
+  // Names of channels and the begin of time are those of this log from now on; again when it has grown.
+  void bind(const FrameStore& frames);
+  bool matches(const FilterFrame& frame) const;
+
+ private:
+  friend class FilterParser;
+  bool matches(int node, const FilterFrame& frame) const;
+
+  std::vector<FilterNode> m_nodes;  // children before parents, the root last
+  bool m_needsRoles = false;
+};
+
+}  // namespace deckpipe

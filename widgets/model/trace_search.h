@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the next or the previous frame that passes an expression, among those that the trace's filter lets
+// through: on a thread of its own, newest question first. From the end it goes on at the begin, and back,
+// until every frame was looked at. Asked by the trace panel.
+#pragma once
+
+#include <QObject>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "model/trace_filter.h"
+#include "state/log_view.h"
+
+namespace deckpipe {
+
+class TraceSearch : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Question {
+    std::shared_ptr<const LogDocument> log;
+    TraceFilter shown;   // what the trace shows
+    TraceFilter wanted;  // what is looked for among that
+    std::uint64_t frames = 0;
+    // Forwards this frame is the first that may be found, backwards the last one before it.
+    std::uint64_t from = 0;
+    bool isBackwards = false;
+  };
+
+  explicit TraceSearch(QObject* parent = nullptr);
+  ~TraceSearch() override;
+
+  // What was asked before is given up.
+  void find(Question question);
+  void cancel();
+  bool isSearching() const { return m_isSearching; }
+
+ Q_SIGNALS:
+  // One of these for each question that is not given up. `wrapped`: beyond the end, or the begin.
+  void found(quint64 frame, bool wrapped);
+  void notFound();
+
+ private:
+  struct Answer {
+    std::optional<std::uint64_t> frame;
+    bool wrapped = false;
+  };
+  void run(const std::stop_token& stop);
+  std::optional<Answer> look(Question& question, const std::stop_token& stop);
+  bool isGivenUp(const std::stop_token& stop) const;
+  void tell(std::uint64_t serial, const Answer& answer);
+
+  mutable std::mutex m_lock;
+  std::condition_variable_any m_wake;
+  std::optional<Question> m_question;
+  std::uint64_t m_serial = 0;   // of the newest question
+  std::uint64_t m_looking = 0;  // of the one that is looked for
+  bool m_isSearching = false;   // the window's
+  std::jthread m_thread;        // last: it uses all of the above
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/ask_card.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "panel/glyph_label.h"
+#include "panel/label_ink.h"
+#include "panel/secondary_font.h"
+#include "text/service_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kTarget = 36, kButtonWidth = 96;
+
+}  // namespace
+
+AskCard::AskCard(Ask ask, QWidget* parent)
+    : QWidget(parent),
+      m_ask(ask),
+      m_colours(coloursOf(Theme::Light)),
+      m_answer(new QLabel(this)),
+      m_sign(new GlyphLabel(this)),
+      m_state(new QLabel(this)),
+      m_button(new QPushButton(isCommand(ask) ? tr("%1…").arg(askText(ask)) : tr("Ask"), this)) {
+  const QString name = askText(ask);
+  setObjectName(QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
+  setAccessibleName(name);
+  auto* title = new QLabel(name, this);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  m_answer->setObjectName(QStringLiteral("askAnswer"));
+  m_answer->setAccessibleName(tr("Last answer: %1").arg(name));
+  m_answer->setWordWrap(true);
+  m_answer->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_state->setObjectName(QStringLiteral("askState"));
+  m_state->setAccessibleName(tr("State: %1").arg(name));
+  m_state->setWordWrap(true);
+  m_state->setFont(secondaryFont(font()));
+  m_button->setObjectName(QStringLiteral("askButton"));
+  m_button->setAccessibleName(isCommand(ask) ? m_button->text() : tr("Ask: %1").arg(name));
+  m_button->setMinimumSize(kButtonWidth, kTarget);
+  m_button->setAutoDefault(false);
+  connect(m_button, &QPushButton::clicked, this, &AskCard::pressed);
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(8, 6, 8, 6);
+  layout->setHorizontalSpacing(8);
+  layout->setVerticalSpacing(2);
+  layout->addWidget(title, 0, 0, 1, 2);
+  layout->addWidget(m_answer, 1, 0, 1, 2);
+  layout->addWidget(m_sign, 2, 0, Qt::AlignTop);
+  layout->addWidget(m_state, 2, 1);
+  layout->addWidget(m_button, 0, 2, 2, 1, Qt::AlignTop);
+  layout->setColumnStretch(1, 1);
+  show();
+}
+
+void AskCard::setValues(const Values& values) {
+  if (values == m_values) return;
+  m_values = values;
+  show();
+}
+
+void AskCard::setColours(const Colours& colours) {
+  m_colours = colours;
+  show();
+}
+
+void AskCard::show() {
+  const auto look = [this]() -> std::pair<std::optional<Glyph>, QColor> {
+    switch (m_values.tone) {
+      case Tone::Plain: break;
+      case Tone::Waiting: return {Glyph::Stale, m_colours.accent.ink};
+      case Tone::Fine: return {Glyph::Fine, m_colours.fine.ink};
+      case Tone::Attend: return {Glyph::Attend, m_colours.attend.ink};
+    }
+    return {std::nullopt, m_colours.textSecondary};
+  }();
+  m_sign->setGlyph(look.first, look.second, m_colours.stroke);
+  m_sign->setVisible(look.first.has_value());
+  setInk(*m_state, look.second);
+  setText(*m_state, m_values.state);
+  setText(*m_answer, m_values.answer);
+  m_answer->setVisible(!m_values.answer.isEmpty());
+  m_button->setEnabled(m_values.isOffered);
+}
+
+}  // namespace deckpipe

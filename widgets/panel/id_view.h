@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The traffic by identifier, sorted as a person likes. In the trace panel; the row that is chosen is a frame
+// to look at in detail, a double click or Enter shows these frames in order.
+#pragma once
+
+#include <QTableView>
+
+#include "model/id_model.h"
+#include "paint/palette.h"
+
+class QSortFilterProxyModel;
+
+namespace deckpipe {
+
+class FlatHeader;
+
+class IdView : public QTableView {
+  Q_OBJECT
+
+ public:
+  explicit IdView(QWidget* parent = nullptr);
+
+  IdModel* rows() const { return m_rows; }
+  void setView(const LogView& view);
+  void setColours(const Colours& colours);
+  // The last frame of the row that is chosen.
+  std::optional<std::uint64_t> currentFrame() const;
+
+ Q_SIGNALS:
+  void currentFrameChanged(std::optional<std::uint64_t> frame);
+  void filterRequested(const QString& expression);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void tellCurrent();
+
+  IdModel* m_rows;
+  QSortFilterProxyModel* m_sorted;
+  FlatHeader* m_header;
+  std::optional<std::uint64_t> m_told;
+};
+
+}  // namespace deckpipe

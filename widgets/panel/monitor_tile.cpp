@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/monitor_tile.h"
+
+#include <QEnterEvent>
+#include <QFontMetricsF>
+#include <QKeyEvent>
+#include <QPainter>
+#include <cmath>
+
+#include "paint/dial.h"
+#include "paint/glyph.h"
+#include "panel/dial_adapter.h"
+#include "panel/health_look.h"
+#include "panel/secondary_font.h"
+#include "text/age_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kPad = 12;
+constexpr int kFrame = 3;  // of the focus
+constexpr double kSign = 14;
+constexpr double kGap = 8;
+
+QFont strongFont(QFont font) {
+  font.setWeight(QFont::DemiBold);
+  return font;
+}
+int lineHeight(const QFont& font) { return static_cast<int>(std::ceil(QFontMetricsF(font).height())) + 4; }
+
+QString ageText(const OverviewMonitor& monitor) { return monitor.age ? calmAge(*monitor.age) : QString(); }
+
+}  // namespace
+
+MonitorTile::MonitorTile(QWidget* parent)
+    : QAbstractButton(parent), m_colours(coloursOf(Theme::Light)), m_dial(new Dial(this)) {
+  setObjectName(QStringLiteral("monitorTile"));
+  setFocusPolicy(Qt::StrongFocus);
+  m_dial->setAttribute(Qt::WA_TransparentForMouseEvents);  // the tile takes the click
+  m_dial->setObjectName(QStringLiteral("tileDial"));
+}
+
+void MonitorTile::setMonitor(const OverviewMonitor& monitor) {
+  m_dial->setValues(dialValuesOf(monitor.dial));
+  // Ages run on; what counts is what is written of them. The dial looks after itself.
+  const bool isSame = monitor.key == m_monitor.key && monitor.title == m_monitor.title &&
+                      monitor.detail == m_monitor.detail && monitor.health == m_monitor.health &&
+                      monitor.stops == m_monitor.stops && monitor.areStopsStale == m_monitor.areStopsStale &&
+                      ageText(monitor) == ageText(m_monitor);
+  m_monitor = monitor;
+  if (isSame) return;
+  describe();
+  update();
+}
+
+void MonitorTile::setChosen(bool chosen) {
+  if (chosen == m_isChosen) return;
+  m_isChosen = chosen;
+  describe();
+  update();
+}
+
+void MonitorTile::setColours(const Colours& colours) {
+  m_colours = colours;
+  m_dial->setColours(colours);
+  update();
+}
+
+void MonitorTile::setAnimated(bool animated) { m_dial->setAnimated(animated); }
+
+void MonitorTile::describe() {
+  setAccessibleName(tr("%1, %2, %3", "a monitor's name, details and health")
+                        .arg(m_monitor.title, m_monitor.detail, healthWord(m_monitor.health.level)));
+  QStringList parts = healthReasons(m_monitor.health);
+  if (!m_monitor.stops.isEmpty()) parts << tr("Stands at: %1.").arg(m_monitor.stops);
+  if (m_isChosen) parts << tr("Its page is shown.");
+  setAccessibleDescription(parts.join(QLatin1Char(' ')));
+  parts.prepend(m_monitor.detail);
+  parts.prepend(m_monitor.title);
+  setToolTip(parts.join(QLatin1Char('\n')));
+}
+
+void MonitorTile::resizeEvent(QResizeEvent*) {
+  const int head = kPad / 2 + lineHeight(strongFont(font())) + lineHeight(secondaryFont(font()));
+  const int foot = lineHeight(secondaryFont(font())) + kPad / 2;
+  m_dial->setGeometry(kFrame + 1, head, width() - 2 * kFrame - 2, height() - head - foot);
+}
+
+void MonitorTile::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    click();
+    return;
+  }
+  QAbstractButton::keyPressEvent(event);
+}
+
+void MonitorTile::enterEvent(QEnterEvent* event) {
+  QAbstractButton::enterEvent(event);
+  update();
+}
+
+void MonitorTile::leaveEvent(QEvent* event) {
+  QAbstractButton::leaveEvent(event);
+  update();
+}
+
+void MonitorTile::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const double stroke = hasFocus() ? kFrame : m_isChosen ? 2 : 1;
+  const QColor frame = hasFocus() || m_isChosen ? m_colours.accent.ink
+                       : underMouse()           ? m_colours.text
+                                                : m_colours.outline;
+  p.setPen(QPen(frame, stroke));
+  p.setBrush(m_colours.surface);
+  p.drawRoundedRect(QRectF(rect()).adjusted(stroke / 2, stroke / 2, -stroke / 2, -stroke / 2), 6, 6);
+
+  const QFont strong = strongFont(font()), small = secondaryFont(font());
+  const QFontMetricsF strongMetrics(strong), smallMetrics(small);
+  const double left = kPad, right = width() - kPad;
+  const double first = kPad / 2.0 + (lineHeight(strong) + strongMetrics.capHeight()) / 2;
+  const double second = kPad / 2.0 + lineHeight(strong) + (lineHeight(small) + smallMetrics.capHeight()) / 2;
+
+  const QColor health = toneOf(m_colours, m_monitor.health.level).ink;
+  const QString word = healthWord(m_monitor.health.level);
+  const double wordLeft = right - strongMetrics.horizontalAdvance(word);
+  const double signLeft = wordLeft - kGap / 2 - kSign;
+  p.setFont(strong);
+  p.setPen(health);
+  p.drawText(QPointF(wordLeft, first), word);
+  drawGlyph(p, QRectF(signLeft, first - strongMetrics.capHeight() / 2 - kSign / 2, kSign, kSign),
+            glyphOf(m_monitor.health.level), health, Qt::transparent, m_colours.stroke);
+  p.setPen(m_colours.text);
+  p.drawText(QPointF(left, first),
+             strongMetrics.elidedText(m_monitor.title, Qt::ElideRight, signLeft - kGap - left));
+
+  p.setFont(small);
+  p.setPen(m_colours.textSecondary);
+  const QString age = ageText(m_monitor);
+  const double ageLeft = right - smallMetrics.horizontalAdvance(age);
+  p.drawText(QPointF(ageLeft, second), age);
+  p.drawText(QPointF(left, second),
+             smallMetrics.elidedText(m_monitor.detail, Qt::ElideRight, ageLeft - kGap - left));
+
+  if (m_monitor.stops.isEmpty()) return;
+  const double foot = height() - kPad / 2.0 - lineHeight(small) / 2.0;
+  const QColor ink = m_monitor.areStopsStale ? m_colours.stale.ink : m_colours.fault.ink;
+  drawGlyph(p, QRectF(left, foot - kSign / 2, kSign, kSign),
+            m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop, ink, Qt::transparent, m_colours.stroke);
+  p.setPen(ink);
+  const double textLeft = left + kSign + kGap / 2;
+  p.drawText(QPointF(textLeft, foot + smallMetrics.capHeight() / 2),
+             smallMetrics.elidedText(m_monitor.stops, Qt::ElideRight, right - textLeft));
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/request_panel.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "model/answer_history.h"
+#include "panel/ask_card.h"
+#include "panel/danger_dialog.h"
+#include "panel/flat_header.h"
+#include "panel/label_ink.h"
+#include "panel/secondary_font.h"
+#include "text/age_text.h"
+#include "text/service_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kTarget = 36;
+constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
+
+// What a command does, for the one question before it. The manual's words, no more.
+QString consequence(Ask ask) {
+  switch (ask) {
+    case Ask::ZeroAxes:
+      return RequestPanel::tr(
+          "Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
+          "angles refer to the new zero.");
+    case Ask::Reset:
+      return RequestPanel::tr(
+          "The controller restarts (message 45): it falls silent, claims an address anew and "
+          "announces itself. It does not acknowledge.");
+    case Ask::SetupMode:
+      return RequestPanel::tr(
+          "The controller enters setup mode (message 46), as on power-up with the stream input "
+          "active. Only a restart leaves it.");
+    default: return {};
+  }
+}
+
+QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) {
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(QString::fromLatin1(name));
+  button->setAccessibleName(text);
+  button->setMinimumHeight(kTarget);
+  button->setAutoDefault(false);
+  return button;
+}
+
+}  // namespace
+
+RequestPanel::RequestPanel(QWidget* parent)
+    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_history(new AnswerHistory(this)) {
+  setObjectName(QStringLiteral("requestPanel"));
+  setAccessibleName(tr("Ask the device"));
+  m_title = new QLabel(this);
+  m_title->setObjectName(QStringLiteral("requestDevice"));
+  m_title->setAccessibleName(tr("Device that is asked"));
+  m_title->setWordWrap(true);
+  QFont bold = m_title->font();
+  bold.setBold(true);
+  m_title->setFont(bold);
+
+  m_hintBar = new QWidget(this);
+  m_hint = new QLabel(m_hintBar);
+  m_hint->setObjectName(QStringLiteral("requestHint"));
+  m_hint->setAccessibleName(tr("Why nothing can be asked"));
+  m_hint->setWordWrap(true);
+  m_unlock = makeButton("requestUnlock", tr("Unlock…"), m_hintBar);
+  auto* hint = new QHBoxLayout(m_hintBar);
+  hint->setContentsMargins(0, 0, 0, 0);
+  hint->addWidget(m_hint, 1);
+  hint->addWidget(m_unlock);
+
+  m_historyView = new QTreeView(this);
+  m_historyHeader = new FlatHeader(m_historyView);
+  m_historyHeader->setObjectName(QStringLiteral("answerHeader"));
+  m_historyView->setObjectName(QStringLiteral("answerHistory"));
+  m_historyView->setAccessibleName(tr("Earlier answers"));
+  m_historyView->setToolTip(tr("A double click shows the frame"));
+  m_historyView->setHeader(m_historyHeader);
+  m_historyView->setModel(m_history);
+  m_historyView->setRootIsDecorated(false);
+  m_historyView->setItemsExpandable(false);
+  m_historyView->setUniformRowHeights(true);
+  m_historyView->setAlternatingRowColors(true);
+  m_historyView->setFrameShape(QFrame::NoFrame);
+  m_historyHeader->setStretchLastSection(true);
+  m_historyHeader->resizeSection(AnswerHistory::When,
+                                 fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
+  m_historyHeader->resizeSection(AnswerHistory::What,
+                                 fontMetrics().horizontalAdvance(askText(Ask::Config)) + 24);
+  m_historyHeader->resizeSection(AnswerHistory::Answer, 240);
+
+  auto* split = new QSplitter(Qt::Vertical, this);
+  split->setChildrenCollapsible(false);
+  split->addWidget(makeAsks());
+  split->addWidget(m_historyView);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 0);
+  layout->setSpacing(6);
+  layout->addWidget(m_title);
+  layout->addWidget(m_hintBar);
+  layout->addWidget(split, 1);
+
+  connect(m_unlock, &QPushButton::clicked, this, &RequestPanel::unlockRequested);
+  connect(m_historyView, &QTreeView::activated, this, [this](const QModelIndex& index) {
+    Q_EMIT frameRequested(index.data(AnswerHistory::FrameRole).toULongLong());
+  });
+  setColours(m_colours);
+}
+
+QWidget* RequestPanel::makeAsks() {
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  m_askAll = makeButton("askAll", tr("Ask it all"), content);
+  m_askAll->setToolTip(tr("Every poll that this device takes, once"));
+  m_askEveryone = makeButton("askEveryone", tr("Ask every device"), content);
+  m_askEveryone->setToolTip(tr("Every poll of every device, within a small share of the bus"));
+  m_repeat = new QComboBox(content);
+  m_repeat->setObjectName(QStringLiteral("askRepeat"));
+  m_repeat->setAccessibleName(tr("Repeat the polls of this device"));
+  m_repeat->setMinimumHeight(kTarget);
+  for (const Duration period : kPeriods)
+    m_repeat->addItem(period == 0s ? tr("Ask once") : tr("Every %1").arg(periodText(period)));
+  m_cancel = makeButton("askCancel", tr("Give up"), content);
+  m_cancel->setToolTip(tr("Ends what is asked of this device and not yet answered"));
+  auto* first = new QHBoxLayout;
+  first->addWidget(m_askAll, 1);
+  first->addWidget(m_repeat, 1);
+  auto* second = new QHBoxLayout;
+  second->addWidget(m_askEveryone, 1);
+  second->addWidget(m_cancel, 1);
+  column->addLayout(first);
+  column->addLayout(second);
+  m_none = new QLabel(tr("Choose an Akron device to ask it."), content);
+  m_none->setObjectName(QStringLiteral("requestNone"));
+  m_none->setAccessibleName(tr("Why there is nothing to ask"));
+  m_none->setWordWrap(true);
+  m_none->setAlignment(Qt::AlignCenter);
+  m_none->setMargin(16);
+  column->addWidget(m_none);
+  for (std::size_t i = 0; i < kAsks; ++i) {
+    const Ask ask = static_cast<Ask>(i);
+    m_cards[i] = new AskCard(ask, content);
+    column->addWidget(m_cards[i]);
+    connect(m_cards[i], &AskCard::pressed, this, [this, ask] { press(ask); });
+  }
+  column->addStretch(1);
+  connect(m_askAll, &QPushButton::clicked, this, [this] {
+    Q_EMIT wished(wish::AskDevice{m_device, kPolls});
+  });
+  connect(m_askEveryone, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::AskDevice{{}, kPolls}); });
+  connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_device}); });
+  connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
+
+  auto* area = new QScrollArea(this);
+  area->setObjectName(QStringLiteral("askArea"));
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  return area;
+}
+
+void RequestPanel::setDevice(const DeviceKey& device, const QString& name) {
+  if (device == m_device && name == m_name) return;
+  m_device = device;
+  m_name = name;
+}
+
+void RequestPanel::setView(const LogView& view, const Conversations& talk, const ServiceStatus& services,
+                           bool isLive) {
+  m_view = view;
+  m_services = services;
+  m_isLive = isLive;
+  QScrollBar* bar = m_historyView->verticalScrollBar();
+  const bool isAtEnd = bar->value() == bar->maximum();
+  const int rows = m_history->rowCount();
+  m_history->setView(view, talk, m_device);
+  if (isAtEnd && m_history->rowCount() != rows) m_historyView->scrollToBottom();
+  show();
+}
+
+void RequestPanel::setColours(const Colours& colours) {
+  m_colours = colours;
+  setPalette(qtPalette(colours));
+  m_historyHeader->setColours(colours);
+  for (AskCard* card : m_cards) card->setColours(colours);
+  setInk(*m_none, colours.textSecondary);
+  setInk(*m_hint, colours.attend.ink);
+}
+
+void RequestPanel::showHint() {
+  QString hint;
+  if (!m_isLive) {
+    hint = m_services.linkUp ? tr("Paused: nothing is asked while the view stands in the past.")
+                             : tr("No live link: what is shown was said in the log.");
+  } else if (m_services.locked) {
+    hint = tr("Sending is locked.");
+  } else if (!m_services.canAsk()) {
+    hint = tr("The console cannot ask yet: %1.").arg(claimText(m_services.claim));
+  } else if (m_services.refusal != Refusal::None && m_services.refusal != Refusal::Busy) {
+    hint = refusalText(m_services.refusal);
+  }
+  setText(*m_hint, hint);
+  m_hintBar->setVisible(!hint.isEmpty());
+  m_unlock->setVisible(m_isLive && m_services.locked);
+}
+
+void RequestPanel::show() {
+  setText(*m_title, m_name);
+  m_title->setVisible(!m_name.isEmpty());
+  showHint();
+  const DeviceServices* device = m_services.find(m_device);
+  const bool canAsk = m_isLive && m_services.canAsk();
+  bool isOpen = false, isRepeated = false;
+  Duration period{0};
+  if (device != nullptr) {
+    for (const RequestStatus& request : device->requests) {
+      isRepeated = isRepeated || request.period > 0ns;
+      period = std::max(period, request.period);
+      isOpen = isOpen || request.progress == RequestStatus::Progress::Queued ||
+               request.progress == RequestStatus::Progress::Waiting;
+    }
+  }
+  const bool takesPolls = device != nullptr && !(device->takes & kPolls).isEmpty();
+  m_askAll->setEnabled(canAsk && takesPolls);
+  m_repeat->setEnabled(canAsk && takesPolls);
+  m_askEveryone->setEnabled(canAsk);
+  m_cancel->setEnabled(canAsk && (isOpen || isRepeated));
+  const auto found = std::ranges::find(kPeriods, period);
+  const int index = found == kPeriods.end() ? 0 : static_cast<int>(found - kPeriods.begin());
+  if (!m_repeat->view()->isVisible() && m_repeat->currentIndex() != index) m_repeat->setCurrentIndex(index);
+  bool hasCard = false;
+  for (AskCard* card : m_cards) {
+    const bool isTaken = device != nullptr && device->takes.has(card->ask());
+    const bool isShown = isTaken || m_history->latest(card->ask()) != nullptr;
+    card->setVisible(isShown);
+    hasCard = hasCard || isShown;
+    if (isShown) showCard(*card, device);
+  }
+  m_none->setVisible(!hasCard);
+  m_none->setText(m_device.isNull() ? tr("Choose an Akron device to ask it.")
+                                    : tr("This device takes no polls, or was not asked in this log."));
+}
+
+QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isFine) const {
+  using Progress = RequestStatus::Progress;
+  isFine = request.end == RequestEnd::Answered;
+  QStringList parts;
+  if (request.progress == Progress::Queued && request.period == 0ns) parts.append(tr("waits for its turn"));
+  if (request.progress == Progress::Waiting) {
+    parts.append(ask == Ask::Reset ? tr("waiting for it to announce itself")
+                 : isCommand(ask)  ? tr("waiting for the acknowledgement")
+                                   : tr("asked, try %1").arg(request.tries));
+  } else if (request.end != RequestEnd::None) {
+    const QString end =
+        ask == Ask::Reset && isFine ? tr("seen again after %1").arg(periodText(request.latency))
+        : ask == Ask::Reset && request.end == RequestEnd::NoAnswer ? tr("not seen again within 10 s")
+        : isCommand(ask) && isFine                                 ? tr("acknowledged")
+        : isFine ? tr("answered in %1").arg(periodText(request.latency))
+                 : requestEndText(request.end);
+    parts.append(tr("%1, %2").arg(end, agoText(m_view.cursor.time - request.ended)));
+  }
+  if (request.period > 0ns)
+    parts.append(tr("every %1: %2 of %3 answered")
+                     .arg(periodText(request.period))
+                     .arg(request.answered)
+                     .arg(request.asked > 0 && request.progress == Progress::Queued ? request.asked - 1
+                                                                                    : request.asked));
+  if (request.unasked > 0)
+    parts.append(tr("%n answer(s) too many", nullptr, static_cast<int>(request.unasked)));
+  return parts.join(QStringLiteral(" · "));
+}
+
+void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
+  AskCard::Values values;
+  const AnswerHistory::Row* last = m_history->latest(card.ask());
+  if (last != nullptr && !isCommand(card.ask())) {
+    values.answer = m_history->latestText(card.ask());
+    values.state = tr("heard %1").arg(agoText(m_view.cursor.time - last->time));
+  }
+  if (device != nullptr) {
+    const RequestStatus& request = device->of(card.ask());
+    bool isFine = false;
+    const QString state = stateText(card.ask(), request, isFine);
+    if (!state.isEmpty()) {
+      values.state = state;
+      values.tone = request.progress == RequestStatus::Progress::Waiting ? AskCard::Tone::Waiting
+                    : request.end == RequestEnd::None                    ? AskCard::Tone::Plain
+                    : isFine                                             ? AskCard::Tone::Fine
+                                                                         : AskCard::Tone::Attend;
+    }
+    values.isOffered = m_isLive && m_services.canAsk() && device->takes.has(card.ask()) &&
+                       request.progress != RequestStatus::Progress::Waiting;
+  }
+  if (values.state.isEmpty()) values.state = isCommand(card.ask()) ? QString() : tr("never asked");
+  card.setValues(values);
+}
+
+void RequestPanel::press(Ask ask) {
+  const wish::AskDevice wanted{m_device, AskSet{ask}};
+  if (!isCommand(ask)) {
+    Q_EMIT wished(wanted);
+    return;
+  }
+  DangerDialog::ask(this, {tr("%1: %2?").arg(askText(ask), m_name), consequence(ask), askText(ask)},
+                    [this, wanted] { Q_EMIT wished(wanted); });
+}
+
+void RequestPanel::repeat(int index) {
+  Q_EMIT wished(wish::Repeat{m_device, kPolls, kPeriods.at(static_cast<std::size_t>(index))});
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Asks the chosen device: polls, once or repeated, and the guarded commands, each with its last answer in
+// words and how the request went; below, earlier answers and what changed. The window gives it the view, what
+// was said in the log, the services' status and the chosen device; it emits wishes and sends nothing.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "control/intent.h"
+#include "control/status.h"
+#include "paint/palette.h"
+#include "state/conversations.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTreeView;
+
+namespace deckpipe {
+
+class AnswerHistory;
+class AskCard;
+class FlatHeader;
+
+class RequestPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RequestPanel(QWidget* parent = nullptr);
+
+  // `name` is how the person calls the device.
+  void setDevice(const DeviceKey& device, const QString& name);
+  // `isLive`: the view stands at the live edge of a link.
+  void setView(const LogView& view, const Conversations& talk, const ServiceStatus& services, bool isLive);
+  void setColours(const Colours& colours);
+
+  QSize sizeHint() const override { return {360, 560}; }
+
+ Q_SIGNALS:
+  void wished(const deckpipe::Wish& wish);
+  void unlockRequested();
+  void frameRequested(std::uint64_t frame);
+
+ private:
+  QWidget* makeAsks();
+  void show();
+  void showHint();
+  void showCard(AskCard& card, const DeviceServices* device);
+  void press(Ask ask);
+  void repeat(int index);
+  QString stateText(Ask ask, const RequestStatus& request, bool& isFine) const;
+
+  Colours m_colours;
+  DeviceKey m_device;
+  QString m_name;
+  LogView m_view;
+  ServiceStatus m_services;
+  bool m_isLive = false;
+
+  QLabel* m_title = nullptr;
+  QWidget* m_hintBar = nullptr;
+  QLabel* m_hint = nullptr;
+  QPushButton* m_unlock = nullptr;
+  QPushButton* m_askAll = nullptr;
+  QPushButton* m_askEveryone = nullptr;
+  QPushButton* m_cancel = nullptr;
+  QComboBox* m_repeat = nullptr;
+  std::array<AskCard*, kAsks> m_cards{};
+  QLabel* m_none = nullptr;
+  AnswerHistory* m_history;
+  QTreeView* m_historyView = nullptr;
+  FlatHeader* m_historyHeader = nullptr;
+};
+
+}  // namespace deckpipe

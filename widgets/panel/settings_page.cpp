@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/settings_page.h"
+
+#include <QButtonGroup>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "panel/label_ink.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kColumn = 640;
+constexpr int kIndent = 30;
+
+QLabel* heading(const QString& text, double size, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setAccessibleName(text);
+  QFont font = label->font();
+  font.setPointSizeF(font.pointSizeF() * size);
+  font.setWeight(QFont::DemiBold);
+  label->setFont(font);
+  return label;
+}
+
+}  // namespace
+
+SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("settingsPage"));
+  setAccessibleName(tr("Settings"));
+  auto* inside = new QWidget;
+  inside->setMaximumWidth(kColumn);
+  m_column = new QVBoxLayout(inside);
+  m_column->setContentsMargins(24, 16, 24, 16);
+  m_column->setSpacing(4);
+  m_column->addWidget(heading(tr("Settings"), 1.5, inside));
+  m_themes = addGroup(tr("Colours"));
+  addChoice(m_themes, static_cast<int>(Theme::Light), "lightTheme", tr("Light"),
+            tr("For indoors and for shade."));
+  addChoice(m_themes, static_cast<int>(Theme::Dark), "darkTheme", tr("Dark"),
+            tr("For the night: does not blind."));
+  addChoice(m_themes, static_cast<int>(Theme::Sunlight), "sunlightTheme", tr("Sunlight"),
+            tr("For direct sun: black on white, heavier lines."));
+  m_densities = addGroup(tr("Size"));
+  addChoice(m_densities, static_cast<int>(Density::Desk), "deskDensity", tr("Desk"),
+            tr("More fits on the screen; for mouse and keyboard."));
+  addChoice(m_densities, static_cast<int>(Density::Field), "fieldDensity", tr("Field"),
+            tr("Larger text, and buttons that gloves can hit."));
+  m_column->addSpacing(12);
+  m_column->addWidget(heading(tr("Put back"), 1.15, inside));
+  addAction("settingsResetLayout", tr("Reset layout"), tr("Puts every dock back where it was at first."),
+            &SettingsPage::resetLayoutRequested);
+  addAction("settingsForgetLogs", tr("Forget recent logs"), tr("Empties the list of logs; the files stay."),
+            &SettingsPage::forgetLogsRequested);
+  m_column->addSpacing(12);
+  m_path = new QLabel(inside);
+  m_path->setObjectName(QStringLiteral("settingsPath"));
+  m_path->setAccessibleName(tr("Where settings are kept"));
+  m_path->setTextFormat(Qt::PlainText);
+  m_path->setWordWrap(true);
+  m_path->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_column->addWidget(m_path);
+  m_column->addSpacing(12);
+  auto* done = new QPushButton(tr("Done"), inside);
+  done->setObjectName(QStringLiteral("settingsDone"));
+  done->setAccessibleName(tr("Close the settings"));
+  connect(done, &QPushButton::clicked, this, &SettingsPage::closeRequested);
+  m_column->addWidget(done, 0, Qt::AlignLeft);
+  m_column->addStretch(1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setObjectName(QStringLiteral("settingsScroll"));
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(inside);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(scroll);
+  connect(m_themes, &QButtonGroup::idClicked, this,
+          [this](int id) { Q_EMIT themeChosen(static_cast<Theme>(id)); });
+  connect(m_densities, &QButtonGroup::idClicked, this,
+          [this](int id) { Q_EMIT densityChosen(static_cast<Density>(id)); });
+}
+
+QButtonGroup* SettingsPage::addGroup(const QString& title) {
+  m_column->addSpacing(12);
+  m_column->addWidget(heading(title, 1.15, this));
+  return new QButtonGroup(this);
+}
+
+void SettingsPage::addChoice(QButtonGroup* group, int id, const char* name, const QString& text,
+                             const QString& story) {
+  auto* choice = new QRadioButton(text, this);
+  choice->setObjectName(QLatin1String(name));
+  choice->setAccessibleName(text);
+  choice->setAccessibleDescription(story);
+  group->addButton(choice, id);
+  m_column->addWidget(choice);
+  auto* label = new QLabel(story, this);
+  label->setIndent(kIndent);
+  label->setWordWrap(true);
+  m_stories.append(label);
+  m_column->addWidget(label);
+}
+
+void SettingsPage::addAction(const char* name, const QString& text, const QString& story,
+                             void (SettingsPage::*wish)()) {
+  auto* row = new QHBoxLayout;
+  auto* made = new QPushButton(text, this);
+  made->setObjectName(QLatin1String(name));
+  made->setAccessibleName(text);
+  made->setAccessibleDescription(story);
+  connect(made, &QPushButton::clicked, this, wish);
+  auto* label = new QLabel(story, this);
+  label->setWordWrap(true);
+  m_stories.append(label);
+  row->addWidget(made);
+  row->addWidget(label, 1);
+  m_column->addLayout(row);
+}
+
+void SettingsPage::setTheme(Theme theme) { m_themes->button(static_cast<int>(theme))->setChecked(true); }
+
+void SettingsPage::setDensity(Density density) {
+  m_densities->button(static_cast<int>(density))->setChecked(true);
+}
+
+void SettingsPage::setPath(const QString& path) { m_path->setText(tr("Settings are kept in %1").arg(path)); }
+
+void SettingsPage::setColours(const Colours& colours) {
+  for (QLabel* label : m_stories) setInk(*label, colours.textSecondary);
+  setInk(*m_path, colours.textSecondary);
+}
+
+void SettingsPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    Q_EMIT closeRequested();
+    return;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace deckpipe

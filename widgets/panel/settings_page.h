@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person can set, each with what it does. Every choice holds at once and is kept; the console applies
+// them and shows those that hold.
+#pragma once
+
+#include <QWidget>
+
+#include "paint/density_style.h"
+#include "paint/palette.h"
+
+class QButtonGroup;
+class QLabel;
+class QVBoxLayout;
+
+namespace deckpipe {
+
+class SettingsPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SettingsPage(QWidget* parent = nullptr);
+
+  void setTheme(Theme theme);
+  void setDensity(Density density);
+  // Where all this is kept.
+  void setPath(const QString& path);
+  void setColours(const Colours& colours);
+
+ Q_SIGNALS:
+  void themeChosen(deckpipe::Theme theme);
+  void densityChosen(deckpipe::Density density);
+  void resetLayoutRequested();
+  void forgetLogsRequested();
+  void closeRequested();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QButtonGroup* addGroup(const QString& title);
+  void addChoice(QButtonGroup* group, int id, const char* name, const QString& text, const QString& story);
+  void addAction(const char* name, const QString& text, const QString& story, void (SettingsPage::*wish)());
+
+  QVBoxLayout* m_column;
+  QButtonGroup* m_themes;
+  QButtonGroup* m_densities;
+  QLabel* m_path;
+  QList<QLabel*> m_stories;
+};
+
+}  // namespace deckpipe

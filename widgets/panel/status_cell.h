@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One fact of the status strip: a sign, a few words, and the whole story as a tooltip, which a click or the
+// keyboard brings up too, for hands in gloves cannot hover. As wide as its widest words, so that nothing
+// beside it moves.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "paint/glyph.h"
+#include "paint/palette.h"
+
+namespace deckpipe {
+
+class ElidedLabel;
+class GlyphLabel;
+
+// What a sign and its colour mean here.
+enum class StatusTone : std::uint8_t { Plain, Idle, Busy, Fine, Attend, Fault };
+std::optional<Glyph> glyphOf(StatusTone tone);
+QColor inkOf(StatusTone tone, const Colours& colours);
+
+class StatusCell : public QWidget {
+  Q_OBJECT
+
+ public:
+  // `name` for tests (the words are a label called that), `label` what the fact is, for who cannot see.
+  StatusCell(const char* name, const QString& label, QWidget* parent);
+
+  // Words that it may have to show later.
+  void setWidestText(const QString& text);
+  void setColours(const Colours& colours);
+  // `glyph`: instead of the tone's own.
+  void setStatus(StatusTone tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
+  QString text() const;
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void showSign();
+  void showStory();
+
+  Colours m_colours;
+  GlyphLabel* m_sign;
+  ElidedLabel* m_words;
+  QString m_widest;
+  StatusTone m_tone = StatusTone::Plain;
+  std::optional<Glyph> m_glyph;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The trace with everything around it: filter line, how time is said, follow, search, the menus of cells and
+// columns, and the same traffic by identifier. The console hands it each view of the log, listens for the
+// frame that is looked at (the decode panel shows it) and for the wish to put the cursor at one.
+//
+//   Ctrl+L   to the filter line          Ctrl+F        search; F3 and Shift+F3 on and back
+//   Escape   from the filter line back to the rows
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "model/trace_model.h"
+#include "paint/palette.h"
+#include "panel/trace_view.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+class QTabBar;
+class QToolButton;
+
+namespace deckpipe {
+
+class IdView;
+class TraceFilterEdit;
+class TraceSearchBar;
+
+class TracePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TracePanel(QWidget* parent = nullptr);
+
+  void setView(const LogView& view);
+  void setColours(const Colours& colours);
+
+  // Of what is shown: a row of the trace, or the last frame of an identifier.
+  std::optional<std::uint64_t> currentFrame() const;
+  void setCurrentFrame(std::optional<std::uint64_t> frame);
+  bool isById() const;
+  // In the filter language; what is wrong is said as if it had been typed.
+  void setFilter(const QString& expression);
+  QString filter() const;
+  // Where the cursor would stand so many rows on from where it is: 1 the next row of the trace, −1 the one
+  // before. Nothing where there is none.
+  std::optional<std::uint64_t> cursorRowsOn(int rows) const;
+  // Asks for the cursor there.
+  void stepCursor(int rows);
+
+  // Columns and how time is said, for the caller's settings.
+  QByteArray saveState() const;
+  bool restoreState(const QByteArray& state);
+
+  TraceView* view() const { return m_view; }
+  IdView* ids() const { return m_ids; }
+  TraceModel* model() const { return m_model; }
+
+ Q_SIGNALS:
+  void currentFrameChanged(std::optional<std::uint64_t> frame);
+  void cursorRequested(std::uint64_t frame);
+  // Whether steps by row are others than steps by frame.
+  void filteredChanged(bool isFiltered);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void makeBar();
+  void takeFilter(const TraceFilter& filter);
+  void refresh();
+  void showCount();
+  void showError();
+  void showCellMenu(std::optional<TraceView::Cell> cell, const QPoint& global);
+  void showColumnMenu(const QPoint& at);
+  void setTimeMode(int mode);
+  void setOrder(int order);
+  TraceSearchBar* makeSearch();
+  void closeSearch();
+
+  Colours m_colours;
+  QString m_expression;        // of the filter in force
+  std::size_t m_channels = 0;  // that completion knows
+  TraceModel* m_model;
+  TraceView* m_view;
+  IdView* m_ids;
+  QStackedWidget* m_pages;
+  QTabBar* m_order;
+  TraceFilterEdit* m_filter;
+  QLabel* m_count;
+  QLabel* m_error;
+  QToolButton* m_help;
+  QComboBox* m_time;
+  QCheckBox* m_follow;
+  TraceSearchBar* m_search;
+  QTimer m_more;  // while a filter is looked through, or a table is on its way
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/trace_search_bar.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+
+#include "panel/label_ink.h"
+
+namespace deckpipe {
+
+TraceSearchBar::TraceSearchBar(Where where, QWidget* parent)
+    : QWidget(parent), m_where(std::move(where)), m_colours(coloursOf(Theme::Light)) {
+  setObjectName(QStringLiteral("traceSearchBar"));
+  setAccessibleName(tr("Search in the trace"));
+  m_edit = new QLineEdit(this);
+  m_edit->setObjectName(QStringLiteral("traceSearch"));
+  m_edit->setAccessibleName(tr("Search for"));
+  m_edit->setPlaceholderText(tr("Find: text of a row, or an expression such as rotation_deg>30"));
+  m_edit->setClearButtonEnabled(true);
+  m_edit->setMinimumHeight(32);
+  const auto button = [this](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QToolButton(this);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setText(text);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    made->setMinimumHeight(32);
+    return made;
+  };
+  m_previous = button("traceSearchPrevious", tr("Previous"), tr("Previous match (Shift+F3)"));
+  m_next = button("traceSearchNext", tr("Next"), tr("Next match (F3)"));
+  m_close = button("traceSearchClose", tr("Close"), tr("Close the search (Esc)"));
+  m_said = new QLabel(this);
+  m_said->setObjectName(QStringLiteral("traceSearchSaid"));
+  m_said->setTextFormat(Qt::PlainText);
+  m_said->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Found, on from the begin of the log")) + 8);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(4);
+  row->addWidget(m_edit, 1);
+  row->addWidget(m_previous);
+  row->addWidget(m_next);
+  row->addSpacing(8);
+  row->addWidget(m_said);
+  row->addWidget(m_close);
+  connect(m_edit, &QLineEdit::textChanged, this, [this] { find(false, true); });
+  connect(m_previous, &QToolButton::clicked, this, &TraceSearchBar::findPrevious);
+  connect(m_next, &QToolButton::clicked, this, &TraceSearchBar::findNext);
+  connect(m_close, &QToolButton::clicked, this, &TraceSearchBar::closed);
+  connect(&m_search, &TraceSearch::found, this, [this](quint64 frame, bool wrapped) {
+    say(!wrapped        ? tr("Found")
+        : m_isBackwards ? tr("Found, on from the end of the log")
+                        : tr("Found, on from the begin of the log"));
+    Q_EMIT frameFound(frame);
+  });
+  connect(&m_search, &TraceSearch::notFound, this, [this] { say(tr("Not found"), true); });
+}
+
+void TraceSearchBar::open() {
+  show();
+  m_edit->setFocus(Qt::ShortcutFocusReason);
+  m_edit->selectAll();
+}
+
+void TraceSearchBar::setColours(const Colours& colours) {
+  m_colours = colours;
+  say(m_said->text(), m_isAttend);
+}
+
+void TraceSearchBar::forget() {
+  m_search.cancel();
+  say({});
+}
+
+QString TraceSearchBar::said() const { return m_said->text(); }
+
+void TraceSearchBar::say(const QString& text, bool isAttend) {
+  m_isAttend = isAttend;
+  setInk(*m_said, isAttend ? m_colours.attend.ink : m_colours.textSecondary);
+  setText(*m_said, text);
+}
+
+// What is an expression is one; everything else is text, and so is what stands in quotes.
+void TraceSearchBar::find(bool isBackwards, bool isHereToo) {
+  const QString text = m_edit->text().trimmed();
+  if (text.isEmpty()) {
+    forget();
+    return;
+  }
+  TraceSearch::Question question = m_where(isBackwards, isHereToo);
+  if (!question.log || question.frames == 0) {
+    say(tr("No frames"));
+    return;
+  }
+  const bool isQuoted = text.size() > 2 && text.startsWith(u'"') && text.endsWith(u'"');
+  auto expression = TraceFilter::parse(text);
+  question.wanted = isQuoted     ? TraceFilter::containing(text.mid(1, text.size() - 2))
+                    : expression ? expression.value()
+                                 : TraceFilter::containing(text);
+  question.isBackwards = m_isBackwards = isBackwards;
+  say(tr("Searching…"));
+  m_search.find(std::move(question));
+}
+
+void TraceSearchBar::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Escape: Q_EMIT closed(); return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter: find((event->modifiers() & Qt::ShiftModifier) != 0, false); return;
+    default: QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace deckpipe

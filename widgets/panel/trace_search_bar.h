@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line that looks for a frame in the trace: text that a row shows, or an expression of the filter
+// language. Opened with Ctrl+F below the rows; looks on as one types, F3 and Shift+F3 go on and back, Escape
+// closes it. The trace panel gives it the log at each question.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "model/trace_search.h"
+#include "paint/palette.h"
+
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace deckpipe {
+
+class TraceSearchBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  // What is searched and from where, made by the panel: `wanted` and the direction are filled in here.
+  using Where = std::function<TraceSearch::Question(bool isBackwards, bool isHereToo)>;
+
+  explicit TraceSearchBar(Where where, QWidget* parent = nullptr);
+
+  void open();
+  void setColours(const Colours& colours);
+  void findNext() { find(false, false); }
+  void findPrevious() { find(true, false); }
+  // The log is another: what is under way is of no use.
+  void forget();
+  QLineEdit* edit() const { return m_edit; }
+  QString said() const;
+
+ Q_SIGNALS:
+  void frameFound(quint64 frame);
+  void closed();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void find(bool isBackwards, bool isHereToo);
+  void say(const QString& text, bool isAttend = false);
+
+  const Where m_where;
+  TraceSearch m_search;
+  bool m_isBackwards = false;
+  bool m_isAttend = false;  // what is said wants a look
+  Colours m_colours;
+  QLineEdit* m_edit;
+  QToolButton* m_previous;
+  QToolButton* m_next;
+  QToolButton* m_close;
+  QLabel* m_said;
+};
+
+}  // namespace deckpipe
