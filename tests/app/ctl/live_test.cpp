@@ -59,7 +59,7 @@ class Live : public testing::Test {
     process.closeWriteChannel();
     return end(process);
   }
-  void wish(std::size_t device, TwinFaults faults) { m_twin.obey({device, faults}); }
+  void wish(std::size_t device, TwinFault fault) { m_twin.obey({device, TwinSwitch{fault, true}}); }
   bool anyFrom(std::uint8_t address) const {
     return std::ranges::any_of(m_witness.frames, [&](const Frame& frame) {
       return frame.isExtended() && (frame.identifier() & 0xFF) == address;
@@ -110,7 +110,7 @@ TEST_F(Live, PollWritesEveryAnswerWithTheKeysOfDecode) {
 }
 
 TEST_F(Live, PollOfEveryoneSaysWhoDidNotAnswer) {
-  wish(2, {TwinFault::AnswersWrongSource});  // the one without a PIN
+  wish(2, TwinFault::AnswersWrongSource);  // the one without a PIN
   const Outcome r = run("poll --unlock --all --kinds fault");
   EXPECT_EQ(r.status, 1);
   int answers = 0;
@@ -129,14 +129,14 @@ TEST_F(Live, PollOfEveryoneSaysWhoDidNotAnswer) {
 }
 
 TEST_F(Live, AnAnswerThatComesTwiceIsOneLine) {
-  wish(0, {TwinFault::AnswersTwice});
+  wish(0, TwinFault::AnswersTwice);
   const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault,firmware");
   EXPECT_EQ(r.status, 0);
   EXPECT_EQ(r.lines().size(), 2) << r.out.constData();
 }
 
 TEST_F(Live, AnswersOfAWrongLengthAreShownAndAreNone) {
-  wish(0, {TwinFault::AnswersWrongLength});
+  wish(0, TwinFault::AnswersWrongLength);
   const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault");
   EXPECT_EQ(r.status, 1);
   ASSERT_EQ(r.lines().size(), 4);
@@ -197,7 +197,7 @@ TEST_F(Live, ResetIsDoneOnceTheDeviceAnnouncesItselfAnew) {
 }
 
 TEST_F(Live, CommandThatIsNotAcknowledgedIsNotDone) {
-  wish(0, {TwinFault::AnswersWrongSource});
+  wish(0, TwinFault::AnswersWrongSource);
   const Outcome r = run("command setup-mode --unlock --yes --pin 1032AE100801035");
   EXPECT_EQ(r.status, 1);
   EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("no_answer"));
@@ -236,14 +236,14 @@ TEST_F(Live, PipeSendsAFileWhoseSumTheDeviceConfirms) {
 constexpr const char* kLong = "ECHO a line that takes more than ten packets on its way to the twin's shell\n";
 
 TEST_F(Live, PipeStopsAtAMissingAckAndSaysHowMuchWasAcknowledged) {
-  wish(0, {TwinFault::AcksLost});
+  wish(0, TwinFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035", kLong);
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("no acknowledgement; 63 of 76 bytes were acknowledged")) << r.err.constData();
 }
 
 TEST_F(Live, PipeSkipsAPacketOnlyWhenToldTo) {
-  wish(0, {TwinFault::AcksLost});
+  wish(0, TwinFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack skip", kLong);
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("going on with the next packet")) << r.err.constData();
@@ -251,7 +251,7 @@ TEST_F(Live, PipeSkipsAPacketOnlyWhenToldTo) {
 }
 
 TEST_F(Live, PipeSendsAgainOnlyWhenToldTo) {
-  wish(0, {TwinFault::AcksLost});
+  wish(0, TwinFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack resend", kLong);
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.err.contains("it may arrive twice")) << r.err.constData();
