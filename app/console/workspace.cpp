@@ -46,7 +46,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   // The device list keeps its height beside the page; trace and events have the whole width.
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);  // what is asked needs the height
 
   m_devices = new DevicePanel(this);
   m_page = new MonitorPage(this);

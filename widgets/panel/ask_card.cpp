@@ -13,7 +13,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kTarget = 36, kButtonWidth = 96;
+constexpr int kButtonWidth = 96;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ AskCard::AskCard(Ask ask, QWidget* parent)
   m_state->setFont(secondaryFont(font()));
   m_button->setObjectName(QStringLiteral("askButton"));
   m_button->setAccessibleName(isCommand(ask) ? m_button->text() : tr("Ask: %1").arg(name));
-  m_button->setMinimumSize(kButtonWidth, kTarget);
+  m_button->setMinimumWidth(kButtonWidth);
   m_button->setAutoDefault(false);
   connect(m_button, &QPushButton::clicked, this, &AskCard::pressed);
   auto* layout = new QGridLayout(this);

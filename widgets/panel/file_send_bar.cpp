@@ -13,8 +13,6 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kTarget = 36;
-
 // Seconds that the file has been going, pauses and stalls left out.
 double secondsGone(const PipeStatus& pipe, Instant now) {
   const Instant end = pipe.fileEnded != kNotYet ? pipe.fileEnded : now;
@@ -63,7 +61,6 @@ FileSendBar::FileSendBar(QWidget* parent)
   m_cancel->setObjectName(QStringLiteral("fileCancel"));
   for (QPushButton* button : {m_pause, m_cancel}) {
     button->setAccessibleName(button->text());
-    button->setMinimumHeight(kTarget);
     button->setAutoDefault(false);
   }
   auto* layout = new QHBoxLayout(this);

@@ -26,7 +26,6 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kTarget = 36;
 constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
 
 // What a command does, for the one question before it. The manual's words, no more.
@@ -52,7 +51,6 @@ QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) 
   auto* button = new QPushButton(text, parent);
   button->setObjectName(QString::fromLatin1(name));
   button->setAccessibleName(text);
-  button->setMinimumHeight(kTarget);
   button->setAutoDefault(false);
   return button;
 }
@@ -134,7 +132,6 @@ QWidget* RequestPanel::makeAsks() {
   m_repeat = new QComboBox(content);
   m_repeat->setObjectName(QStringLiteral("askRepeat"));
   m_repeat->setAccessibleName(tr("Repeat the polls of this device"));
-  m_repeat->setMinimumHeight(kTarget);
   for (const Duration period : kPeriods)
     m_repeat->addItem(period == 0s ? tr("Ask once") : tr("Every %1").arg(periodText(period)));
   m_cancel = makeButton("askCancel", tr("Give up"), content);

@@ -27,7 +27,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kTarget = 36;
+constexpr int kLeastText = 48;
 constexpr int kMostBlocks = 20'000;
 constexpr qint64 kLargestFile = 8 << 20;  // at some hundred bytes a second more would take days
 
@@ -51,6 +51,7 @@ TerminalPanel::TerminalPanel(QWidget* parent)
   m_text->setObjectName(QStringLiteral("pipeText"));
   m_text->setAccessibleName(tr("What went through the data pipe"));
   m_text->setReadOnly(true);
+  m_text->setMinimumHeight(kLeastText);
   m_text->setUndoRedoEnabled(false);
   m_text->setMaximumBlockCount(kMostBlocks);
   m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -80,7 +81,6 @@ QPushButton* TerminalPanel::makeButton(const char* name, const QString& text) {
   auto* button = new QPushButton(text, this);
   button->setObjectName(QString::fromLatin1(name));
   button->setAccessibleName(text);
-  button->setMinimumHeight(kTarget);
   button->setAutoDefault(false);
   return button;
 }
@@ -150,9 +150,11 @@ QWidget* TerminalPanel::makeInput() {
   row->addWidget(m_lineEnd);
   row->addWidget(m_send);
   row->addWidget(m_sendFile);
-  for (QWidget* field :
-       {static_cast<QWidget*>(m_mode), static_cast<QWidget*>(m_input), static_cast<QWidget*>(m_lineEnd)})
-    field->setMinimumHeight(kTarget);
+  m_more = makeButton("pipeMore", tr("More"));
+  m_more->setCheckable(true);
+  m_more->setToolTip(tr("What is shown, search, and saving"));
+  row->addWidget(m_more);
+  connect(m_more, &QPushButton::toggled, this, [this](bool isOn) { m_tools->setVisible(isOn); });
   connect(m_input, &QLineEdit::returnPressed, this, &TerminalPanel::sendLine);
   connect(m_send, &QPushButton::clicked, this, &TerminalPanel::sendLine);
   connect(m_sendFile, &QPushButton::clicked, this, &TerminalPanel::chooseFile);
@@ -164,7 +166,8 @@ QWidget* TerminalPanel::makeInput() {
 }
 
 QWidget* TerminalPanel::makeTools() {
-  auto* widget = new QWidget(this);
+  auto* widget = m_tools = new QWidget(this);
+  m_tools->hide();
   m_echo = new QCheckBox(tr("Show what is sent"), widget);
   m_echo->setObjectName(QStringLiteral("pipeEcho"));
   m_echo->setChecked(true);
@@ -176,14 +179,12 @@ QWidget* TerminalPanel::makeTools() {
   m_search->setAccessibleName(tr("Search the transcript"));
   m_search->setPlaceholderText(tr("Search"));
   m_search->setClearButtonEnabled(true);
-  m_search->setMinimumHeight(kTarget);
   m_search->setMaximumWidth(240);
   m_search->installEventFilter(this);
   m_saveText = makeButton("pipeSave", tr("Save transcript…"));
   m_saveLedger = makeButton("pipeSaveLedger", tr("Save ack times…"));
   for (QCheckBox* box : {m_echo, m_hex}) {
     box->setAccessibleName(box->text());
-    box->setMinimumHeight(kTarget);
     connect(box, &QCheckBox::toggled, this, &TerminalPanel::rebuild);
   }
   auto* row = new QHBoxLayout(widget);
@@ -263,6 +264,7 @@ void TerminalPanel::showState() {
   m_unlock->setVisible(m_isLive && m_services.locked);
   const bool isStalled = pipe.progress == PipeStatus::Progress::Stalled;
   m_stallBar->setVisible(isStalled);
+  m_caution->setVisible(!isStalled);  // a small screen has room for one of them
   if (isStalled)
     setText(*m_stall, tr("%1 Whether the packet arrived is not known.").arg(stallText(pipe.stall)));
   m_file->setStatus(pipe, m_view.cursor.time);
@@ -361,6 +363,7 @@ bool TerminalPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const auto& key = static_cast<const QKeyEvent&>(*event);
   if (key.matches(QKeySequence::Find)) {
+    m_more->setChecked(true);
     m_search->setFocus();
     m_search->selectAll();
     return true;

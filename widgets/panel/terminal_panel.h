@@ -93,6 +93,8 @@ class TerminalPanel : public QWidget {
   QComboBox* m_lineEnd = nullptr;
   QPushButton* m_send = nullptr;
   QPushButton* m_sendFile = nullptr;
+  QPushButton* m_more = nullptr;
+  QWidget* m_tools = nullptr;
   QPushButton* m_saveText = nullptr;
   QPushButton* m_saveLedger = nullptr;
   QCheckBox* m_echo = nullptr;

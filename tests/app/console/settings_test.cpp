@@ -46,10 +46,12 @@ TEST_F(Looks, GiveGlovesTargetsOfFortyFourPixels) {
   const int before = QApplication::font().pointSize();
   trigger("fieldDensityAction");
   EXPECT_GT(QApplication::font().pointSize(), before);
-  QTest::qWait(0);
+  // Each layout in layouts is told in a turn of its own.
+  (void)QTest::qWaitFor([this] { return tooSmall(44).isEmpty(); });
   EXPECT_EQ(tooSmall(44).join(QLatin1Char(' ')).toStdString(), "");
   openLog(kTruck);
-  QTest::qWait(0);
+  // Each layout in layouts is told in a turn of its own.
+  (void)QTest::qWaitFor([this] { return tooSmall(44).isEmpty(); });
   EXPECT_EQ(tooSmall(44).join(QLatin1Char(' ')).toStdString(), "");
 }
 

@@ -48,6 +48,14 @@ bool drawTheme(MainWindow& window, const QDir& folder, const QString& theme) {
   window.findChild<QDockWidget*>(QStringLiteral("eventsDock"))->raise();
   isWell = save(window, folder, QStringLiteral("events_and_help_") + theme) && isWell;
   window.findChild<QAction*>(QStringLiteral("resetLayoutAction"))->trigger();
+  for (const auto& [name, snapshot] : {std::pair("asking_", test::askingSnapshot()),
+                                       std::pair("asking_locked_", test::windowScenes()[7].snapshot)}) {
+    window.setSnapshot(snapshot);
+    window.findChild<QDockWidget*>(QStringLiteral("requestsDock"))->show();
+    window.findChild<QDockWidget*>(QStringLiteral("terminalDock"))->raise();
+    isWell = save(window, folder, QLatin1String(name) + theme) && isWell;
+  }
+  window.findChild<QAction*>(QStringLiteral("resetLayoutAction"))->trigger();
   return isWell;
 }
 

@@ -60,6 +60,61 @@ inline Snapshot snapshotOf(const std::string& text, SourceStatus::Kind kind,
   return snapshot;
 }
 
+// Unlocked on the truck: polls asked and answered or not, and a file that stalled in the data pipe.
+inline Snapshot askingSnapshot() {
+  const std::string talk =
+      "(1005.000000) can0 18EF80F9#02\n"
+      "(1005.002000) can0 18EFF980#0200200000000B\n"
+      "(1005.100000) can0 18EF80F9#03\n"
+      "(1005.103000) can0 18EFF980#03010001020304\n"
+      "(1005.200000) can0 18EF80F9#02\n"
+      "(1005.202000) can0 18EFF980#02000000000000\n"
+      "(1005.300000) can0 18EF80F9#FE413F0D0A\n"
+      "(1005.303000) can0 18EFF980#FE\n"
+      "(1005.310000) can0 18EFF980#FE363033320D0A\n"
+      "(1005.311000) can0 18EF80F9#FE\n"
+      "(1005.400000) can0 18EF80F9#FE1B4D454E55\n";
+  Snapshot snapshot =
+      snapshotOf(truckText(5) + talk, SourceStatus::Kind::Link, SourceStatus::Progress::Running);
+  const Instant now = snapshot.view.cursor.time;
+  ServiceStatus services;
+  services.locked = false;
+  services.linkUp = true;
+  services.claim.progress = ClaimStatus::Progress::Claimed;
+  services.claim.address = Address{0xF9};
+  DeviceServices& device = services.devices.emplace_back();
+  device.device = DeviceKey::of(*Pin::parse("1032AE100801035"));
+  device.address = Address{0x80};
+  device.takes = kPolls;
+  for (const Ask command : {Ask::ZeroAxes, Ask::Reset, Ask::SetupMode}) device.takes.add(command);
+  using Progress = RequestStatus::Progress;
+  const auto request = [&](Ask ask, Progress progress, RequestEnd end, int tries) {
+    RequestStatus& status = device.requests[static_cast<std::size_t>(ask)];
+    status.progress = progress;
+    status.end = end;
+    status.tries = static_cast<std::uint8_t>(tries);
+    status.sent = status.ended = now - 200ms;
+    status.latency = 2ms;
+  };
+  request(Ask::Fault, Progress::Ended, RequestEnd::Answered, 1);
+  request(Ask::Firmware, Progress::Ended, RequestEnd::Answered, 1);
+  request(Ask::Pcode, Progress::Ended, RequestEnd::NoAnswer, 3);
+  request(Ask::Config, Progress::Waiting, RequestEnd::None, 2);
+  request(Ask::Reset, Progress::Ended, RequestEnd::Answered, 1);
+  PipeStatus& pipe = device.pipe.emplace();
+  pipe.progress = PipeStatus::Progress::Stalled;
+  pipe.stall = PipeStatus::Stall::NoAck;
+  pipe.file = "a menu with a rather long name for a file.txt";
+  pipe.fileSize = 100'000;
+  pipe.fileSent = 42'000;
+  pipe.fileBegan = now - 60s;
+  pipe.acks = 6'000;
+  pipe.ackSum = 24s;
+  pipe.ackWorst = 72ms;
+  snapshot.services = std::make_shared<const ServiceStatus>(services);
+  return snapshot;
+}
+
 inline std::vector<Scene> windowScenes() {
   using Kind = SourceStatus::Kind;
   using Progress = SourceStatus::Progress;
