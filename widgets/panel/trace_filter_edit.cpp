@@ -23,7 +23,6 @@ TraceFilterEdit::TraceFilterEdit(QWidget* parent)
   setAccessibleName(tr("Filter of the trace"));
   setPlaceholderText(tr("Filter: pgn=EF00 and sa=80, name~\"soft limits\", rotation_deg>30"));
   setClearButtonEnabled(true);
-  setMinimumHeight(32);
   m_completer->setWidget(this);
   m_completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
   m_completer->setMaxVisibleItems(10);

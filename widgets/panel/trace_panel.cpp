@@ -87,7 +87,7 @@ void TracePanel::makeBar() {
   m_help->setObjectName(QStringLiteral("traceFilterHelp"));
   m_help->setText(QStringLiteral("?"));
   m_help->setAccessibleName(tr("How filters are written"));
-  m_help->setMinimumSize(32, 32);
+  m_help->setMinimumWidth(32);
   m_help->setToolTip(filterHelp());
   m_help->setPopupMode(QToolButton::InstantPopup);
   auto* examples = new QMenu(m_help);
@@ -116,7 +116,6 @@ void TracePanel::makeBar() {
   m_time->setObjectName(QStringLiteral("traceTime"));
   m_time->setAccessibleName(tr("How the Time column says time"));
   m_time->setToolTip(m_time->accessibleName());
-  m_time->setMinimumHeight(32);
   m_time->addItems({tr("Time of the log"), tr("Since the begin"), tr("Since the row before")});
   connect(m_time, &QComboBox::activated, this, &TracePanel::setTimeMode);
   m_follow = new QCheckBox(this);
@@ -125,13 +124,11 @@ void TracePanel::makeBar() {
   m_follow->setAccessibleName(tr("Follow the end of the log"));
   m_follow->setToolTip(m_follow->accessibleName());
   m_follow->setChecked(m_view->isFollowing());
-  m_follow->setMinimumHeight(32);
   connect(m_follow, &QAbstractButton::toggled, m_view, &TraceView::setFollowing);
   m_order = new QTabBar(this);
   m_order->setObjectName(QStringLiteral("traceOrder"));
   m_order->setAccessibleName(tr("Rows of the trace"));
   m_order->setExpanding(false);
-  m_order->setMinimumHeight(32);
   m_order->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   m_order->setDrawBase(false);
   m_order->addTab(tr("In order"));

@@ -20,14 +20,12 @@ TraceSearchBar::TraceSearchBar(Where where, QWidget* parent)
   m_edit->setAccessibleName(tr("Search for"));
   m_edit->setPlaceholderText(tr("Find: text of a row, or an expression such as rotation_deg>30"));
   m_edit->setClearButtonEnabled(true);
-  m_edit->setMinimumHeight(32);
   const auto button = [this](const char* name, const QString& text, const QString& tip) {
     auto* made = new QToolButton(this);
     made->setObjectName(QString::fromLatin1(name));
     made->setText(text);
     made->setToolTip(tip);
     made->setAccessibleName(tip);
-    made->setMinimumHeight(32);
     return made;
   };
   m_previous = button("traceSearchPrevious", tr("Previous"), tr("Previous match (Shift+F3)"));
