@@ -23,6 +23,9 @@ SendingActions::SendingActions(Session& session, QWidget* window)
     wish(wish::AskDevice{{}, kPolls});
   });
   m_everyone->setObjectName(QStringLiteral("askEveryoneAction"));
+  m_stop = m_menu->addAction(tr("&Give up all that is asked"), this, [this] { wish(wish::Cancel{}); });
+  m_stop->setObjectName(QStringLiteral("stopAskingAction"));
+  m_stop->setToolTip(tr("Ends every poll of every device, repeated ones too"));
   setSnapshot({});
 }
 
@@ -34,6 +37,7 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
   m_lock->setEnabled(isLive && (!m_isLocked || snapshot.view.atEnd));
   m_names->setEnabled(isLive && snapshot.view.atEnd && !m_isLocked && services.linkUp);
   m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canAsk());
+  m_stop->setEnabled(m_everyone->isEnabled());
 }
 
 void SendingActions::wish(const Wish& wish) { m_session.want(wish); }

@@ -38,6 +38,7 @@ class SendingActions : public QObject {
   QAction* m_lock;
   QAction* m_names;
   QAction* m_everyone;
+  QAction* m_stop;
   bool m_isLocked = true;
 };
 

@@ -25,6 +25,7 @@ constexpr std::string_view endWord(RequestEnd end) {
     case RequestEnd::LinkLost: return "link_lost";
     case RequestEnd::Gone: return "gone";
     case RequestEnd::AnsweredLate: return "answered_late";
+    case RequestEnd::AddressLost: return "address_lost";
   }
   return "open";
 }

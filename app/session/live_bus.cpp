@@ -84,7 +84,13 @@ void LiveBus::stop() {
 }
 
 void LiveBus::framesReceived(std::span<const Frame> frames) {
-  if (!m_document->frames.append(frames, bootTime())) m_storeFull = true;
+  if (!m_document->frames.append(frames, bootTime())) {
+    // What is not recorded is not known either: nothing is sent on a picture that stands still.
+    m_storeFull = true;
+    m_services.apply(bootTime(), m_state, {wish::Lock{}, bootTime(), 0});
+    serve();
+    return;
+  }
   const std::uint64_t count = m_document->frames.count();
   for (std::uint64_t i = m_state.cursor().frames; i < count; ++i) {
     m_state.apply(m_document->frames[i], m_times.at(i));

@@ -52,6 +52,7 @@ enum class RequestEnd : std::uint8_t {
   LinkLost = 5,
   Gone = 6,          // the device has no address any more
   AnsweredLate = 7,  // after it had been given up
+  AddressLost = 8,   // the console's own, which the answer was to go to
 };
 
 }  // namespace deckpipe

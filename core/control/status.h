@@ -115,7 +115,7 @@ struct ServiceStatus {
   double busLoad = 0;                   // of the last second, 0..1
   std::uint64_t sent = 0;               // frames handed to the link
   std::uint64_t notTaken = 0;           // of these the link did not take
-  Refusal refusal = Refusal::None;      // of the last intent that was refused
+  Refusal refusal = Refusal::None;      // of the last intent; None where it was carried out
   std::uint64_t refusedSerial = 0;
 
   // An address of our own to send from.

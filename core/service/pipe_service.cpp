@@ -149,7 +149,9 @@ void PipeService::passed(Instant now, const Live& live, Pipe& pipe, Outgoing& ou
 
 void PipeService::endFile(Instant now, const Live& live, Pipe& pipe, FileEnd how, Outgoing& out) {
   if (!pipe.status.isSendingFile()) return;
-  release(now, pipe);
+  // Still stalled: what is in flight is no part of the file, and the doubt about it stays.
+  if (pipe.status.progress != Progress::Stalled || !pipe.flying) release(now, pipe);
+  pipe.isPaused = false;
   pipe.status.fileEnd = how;
   pipe.status.fileEnded = now;
   pipe.content.reset();
@@ -170,7 +172,8 @@ void PipeService::release(Instant now, Pipe& pipe) {
     pipe.status.filePaused += now - pipe.pausedSince;
   pipe.pausedSince = kNotYet;
   pipe.status.stall = Stall::None;
-  pipe.status.progress = pipe.flying ? Progress::Sending : Progress::Idle;
+  if (pipe.status.progress != Progress::Settling)
+    pipe.status.progress = pipe.flying ? Progress::Sending : Progress::Idle;
 }
 
 void PipeService::stall(Instant now, const Live& live, Pipe& pipe, Stall why, Outgoing& out) {
@@ -190,7 +193,7 @@ Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& 
       at->isPaused = false;
       if (at->status.progress == Progress::Paused) release(now, *at);
       break;
-    case What::Cancel: endFile(now, live, *at, FileEnd::Cancelled, out); break;
+    case What::Cancel: cancelFile(now, live, *at, out); break;
     case What::Resend:
       if (!isStalled) return Refusal::Busy;
       release(now, *at);
@@ -213,12 +216,20 @@ Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& 
   return Refusal::None;
 }
 
+// A packet whose ack is in doubt goes with its file.
+void PipeService::cancelFile(Instant now, const Live& live, Pipe& pipe, Outgoing& out) {
+  const bool isInDoubt = pipe.status.progress == Progress::Stalled && pipe.flying && pipe.flying->isOfFile;
+  if (isInDoubt) pipe.flying.reset();
+  endFile(now, live, pipe, FileEnd::Cancelled, out);
+  if (isInDoubt) settle(now, pipe);
+}
+
 // Nothing more of all that waits; what is in flight may or may not arrive.
 void PipeService::drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out) {
   const bool wasFlying = pipe.flying.has_value();
   const bool had = wasFlying || pipe.waiting() > 0;
   pipe.flying.reset();
-  pipe.deadline = kNever;
+  if (pipe.status.progress != Progress::Settling) pipe.deadline = kNever;
   pipe.isPaused = false;
   pipe.typed.clear();
   pipe.typedFrom = 0;
@@ -265,6 +276,14 @@ void PipeService::dataHeard(const Live& live, const DeviceKey& device, Address s
   Encoded ack{.length = 1};
   ack.data[0] = kType;
   out.send(live, MessageId::PipeAck, source, ack);
+}
+
+void PipeService::adopt(const Live& live) {
+  for (Pipe& pipe : m_pipes) {
+    if (pipe.device.kind != DeviceKey::Kind::Address) continue;
+    const DeviceKey key = live.canonical(pipe.device);
+    if (key != pipe.device && find(key) == nullptr) pipe.device = key;
+  }
 }
 
 Instant PipeService::nextTime() const {

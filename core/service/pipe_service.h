@@ -38,6 +38,8 @@ class PipeService {
   // Locked, or the link is lost: what is in flight is in doubt, what waits is dropped.
   void endAll(Instant now, const Live& live, Outgoing& out);
 
+  // The pipe of an address is the device's there once its PIN is known.
+  void adopt(const Live& live);
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
   void timeCame(Instant now, const Live& live, Outgoing& out);
   Instant nextTime() const;
@@ -80,6 +82,7 @@ class PipeService {
   void passed(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   void stall(Instant now, const Live& live, Pipe& pipe, PipeStatus::Stall why, Outgoing& out);
   void endFile(Instant now, const Live& live, Pipe& pipe, PipeStatus::FileEnd how, Outgoing& out);
+  void cancelFile(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   static void settle(Instant now, Pipe& pipe);
   void drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   static void hold(Instant now, Pipe& pipe, PipeStatus::Progress progress);

@@ -156,6 +156,7 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   timing.to = *to;
   timing.answers = 0;
   timing.deadline = now + rule.patience;
+  timing.lastStatus = now;
   Encoded data{.length = 1};
   data.data[0] = static_cast<std::uint8_t>(messageOf(rule.request).firstByte);
   out.send(live, rule.request, *to, data);
@@ -183,7 +184,9 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
              std::string(at.device.pin.text()));
   timing = {.to = timing.to};
   if (status.period == 0ns) return;
-  const Instant next = status.sent == kNotYet ? now + status.period : status.sent + status.period;
+  // Without an address nothing was sent: it is looked for again a period from now, never at once.
+  const bool wasSent = status.sent != kNotYet && how != RequestEnd::Gone;
+  const Instant next = wasSent ? status.sent + status.period : now + status.period;
   queue(status, timing, std::max(next, now));
 }
 
@@ -235,7 +238,7 @@ void RequestService::received(Instant now, const Live& live, const Frame& frame,
   if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
   const J1939Id id = J1939Id::of(frame.identifier());
   if (id.pgn != pgn::kProprietaryA || frame.length == 0) return;
-  if (id.destination == kGlobalAddress) return announced(now, live, id.source, frame, out);
+  if (id.destination == kGlobalAddress) return broadcastHeard(now, live, id.source, frame, out);
   if (live.own == kNullAddress || id.destination != live.own) return;
   for (Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
@@ -281,17 +284,39 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
            std::string(at.device.pin.text()));
 }
 
-// A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address.
-void RequestService::announced(Instant now, const Live& live, Address source, const Frame& frame,
-                               Outgoing& out) {
+// A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address. It
+// announces itself whenever NAMEs are asked for, too; what tells a restart is that its statuses stopped
+// before.
+void RequestService::broadcastHeard(Instant now, const Live& live, Address source, const Frame& frame,
+                                    Outgoing& out) {
   const Message& message = messageOf(MessageId::AddressAnnouncement);
-  if (frame.data[0] != message.firstByte || !allows(message.lengths, frame.length)) return;
-  const auto pin = announcedPin(frame);
+  const bool isAnnouncement = frame.data[0] == message.firstByte && allows(message.lengths, frame.length);
+  const auto pin = isAnnouncement ? announcedPin(frame) : std::nullopt;
   for (Asked& at : m_devices) {
+    if (at.status(Ask::Reset).progress != Progress::Waiting) continue;
+    Timing& timing = at.timing(Ask::Reset);
+    if (!isAnnouncement) {
+      if (source == timing.to) timing.lastStatus = now;
+      continue;
+    }
     const bool isIt =
         at.device.kind == DeviceKey::Kind::Pin ? pin == at.device.pin : source == at.device.address;
-    if (isIt && at.status(Ask::Reset).progress == Progress::Waiting)
+    if (isIt && now - timing.lastStatus >= kRestart)
       end(now, live, at, Ask::Reset, RequestEnd::Answered, out);
+  }
+}
+
+void RequestService::adopt(const Live& live) {
+  for (std::size_t i = 0; i < m_devices.size(); ++i) {
+    if (m_devices[i].device.kind != DeviceKey::Kind::Address) continue;
+    const DeviceKey key = live.canonical(m_devices[i].device);
+    if (key == m_devices[i].device) continue;
+    const bool isKnown = statusOf(key) != nullptr;
+    if (!isKnown) {
+      m_devices[i].device = key;
+    } else {
+      m_devices.erase(m_devices.begin() + static_cast<std::ptrdiff_t>(i--));
+    }
   }
 }
 

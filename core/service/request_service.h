@@ -24,6 +24,9 @@ class RequestService {
  public:
   // An answer this long after it was given up is still told from one that nobody asked for.
   static constexpr Duration kLate = 5s;
+  // A device that restarts is silent for three periods of its statuses at least: its claim alone takes 250
+  // ms.
+  static constexpr Duration kRestart = 300ms;
 
   explicit RequestService(BusBudget& budget) : m_budget(budget) {}
 
@@ -33,6 +36,8 @@ class RequestService {
   // Locked, or the link is lost: everything ends, nothing is repeated any more.
   void endAll(Instant now, const Live& live, RequestEnd end, Outgoing& out);
 
+  // What was asked of an address is asked of the device there once its PIN is known.
+  void adopt(const Live& live);
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
   void timeCame(Instant now, const Live& live, Outgoing& out);
   Instant nextTime() const;
@@ -49,8 +54,9 @@ class RequestService {
     Address to;            // where the last try went
     Instant due = kNever;  // of a queued one: not before
     Instant deadline = kNever;
-    std::uint8_t answers = 0;  // bit n: the rule's n-th answer came
-    bool wrong = false;        // an answer of a wrong length came
+    Instant lastStatus = kNotYet;  // from there since it was sent
+    std::uint8_t answers = 0;      // bit n: the rule's n-th answer came
+    bool wrong = false;            // an answer of a wrong length came
   };
   struct Asked {
     DeviceKey device;
@@ -67,7 +73,7 @@ class RequestService {
   void end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out);
   void endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out);
   void answered(Instant now, const Live& live, Asked& at, Ask ask, std::size_t part, Outgoing& out);
-  void announced(Instant now, const Live& live, Address source, const Frame& frame, Outgoing& out);
+  void broadcastHeard(Instant now, const Live& live, Address source, const Frame& frame, Outgoing& out);
 
   BusBudget& m_budget;
   std::vector<Asked> m_devices;

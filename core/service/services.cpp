@@ -46,14 +46,14 @@ void Services::lock(Instant now, const Live& live) {
 
 Refusal Services::apply(Instant now, const State& state, const Intent& intent) {
   const Refusal refusal = carryOut(now, liveOf(state), intent);
-  if (refusal != Refusal::None) {
-    m_status.refusal = refusal;
-    m_status.refusedSerial = intent.serial;
-  }
+  m_status.refusal = refusal;
+  if (refusal != Refusal::None) m_status.refusedSerial = intent.serial;
   return refusal;
 }
 
 Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) {
+  m_requests.adopt(live);
+  m_pipes.adopt(live);
   if (std::holds_alternative<wish::Lock>(intent.value)) return lock(now, live), Refusal::None;
   if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live), Refusal::None;
   if (m_status.locked) return Refusal::Locked;
@@ -94,7 +94,7 @@ Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) 
 void Services::addressChanged(Instant now, const Live& live, Address before) {
   if (before == kNullAddress || m_claim.address() == before) return;
   // What was asked was to be answered to the address that is no longer ours.
-  m_requests.endAll(now, live, RequestEnd::Cancelled, m_out);
+  m_requests.endAll(now, live, RequestEnd::AddressLost, m_out);
   m_pipes.endAll(now, live, m_out);
 }
 
@@ -118,6 +118,8 @@ void Services::timeCame(Instant now, const State& state) {
   m_claim.timeCame(now, liveOf(state), m_out);
   if (m_claim.address() == kNullAddress) return;
   const Live live = liveOf(state);
+  m_requests.adopt(live);
+  m_pipes.adopt(live);
   m_requests.timeCame(now, live, m_out);
   m_pipes.timeCame(now, live, m_out);
 }

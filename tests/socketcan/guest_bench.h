@@ -17,7 +17,7 @@
 
 namespace deckpipe::guest {
 
-inline constexpr int kPatience = 30'000;  // ms; only ever used up by a failure. The guest is slow
+inline constexpr int kPatience = 90'000;  // ms; only ever used up by a failure. The guest is slow
 
 inline QString fileInResults(const QString& name) {
   return qEnvironmentVariable("DECKPIPE_OUT", QStringLiteral(".")) + QLatin1Char('/') + name;

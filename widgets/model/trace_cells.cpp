@@ -13,6 +13,7 @@
 #include "report/json.h"
 #include "report/trace_text.h"
 #include "text/catalogue_text.h"
+#include "text/source_text.h"
 
 namespace deckpipe {
 namespace {
@@ -93,6 +94,7 @@ QString detailText(const TraceRow& row) {
                                             valueText(message, field, valueOf(field, row.frame)));
     }
   }
+  if (const QString source = sourceText(row.what.message); !source.isEmpty()) lines += source;
   return lines.join(QLatin1Char('\n'));
 }
 

@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <algorithm>
 
+#include "model/page_sources.h"
 #include "panel/glyph_label.h"
 #include "panel/label_ink.h"
 #include "panel/section_title.h"
@@ -71,6 +72,7 @@ void FactList::setGroup(const PageFactGroup& group) {
       m_lines[i].value->setObjectName(QStringLiteral("%1Fact%2").arg(group.key).arg(i + 1));
   }
   setAccessibleName(group.title);
+  setToolTip(pageSourceText(group.key));
   m_title->setTitle(group.title);
   while (m_lines.size() < group.facts.size()) {
     addLine();

@@ -92,7 +92,8 @@ void FileSendBar::setStatus(const PipeStatus& pipe, Instant now) {
   }
   m_isPaused = pipe.progress == PipeStatus::Progress::Paused;
   if (m_isPaused) parts.prepend(tr("Paused"));
-  for (const QString& part : {rateText(pipe, now), m_isPaused ? QString() : timeLeftText(pipe, now)}) {
+  const bool isGoing = !m_isPaused && pipe.progress != PipeStatus::Progress::Stalled;
+  for (const QString& part : {rateText(pipe, now), isGoing ? timeLeftText(pipe, now) : QString()}) {
     if (!part.isEmpty()) parts.append(part);
   }
   if (pipe.acks > 0)

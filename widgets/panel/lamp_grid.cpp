@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/page_sources.h"
 #include "paint/status_lamp.h"
 #include "panel/section_title.h"
 
@@ -55,6 +56,7 @@ void LampGrid::setGroup(const PageLampGroup& group) {
   m_title->setAge(group.age, group.isStale);
   setObjectName(group.key + QStringLiteral("Lamps"));
   setAccessibleName(group.title);
+  setToolTip(pageSourceText(group.key));
   const bool isOther = m_lamps.size() != group.lamps.size();
   while (m_lamps.size() > group.lamps.size()) {
     delete m_lamps.back();

@@ -3,6 +3,7 @@
 
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -131,6 +132,7 @@ QWidget* RequestPanel::makeAsks() {
   m_askEveryone->setToolTip(tr("Every poll of every device, within a small share of the bus"));
   m_repeat = new QComboBox(content);
   m_repeat->setObjectName(QStringLiteral("askRepeat"));
+  m_repeat->installEventFilter(this);
   m_repeat->setAccessibleName(tr("Repeat the polls of this device"));
   for (const Duration period : kPeriods)
     m_repeat->addItem(period == 0s ? tr("Ask once") : tr("Every %1").arg(periodText(period)));
@@ -318,6 +320,13 @@ void RequestPanel::press(Ask ask) {
   }
   DangerDialog::ask(this, {tr("%1: %2?").arg(askText(ask), m_name), consequence(ask), askText(ask)},
                     [this, wanted] { Q_EMIT wished(wanted); });
+}
+
+// Scrolling past the choice of a period must not begin to poll.
+bool RequestPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != m_repeat || event->type() != QEvent::Wheel) return QWidget::eventFilter(watched, event);
+  event->ignore();
+  return true;
 }
 
 void RequestPanel::repeat(int index) {

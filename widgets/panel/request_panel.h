@@ -42,6 +42,9 @@ class RequestPanel : public QWidget {
   void unlockRequested();
   void frameRequested(std::uint64_t frame);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   QWidget* makeAsks();
   void showState();

@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "model/page_sources.h"
 #include "paint/status_lamp.h"
 #include "panel/lamp_grid.h"
 #include "panel/section_title.h"
@@ -17,6 +18,7 @@ StopsGrid::StopsGrid(QWidget* parent)
       m_grid(new QGridLayout(this)) {
   setObjectName(QStringLiteral("stops"));
   setAccessibleName(tr("Hard stops"));
+  setToolTip(pageSourceText(QStringLiteral("stops")));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_title->setTitle(tr("Hard stops"));
   m_grid->setContentsMargins(0, 0, 0, 0);

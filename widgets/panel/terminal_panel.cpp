@@ -17,6 +17,7 @@
 #include <QSaveFile>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "panel/danger_dialog.h"
 #include "panel/file_send_bar.h"
@@ -143,6 +144,8 @@ QWidget* TerminalPanel::makeInput() {
   m_lineEnd->addItems({tr("CR LF"), tr("CR"), tr("LF"), tr("No line end")});
   m_send = makeButton("pipeSend", tr("Send"));
   m_sendFile = makeButton("pipeSendFile", tr("Send file…"));
+  m_mode->installEventFilter(this);
+  m_lineEnd->installEventFilter(this);
   auto* row = new QHBoxLayout(widget);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(m_mode);
@@ -209,6 +212,10 @@ QWidget* TerminalPanel::makeTools() {
 }
 
 void TerminalPanel::setDevice(const DeviceKey& device, const QString& name) {
+  if (device != m_device) {
+    m_input->clear();  // what was typed was meant for the other
+    m_trouble.clear();
+  }
   m_device = device;
   m_name = name;
 }
@@ -268,6 +275,8 @@ void TerminalPanel::showState() {
   if (isStalled)
     setText(*m_stall, tr("%1 Whether the packet arrived is not known.").arg(stallText(pipe.stall)));
   m_file->setStatus(pipe, m_view.cursor.time);
+  m_stallBar->setEnabled(m_isLive);
+  m_file->setEnabled(m_isLive);
   const bool mayType = canSend && !pipe.isSendingFile();
   m_input->setEnabled(mayType);
   m_send->setEnabled(mayType && !isRaw());
@@ -328,6 +337,9 @@ std::string TerminalPanel::lineEnd() const {
 void TerminalPanel::sendLine() {
   if (isRaw() || !m_send->isEnabled()) return;
   const QString line = m_input->text();
+  m_trouble.clear();
+  if (std::ranges::any_of(line, [](QChar c) { return c.unicode() > 0xFF; }))
+    return say(tr("The pipe takes characters of one byte only; there is another in this line."));
   const QByteArray bytes = line.toLatin1();
   std::string text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
   text += lineEnd();
@@ -352,7 +364,8 @@ bool TerminalPanel::sendKey(const QKeyEvent& event) {
     bytes = static_cast<char>(event.key() - Qt::Key_A + 1);
   } else if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0 &&
              event.key() != Qt::Key_Escape) {
-    bytes = event.text().toLatin1().toStdString();
+    if (!event.text().isEmpty() && event.text().front().unicode() <= 0xFF)
+      bytes = event.text().toLatin1().toStdString();
   }
   if (bytes.empty()) return false;
   Q_EMIT wished(wish::PipeWrite{m_device, std::move(bytes)});
@@ -360,6 +373,17 @@ bool TerminalPanel::sendKey(const QKeyEvent& event) {
 }
 
 bool TerminalPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool isCombo = watched == m_mode || watched == m_lineEnd;
+  if (isCombo && event->type() == QEvent::Wheel) {
+    event->ignore();  // scrolling past it is no choice
+    return true;
+  }
+  if (watched == m_input && isRaw() && event->type() == QEvent::ShortcutOverride) {
+    const auto& shortcut = static_cast<const QKeyEvent&>(*event);
+    // Control characters are the device's here, not the menu's.
+    if (shortcut.modifiers() == Qt::ControlModifier && shortcut.key() <= Qt::Key_BracketLeft) event->accept();
+    return true;
+  }
   if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const auto& key = static_cast<const QKeyEvent&>(*event);
   if (key.matches(QKeySequence::Find)) {

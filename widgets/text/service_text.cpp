@@ -37,6 +37,7 @@ QString requestEndText(RequestEnd end) {
     case RequestEnd::LinkLost: return ServiceText::tr("link lost");
     case RequestEnd::Gone: return ServiceText::tr("device has no address");
     case RequestEnd::AnsweredLate: return ServiceText::tr("answered too late");
+    case RequestEnd::AddressLost: return ServiceText::tr("the console lost its address");
   }
   return {};
 }

@@ -181,6 +181,29 @@ TEST_F(Stalled, TheSecondAckOfAPacketSentAgainIsNotTakenForTheNext) {
   EXPECT_EQ(packets().size(), 4u);
 }
 
+TEST_F(Stalled, CancellingTheFileEndsTheStallToo) {
+  EXPECT_EQ(act(What::Cancel), Refusal::None);
+  EXPECT_EQ(status().fileEnd, FileEnd::Cancelled);
+  EXPECT_EQ(status().progress, Progress::Settling);
+  const Instant before = pair.now();
+  EXPECT_EQ(type("on"), Refusal::None);
+  pair.run(900ms);
+  EXPECT_TRUE(packets(before).empty()) << "the ack in doubt may still come";
+  pair.run(1s);
+  EXPECT_EQ(sentText(before), "on");
+}
+
+TEST_F(Stalled, SkippedAndCancelledTheNextPacketStillWaitsForALateAck) {
+  act(What::Skip);
+  act(What::Cancel);
+  const Instant before = pair.now();
+  type("on");
+  pair.run(900ms);
+  EXPECT_TRUE(packets(before).empty());
+  pair.run(1s);
+  EXPECT_EQ(sentText(before), "on");
+}
+
 TEST_F(Stalled, WithoutADecisionOnlyThoseOfAStallAreRefused) {
   act(What::Abort);
   pair.run(2s);
@@ -229,6 +252,22 @@ TEST_F(Pipe, PauseHoldsAfterThePacketInFlightAndCancelEndsTheFile) {
   EXPECT_EQ(status().progress, Progress::Idle);
   pair.run(3s);
   EXPECT_EQ(packets().size(), cancelled);
+}
+
+TEST_F(Pipe, APauseEndsWithItsFile) {
+  acks([](int) { return Pair::Fate{1, 50ms}; });
+  send("0123456");
+  act(What::Pause);
+  pair.run(1s);
+  EXPECT_EQ(status().fileEnd, FileEnd::Done);
+  send(std::string(200, 'x'));
+  pair.run(100ms);
+  act(What::Pause);
+  act(What::Cancel);
+  const Instant before = pair.now();
+  type("on");
+  pair.run(2s);
+  EXPECT_EQ(sentText(before), "on");
 }
 
 TEST_F(Pipe, ADeviceThatIsElsewhereByThenStopsIt) {

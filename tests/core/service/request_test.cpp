@@ -256,7 +256,7 @@ TEST_F(Request, OurAddressLostToAnotherEndsWhatIsOpen) {
   Frame claim = frame("18EEFFF9", "0100000000000000");
   pair.inject(claim);
   pair.run(10ms);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::Cancelled);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::AddressLost);
 }
 
 TEST_F(Request, ACopleyDriveIsNeverPolled) {
@@ -273,6 +273,64 @@ TEST_F(Request, LockUnlockPollsAndTheirEndsAreNotes) {
   EXPECT_EQ(kinds,
             (std::vector{NoteKind::Unlocked, NoteKind::OwnAddress, NoteKind::Asked, NoteKind::AskEnded}));
   EXPECT_EQ(pair.console().notes[2].text, TruckPair::kMonitor);
+}
+
+TEST_F(Request, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPeriodLater) {
+  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+  pair.run(2500ms);
+  // Its address goes to another, and it hears nothing of that.
+  pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };
+  pair.console().state.apply(frame("18EEFF80", "0100000000000000"), pair.now());
+  pair.console().state.apply(frame("18EEFF81", "0200000000000000"), pair.now());
+  ASSERT_EQ(pair.addressOf(monitor), kNullAddress);
+  const std::size_t before = sent(0x02);
+  pair.run(5s);
+  EXPECT_EQ(sent(0x02), before);
+  EXPECT_EQ(status(Ask::Fault).end, RequestEnd::Gone);
+}
+
+TEST_F(Request, AnAnnouncementThatWasAskedForIsNoReset) {
+  deafen(0x45);
+  ask(Ask::Reset);
+  pair.run(500ms);
+  pair.want(wish::AskNames{});
+  pair.run(1s);
+  EXPECT_EQ(status(Ask::Reset).progress, Progress::Waiting);
+  pair.run(10s);
+  EXPECT_EQ(end(Ask::Reset), RequestEnd::NoAnswer);
+}
+
+TEST_F(Request, WhatWasAskedOfAnAddressIsTheDevicesOnceItsPinIsKnown) {
+  Pair blind;  // a console that comes later than the announcements
+  simulator::StandardBench truck = simulator::standardBench(1);
+  blind.bench = std::move(truck.bench);
+  blind.bench.powerOn(blind.now());
+  blind.run(4s);
+  blind.addConsole();
+  blind.wire = [](const Frame& f) { return Pair::Fate{f.data[0] == 0xFF ? 0 : 1, 0ns}; };
+  blind.run(1s);
+  blind.unlock();
+  const DeviceKey byAddress = DeviceKey::at(Channel{}, Address{0x80});
+  ASSERT_EQ(blind.want(wish::Repeat{byAddress, AskSet{Ask::Fault}, 500ms}), Refusal::None);
+  blind.run(2s);
+  blind.wire = [](const Frame&) { return Pair::Fate{}; };
+  blind.want(wish::AskNames{});
+  blind.run(1s);
+  const Device* device = blind.console().state.devices().byAddress(Channel{}, Address{0x80});
+  ASSERT_FALSE(device->pin.isNull());
+  blind.want(wish::Cancel{DeviceKey::of(device->pin)});
+  const Instant from = blind.now() + 1ns;
+  blind.run(5s);
+  EXPECT_TRUE(blind.sent(0x02, &blind.console(), from).empty());
+}
+
+TEST_F(Request, ARefusalIsForgottenWithTheNextWishThatIsCarriedOut) {
+  deafen(0x02);
+  ask(Ask::Fault);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::Busy);
+  EXPECT_EQ(pair.console().status(pair.now()).refusal, Refusal::Busy);
+  ask(Ask::Firmware);
+  EXPECT_EQ(pair.console().status(pair.now()).refusal, Refusal::None);
 }
 
 // Thirty monitors that all answer, and thirty that do not: what polling everyone takes of the bus.

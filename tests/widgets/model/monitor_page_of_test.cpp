@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "model/page_sources.h"
 #include "widgets/model/heard.h"
 
 namespace deckpipe {
@@ -473,6 +474,17 @@ TEST(MonitorPageOf, IsNotFoundWhereNothingWasHeardOfTheDevice) {
   EXPECT_FALSE(pageOf(bus, {}).isFound);
   EXPECT_FALSE(monitorPageOf({}, keyOfA()).isFound);
   EXPECT_EQ(pageOf(bus).key, keyOfA());
+}
+
+TEST(MonitorPageOf, EveryGroupCitesItsManual) {
+  Heard bus;
+  bus.monitor().pass(50ms);
+  const MonitorPageValues page = pageOf(bus);
+  for (const PageLampGroup& group : page.lamps)
+    EXPECT_TRUE(pageSourceText(group.key).contains(QStringLiteral("manual"))) << group.key.toStdString();
+  for (const PageFactGroup& group : page.facts)
+    EXPECT_FALSE(pageSourceText(group.key).isEmpty()) << group.key.toStdString();
+  EXPECT_TRUE(pageSourceText(QStringLiteral("stops")).contains(QStringLiteral("01")));
 }
 
 }  // namespace

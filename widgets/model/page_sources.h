@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which messages a group of a device's page is made from, as the manuals cite them: its tool tip and what F1
+// explains.
+#pragma once
+
+#include <QString>
+
+namespace deckpipe {
+
+// By the group's key (monitor_page_values.h; "stops" for the hard stops), a line a message; empty for others.
+QString pageSourceText(const QString& groupKey);
+
+}  // namespace deckpipe
