@@ -306,7 +306,7 @@ void RequestService::broadcastHeard(Instant now, const Live& live, Address sourc
   }
 }
 
-void RequestService::adopt(const Live& live) {
+void RequestService::adopt(Instant now, const Live& live, Outgoing& out) {
   for (std::size_t i = 0; i < m_devices.size(); ++i) {
     if (m_devices[i].device.kind != DeviceKey::Kind::Address) continue;
     const DeviceKey key = live.canonical(m_devices[i].device);
@@ -314,7 +314,8 @@ void RequestService::adopt(const Live& live) {
     const bool isKnown = statusOf(key) != nullptr;
     if (!isKnown) {
       m_devices[i].device = key;
-    } else {
+    } else {  // the device was asked under its PIN before: of two in flight to it one has to end
+      endDevice(now, live, m_devices[i], RequestEnd::Cancelled, out);
       m_devices.erase(m_devices.begin() + static_cast<std::ptrdiff_t>(i--));
     }
   }

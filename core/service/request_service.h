@@ -37,7 +37,7 @@ class RequestService {
   void endAll(Instant now, const Live& live, RequestEnd end, Outgoing& out);
 
   // What was asked of an address is asked of the device there once its PIN is known.
-  void adopt(const Live& live);
+  void adopt(Instant now, const Live& live, Outgoing& out);
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
   void timeCame(Instant now, const Live& live, Outgoing& out);
   Instant nextTime() const;

@@ -52,7 +52,7 @@ Refusal Services::apply(Instant now, const State& state, const Intent& intent) {
 }
 
 Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) {
-  m_requests.adopt(live);
+  m_requests.adopt(now, live, m_out);
   m_pipes.adopt(live);
   if (std::holds_alternative<wish::Lock>(intent.value)) return lock(now, live), Refusal::None;
   if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live), Refusal::None;
@@ -118,7 +118,7 @@ void Services::timeCame(Instant now, const State& state) {
   m_claim.timeCame(now, liveOf(state), m_out);
   if (m_claim.address() == kNullAddress) return;
   const Live live = liveOf(state);
-  m_requests.adopt(live);
+  m_requests.adopt(now, live, m_out);
   m_pipes.adopt(live);
   m_requests.timeCame(now, live, m_out);
   m_pipes.timeCame(now, live, m_out);
