@@ -28,7 +28,8 @@ class BusBudget {
     turn(now);
     double bits = 0;
     for (const double slot : m_bits) bits += slot;
-    const double span = static_cast<double>((kSlots - 1) * kSlot.count() + (now - m_begin).count()) * 1e-9;
+    const Duration heard = kSlot * static_cast<int>(kSlots - 1) + (now - m_begin);
+    const double span = static_cast<double>(heard.count()) * 1e-9;
     return std::min(1.0, bits / (span * m_bitRate));
   }
   // From a request that costs so many bits, answer included, to the next one.
