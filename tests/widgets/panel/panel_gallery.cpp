@@ -97,7 +97,7 @@ struct Gallery {
   }
 
   void decode(const char* name, const std::shared_ptr<LogDocument>& log, std::uint64_t frame, QSize size,
-              const char* field) {
+              const char* field, const char* pointed = nullptr) {
     DecodeModel model;
     DecodePanel panel;
     panel.setColours(coloursOf(theme));
@@ -107,6 +107,10 @@ struct Gallery {
     for (int row = 0; row < model.rowCount(); ++row) {
       if (model.index(row, 0).data().toString() == QString::fromLatin1(field))
         panel.list()->setCurrentIndex(model.index(row, 0));
+    }
+    for (int row = 0; pointed != nullptr && row < model.rowCount(); ++row) {
+      if (model.index(row, 0).data().toString() == QString::fromLatin1(pointed))
+        Q_EMIT panel.list()->entered(model.index(row, 0));
     }
     save(panel, size, name);
   }
@@ -149,6 +153,7 @@ struct Gallery {
     tracePanel("panel_not_found", busy, "dir=tx", "elevation_deg>80");
     byId("panel_by_id", busy);
     decode("decode_position", busy, 3, {520, 760}, "Rotation");
+    decode("decode_pointed", busy, 3, {520, 760}, "Rotation", "Elevation");
     decode("decode_wide", busy, 3, {kWidth, 300}, "Rotation");
     decode("decode_joystick", busy, 6, {420, 600}, "Stick X");
     decode("decode_none", busy, count, {420, 420}, "");
