@@ -14,17 +14,13 @@
 #include "paint/palette.h"
 #include "panel/trace_view.h"
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QStackedWidget;
-class QTabBar;
-class QToolButton;
 
 namespace deckpipe {
 
 class IdView;
-class TraceFilterEdit;
+class TraceBar;
 class TraceSearchBar;
 
 class TracePanel : public QWidget {
@@ -68,7 +64,9 @@ class TracePanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void makeBar();
+  void layOut();
+  void connectParts();
+  void makeShortcuts();
   void takeFilter(const TraceFilter& filter);
   void refresh();
   void showCount();
@@ -87,13 +85,8 @@ class TracePanel : public QWidget {
   TraceView* m_view;
   IdView* m_ids;
   QStackedWidget* m_pages;
-  QTabBar* m_order;
-  TraceFilterEdit* m_filter;
-  QLabel* m_count;
+  TraceBar* m_bar;
   QLabel* m_error;
-  QToolButton* m_help;
-  QComboBox* m_time;
-  QCheckBox* m_follow;
   TraceSearchBar* m_search;
   QTimer m_more;  // while a filter is looked through, or a table is on its way
 };
