@@ -269,6 +269,17 @@ void TracePanel::stepCursor(int rows) {
   if (const auto cursor = cursorRowsOn(rows); cursor && *cursor > 0) Q_EMIT cursorRequested(*cursor - 1);
 }
 
+bool TracePanel::hasSelection() const { return !isById() && !m_view->selection().isEmpty(); }
+
+void TracePanel::saveSelection() {
+  if (!hasSelection()) return;
+  const TraceView::FrameRange selection = m_view->selection();
+  Q_EMIT saveRequested(selection.first, selection.end, m_model->filter());
+}
+
+// Also what the filter has still to look at.
+void TracePanel::saveShown() { Q_EMIT saveRequested(0, m_model->view().frameCount, m_model->filter()); }
+
 void TracePanel::setTimeMode(int mode) {
   m_model->setTimeMode(static_cast<TraceModel::TimeMode>(mode));
   m_bar->setTimeMode(mode);

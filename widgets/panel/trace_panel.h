@@ -36,6 +36,7 @@ class TracePanel : public QWidget {
   std::optional<std::uint64_t> currentFrame() const;
   void setCurrentFrame(std::optional<std::uint64_t> frame);
   bool isById() const;
+  bool isFiltered() const { return m_model->isFiltered(); }
   // In the filter language; what is wrong is said as if it had been typed.
   void setFilter(const QString& expression);
   QString filter() const;
@@ -44,6 +45,11 @@ class TracePanel : public QWidget {
   std::optional<std::uint64_t> cursorRowsOn(int rows) const;
   // Asks for the cursor there.
   void stepCursor(int rows);
+
+  // Asks for a file of what is selected, or of all that passes the filter.
+  bool hasSelection() const;
+  void saveSelection();
+  void saveShown();
 
   // Columns and how time is said, for the caller's settings.
   QByteArray saveState() const;
@@ -56,6 +62,8 @@ class TracePanel : public QWidget {
  Q_SIGNALS:
   void currentFrameChanged(std::optional<std::uint64_t> frame);
   void cursorRequested(std::uint64_t frame);
+  // The frames of [begin, end) that pass.
+  void saveRequested(std::uint64_t begin, std::uint64_t end, const deckpipe::TraceFilter& filter);
   // Whether steps by row are others than steps by frame.
   void filteredChanged(bool isFiltered);
 

@@ -35,7 +35,10 @@ void TracePanel::showCellMenu(std::optional<TraceView::Cell> cell, const QPoint&
   }
   QAction* copy = menu->addAction(tr("Copy as candump text"), m_view, &TraceView::copy);
   copy->setShortcut(QKeySequence::Copy);
-  copy->setEnabled(!m_view->selection().isEmpty());
+  copy->setEnabled(hasSelection());
+  menu->addSeparator();
+  menu->addAction(tr("Save the selection…"), this, &TracePanel::saveSelection)->setEnabled(hasSelection());
+  if (isFiltered()) menu->addAction(tr("Save all that passes the filter…"), this, &TracePanel::saveShown);
   menu->popup(global);
 }
 

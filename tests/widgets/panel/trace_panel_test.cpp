@@ -199,6 +199,32 @@ TEST_F(TracePanelTest, CopiesOnlyTheRowsThatPass) {
             "(0000000000.010000) can0 18EFFF81#011D940371000041\n");
 }
 
+TEST_F(TracePanelTest, AsksForAFileOfTheSelectionOrOfAllThatPasses) {
+  open(traffic(100));
+  const QSignalSpy wanted(&panel, &TracePanel::saveRequested);
+  const auto asked = [&wanted] {
+    return std::pair(wanted.back()[0].value<std::uint64_t>(), wanted.back()[1].value<std::uint64_t>());
+  };
+  openMenu(model().rows(), -1);
+  EXPECT_FALSE(entry("traceMenu", "Save the selection")->isEnabled());
+  EXPECT_EQ(entry("traceMenu", "Save all"), nullptr) << "that is the log";
+  closeMenu("traceMenu");
+  panel.setFilter(QStringLiteral("sa=81"));
+  waitForFilter();
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_Home);
+  QTest::keyClick(&view(), Qt::Key_Down, Qt::ShiftModifier);
+  openMenu(1, TraceModel::Name);
+  entry("traceMenu", "Save the selection")->trigger();
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_EQ(asked(), std::pair(std::uint64_t{0}, std::uint64_t{11}));
+  EXPECT_FALSE(wanted.back()[2].value<TraceFilter>().isEmpty());
+  entry("traceMenu", "Save all")->trigger();
+  ASSERT_EQ(wanted.count(), 2);
+  EXPECT_EQ(asked(), std::pair(std::uint64_t{0}, std::uint64_t{100}));
+  closeMenu("traceMenu");
+}
+
 TEST_F(TracePanelTest, FiltersByPointingAtACell) {
   open(traffic(1000), 5);
   QTest::keyClick(&view(), Qt::Key_Home);
