@@ -49,8 +49,7 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   m_order->setTabToolTip(InOrder, tr("Every frame, as it came"));
   m_order->setTabToolTip(ById, tr("The last frame of each identifier, how often and how regular it comes"));
   connect(m_order, &QTabBar::currentChanged, this, [this](int order) {
-    // Filter and time are about frames one by one.
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_filter, m_help, m_time, m_follow})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_time, m_follow})  // are about frames one by one
       widget->setVisible(order == InOrder);
     Q_EMIT orderChosen(order);
   });

@@ -8,7 +8,9 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
+#include "model/cell_filters.h"
 #include "model/field_text.h"
 #include "panel/id_view.h"
 #include "panel/trace_bar.h"
@@ -44,7 +46,7 @@ void TracePanel::connectParts() {
   TraceFilterEdit* filter = m_bar->filter();
   connect(filter, &TraceFilterEdit::filterTyped, this, &TracePanel::takeFilter);
   connect(filter, &TraceFilterEdit::mistyped, this, &TracePanel::showError);
-  connect(filter, &TraceFilterEdit::left, m_view, qOverload<>(&QWidget::setFocus));
+  connect(filter, &TraceFilterEdit::left, this, [this] { m_pages->currentWidget()->setFocus(); });
   connect(m_bar, &TraceBar::orderChosen, this, &TracePanel::setOrder);
   connect(m_bar, &TraceBar::timeModeChosen, this, &TracePanel::setTimeMode);
   connect(m_bar, &TraceBar::followToggled, m_view, &TraceView::setFollowing);
@@ -62,7 +64,8 @@ void TracePanel::connectParts() {
   connect(m_ids, &IdView::currentFrameChanged, this, &TracePanel::currentFrameChanged);
   connect(m_ids, &IdView::filterRequested, this, [this](const QString& expression) {
     m_bar->setOrder(TraceBar::InOrder);
-    setFilter(expression);
+    m_row = Row{m_expression, narrowed(m_expression, expression)};
+    setFilter(m_row->frames);
   });
 }
 
@@ -77,7 +80,6 @@ void TracePanel::makeShortcuts() {
   };
   shortcut(QKeySequence::Find, search);
   shortcut(QKeySequence(QStringLiteral("Ctrl+L")), [this] {
-    m_bar->setOrder(TraceBar::InOrder);
     m_bar->filter()->setFocus(Qt::ShortcutFocusReason);
     m_bar->filter()->selectAll();
   });
@@ -171,6 +173,8 @@ void TracePanel::takeFilter(const TraceFilter& filter) {
   const bool wasFiltered = m_model->isFiltered();
   m_expression = m_bar->filter()->text().trimmed();
   m_model->setFilter(filter);
+  m_ids->rows()->setFilter(filter);
+  if (isById()) m_ids->setView(m_model->view());
   showCount();
   showError();
   if (m_model->isFiltered() != wasFiltered) Q_EMIT filteredChanged(!wasFiltered);
@@ -196,9 +200,7 @@ void TracePanel::showCount() {
   const std::uint64_t frames = m_model->view().frameCount;
   QString text;
   if (isById()) {
-    text = tr("%1 rows").arg(locale.toString(m_ids->rows()->rowCount()));
-    if (const std::uint64_t others = m_ids->rows()->otherFrames(); others > 0)
-      text = tr("%1; %2 frames of further identifiers have none").arg(text, locale.toString(others));
+    text = idCount();
   } else if (!m_model->isFiltered()) {
     text = frames == 0 ? QString() : tr("All frames");
   } else if (m_model->isFiltering()) {
@@ -211,11 +213,25 @@ void TracePanel::showCount() {
   m_bar->setCount(text);
 }
 
+// How many rows, and of how many frames they tell.
+QString TracePanel::idCount() const {
+  const QLocale locale;
+  const IdModel& ids = *m_ids->rows();
+  QString text = tr("%Ln rows", nullptr, ids.rowCount());
+  if (m_model->isFiltered())
+    text = tr("%1 of %2 frames, %3")
+               .arg(locale.toString(static_cast<qulonglong>(ids.passed())),
+                    locale.toString(static_cast<qulonglong>(ids.lookedAt())), text);
+  if (ids.otherFrames() > 0)
+    text = tr("%1; %2 frames of further identifiers have none").arg(text, locale.toString(ids.otherFrames()));
+  return text;
+}
+
 // Over the first rows, so that nothing moves while one types.
 void TracePanel::showError() {
   const auto& error = m_bar->filter()->error();
-  m_error->setVisible(error.has_value() && !isById());
-  if (!error || isById()) return;
+  m_error->setVisible(error.has_value());
+  if (!error) return;
   m_error->setText(tr("Character %1: %2").arg(error->at + 1).arg(error->text));
   QPalette inks = m_error->palette();
   inks.setColor(QPalette::Window, m_colours.surface);
@@ -232,11 +248,14 @@ void TracePanel::resizeEvent(QResizeEvent* event) {
   showError();
 }
 
-// Filter, time and search are about frames one by one.
+// Time and search are about frames one by one. Whoever comes back from the frames of one row finds the rows
+// as they were.
 void TracePanel::setOrder(int order) {
   const bool isById = order == TraceBar::ById;
   if (isById && m_search->isVisible()) closeSearch();
   m_pages->setCurrentIndex(order);
+  if (const auto row = std::exchange(m_row, std::nullopt); row && m_expression == row->frames)
+    setFilter(row->before);
   if (isById) m_ids->setView(m_model->view());
   showCount();
   showError();

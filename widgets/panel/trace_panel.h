@@ -78,6 +78,7 @@ class TracePanel : public QWidget {
   void takeFilter(const TraceFilter& filter);
   void refresh();
   void showCount();
+  QString idCount() const;
   void showError();
   void showCellMenu(std::optional<TraceView::Cell> cell, const QPoint& global);
   void showColumnMenu(const QPoint& at);
@@ -87,7 +88,12 @@ class TracePanel : public QWidget {
   void closeSearch();
 
   Colours m_colours;
-  QString m_expression;        // of the filter in force
+  QString m_expression;  // of the filter in force
+  // While the frames of a row of the traffic by identifier are looked at: the filter before, and theirs.
+  struct Row {
+    QString before, frames;
+  };
+  std::optional<Row> m_row;
   std::size_t m_channels = 0;  // that completion knows
   TraceModel* m_model;
   TraceView* m_view;

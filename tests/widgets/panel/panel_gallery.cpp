@@ -83,10 +83,11 @@ struct Gallery {
     save(panel, {kWidth, 420}, name);
   }
 
-  void byId(const char* name, const std::shared_ptr<LogDocument>& log) {
+  void byId(const char* name, const std::shared_ptr<LogDocument>& log, const char* filter = "") {
     TracePanel panel;
     panel.setColours(coloursOf(theme));
     panel.setView(test::viewOf(log));
+    panel.setFilter(QString::fromUtf8(filter));
     panel.resize(kWidth, 420);
     panel.show();
     panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
@@ -152,6 +153,7 @@ struct Gallery {
     tracePanel("panel_found", busy, "", "soft limits");
     tracePanel("panel_not_found", busy, "dir=tx", "elevation_deg>80");
     byId("panel_by_id", busy);
+    byId("panel_by_id_filtered", busy, "sa=80 and t>=10 and t<20");
     decode("decode_position", busy, 3, {520, 760}, "Rotation");
     decode("decode_pointed", busy, 3, {520, 760}, "Rotation", "Elevation");
     decode("decode_wide", busy, 3, {kWidth, 300}, "Rotation");

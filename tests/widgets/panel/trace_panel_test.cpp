@@ -343,7 +343,6 @@ TEST_F(TracePanelTest, ShowsTrafficByIdentifierAndLeadsBackToItsFrames) {
   QTabBar* order = child<QTabBar>("traceOrder");
   QTest::mouseClick(order, Qt::LeftButton, {}, order->tabRect(1).center());
   ASSERT_TRUE(panel.isById());
-  EXPECT_FALSE(filter()->isVisible());
   ASSERT_TRUE(QTest::qWaitFor([this] { return panel.ids()->model()->rowCount() == 2; }));
   panel.ids()->grab();
   QTest::keyClick(panel.ids(), Qt::Key_Down);
@@ -355,6 +354,43 @@ TEST_F(TracePanelTest, ShowsTrafficByIdentifierAndLeadsBackToItsFrames) {
   EXPECT_EQ(panel.filter(), QStringLiteral("ch=\"can0\" and id=18EFFF81 and type=01"));
   waitForFilter();
   EXPECT_EQ(model().rows(), 100u);
+}
+
+TEST_F(TracePanelTest, FiltersTrafficByIdentifierAndSaysSo) {
+  open(traffic(500));
+  panel.setFilter(QStringLiteral("sa=81"));
+  QTabBar* order = child<QTabBar>("traceOrder");
+  QTest::mouseClick(order, Qt::LeftButton, {}, order->tabRect(1).center());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return count() == QStringLiteral("50 of 500 frames, 1 rows"); }))
+      << count().toStdString();
+  type("sa=80");
+  ASSERT_TRUE(panel.isById());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return count() == QStringLiteral("450 of 500 frames, 1 rows"); }))
+      << count().toStdString();
+  type("rotation_deg>left");
+  EXPECT_TRUE(child<QLabel>("traceFilterError")->isVisible());
+  QTest::keyClick(filter(), Qt::Key_Escape);
+  EXPECT_EQ(panel.focusWidget(), panel.ids());
+}
+
+TEST_F(TracePanelTest, ComesBackFromTheFramesOfOneIdentifierToTheRowsAsTheyWere) {
+  open(traffic(1000));
+  panel.setFilter(QStringLiteral("pgn=EF00"));
+  QTabBar* order = child<QTabBar>("traceOrder");
+  const auto drillDown = [&] {
+    order->setCurrentIndex(1);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return panel.ids()->model()->rowCount() == 2; }));
+    panel.ids()->selectRow(0);
+    QTest::keyClick(panel.ids(), Qt::Key_Return);
+    EXPECT_EQ(panel.filter(), QStringLiteral("pgn=EF00 and ch=\"can0\" and id=18EFFF80 and type=01"));
+  };
+  drillDown();
+  order->setCurrentIndex(1);
+  EXPECT_EQ(panel.filter(), QStringLiteral("pgn=EF00"));
+  drillDown();
+  panel.setFilter(QStringLiteral("sa=81"));
+  order->setCurrentIndex(1);
+  EXPECT_EQ(panel.filter(), QStringLiteral("sa=81")) << "what a person wrote since stays";
 }
 
 TEST_F(TracePanelTest, LivesWithoutALog) {
