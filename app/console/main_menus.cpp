@@ -62,6 +62,13 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   menu->addActions(m_workspace->dockActions());
   menu->addSeparator();
+  named(menu->addAction(tr("&Dial over the whole window"), QKeySequence(Qt::Key_F11), m_workspace,
+                        &Workspace::toggleFullDial),
+        "fullDialAction");
+  named(menu->addAction(tr("Only &this device in the trace"), QKeySequence(Qt::CTRL | Qt::Key_T), m_workspace,
+                        &Workspace::traceDevice),
+        "traceDeviceAction");
+  menu->addSeparator();
   named(menu->addAction(tr("&Next pane"), QKeySequence(Qt::Key_F6), this,
                         [this] { focusNextPane(panes(), false); }),
         "nextPaneAction");

@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
@@ -38,6 +39,7 @@ PageHeader::PageHeader(QWidget* parent)
       m_sign(new GlyphLabel(this)),
       m_word(makeLabel(this, "pageHealth", tr("Health"))),
       m_reason(makeLabel(this, "pageReason", tr("Reason of the health"))),
+      m_trace(new QToolButton(this)),
       m_full(new FullButton(this)) {
   setObjectName(QStringLiteral("pageHeader"));
   QFont strong = font();
@@ -84,7 +86,14 @@ PageHeader::PageHeader(QWidget* parent)
   grid->addLayout(health, 0, 1);
   grid->addLayout(places, 1, 0);
   grid->addWidget(m_reason, 1, 1);
-  grid->addWidget(m_full, 0, 2, 2, 1);
+  grid->addWidget(m_trace, 0, 2, 2, 1);
+  grid->addWidget(m_full, 0, 3, 2, 1);
+  m_trace->setObjectName(QStringLiteral("traceButton"));
+  m_trace->setText(tr("Its frames"));
+  m_trace->setAccessibleName(tr("Only this device in the trace"));
+  m_trace->setToolTip(tr("Only this device in the trace (Ctrl+T)"));
+  m_trace->hide();
+  connect(m_trace, &QAbstractButton::clicked, this, &PageHeader::traceRequested);
   m_full->hide();
   connect(m_full, &QAbstractButton::clicked, this, &PageHeader::fullRequested);
   grid->setColumnStretch(0, 3);
@@ -141,6 +150,8 @@ bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void PageHeader::setFullOffered(bool isOffered) { m_full->setVisible(isOffered); }
+
+void PageHeader::setTraceOffered(bool isOffered) { m_trace->setVisible(isOffered); }
 
 void PageHeader::setFull(bool isFull) { m_full->setFull(isFull); }
 

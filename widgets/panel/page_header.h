@@ -9,6 +9,7 @@
 #include "paint/palette.h"
 
 class QLabel;
+class QToolButton;
 
 namespace deckpipe {
 
@@ -25,10 +26,13 @@ class PageHeader : public QWidget {
   void setColours(const Colours& colours);
   // Whether the button is there that spreads the dial over the window, and what it does now.
   void setFullOffered(bool isOffered);
+  void setTraceOffered(bool isOffered);
   void setFull(bool isFull);
 
  Q_SIGNALS:
   void fullRequested();
+  // The device's frames are wanted in the trace.
+  void traceRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -49,6 +53,7 @@ class PageHeader : public QWidget {
   GlyphLabel* m_sign;
   QLabel* m_word;
   QLabel* m_reason;
+  QToolButton* m_trace;
   FullButton* m_full;
 };
 
