@@ -20,6 +20,8 @@
 namespace deckpipe {
 namespace {
 
+constexpr int kRoomForTrace = 640;
+
 QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
   auto* label = new QLabel(parent);
   label->setObjectName(QString::fromLatin1(name));
@@ -151,7 +153,13 @@ bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
 
 void PageHeader::setFullOffered(bool isOffered) { m_full->setVisible(isOffered); }
 
-void PageHeader::setTraceOffered(bool isOffered) { m_trace->setVisible(isOffered); }
+void PageHeader::setTraceOffered(bool isOffered) {
+  m_isTraceOffered = isOffered;
+  m_trace->setVisible(isOffered && width() >= kRoomForTrace);
+}
+
+// What is said of the device goes before a button that the View menu has too.
+void PageHeader::resizeEvent(QResizeEvent*) { setTraceOffered(m_isTraceOffered); }
 
 void PageHeader::setFull(bool isFull) { m_full->setFull(isFull); }
 

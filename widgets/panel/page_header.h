@@ -36,6 +36,7 @@ class PageHeader : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -55,6 +56,7 @@ class PageHeader : public QWidget {
   QLabel* m_reason;
   QToolButton* m_trace;
   FullButton* m_full;
+  bool m_isTraceOffered = false;
 };
 
 }  // namespace deckpipe

@@ -29,6 +29,15 @@ QLabel* heading(const QString& text, double size, QWidget* parent) {
   return label;
 }
 
+// Addresses as everywhere else: F9.
+class HexBox : public QSpinBox {
+ public:
+  using QSpinBox::QSpinBox;
+
+ protected:
+  QString textFromValue(int value) const override { return QSpinBox::textFromValue(value).toUpper(); }
+};
+
 }  // namespace
 
 SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
@@ -54,12 +63,12 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
             tr("Larger text, and buttons that gloves can hit."));
   m_column->addSpacing(12);
   m_column->addWidget(heading(tr("On the bus"), 1.15, inside));
-  m_address = addNumber("preferredAddress", tr("Preferred address, hex"),
+  m_address = addNumber(new HexBox(this), "preferredAddress", tr("Preferred address, hex"),
                         tr("Claimed on unlocking; where another holds it, one of 80 to F7 is taken. F9 is "
                            "that of a service tool (SAE J1939)."),
                         0, 0xFD);
   m_address->setDisplayIntegerBase(16);
-  m_identity = addNumber("identityNumber", tr("Identity number"),
+  m_identity = addNumber(new QSpinBox(this), "identityNumber", tr("Identity number"),
                          tr("Of this computer's NAME. Two consoles on one bus need different ones; it was "
                             "made up when the program first ran."),
                          1, 0x1F'FFFF);
@@ -128,9 +137,8 @@ QLabel* SettingsPage::addStory(const QString& story) {
   return label;
 }
 
-QSpinBox* SettingsPage::addNumber(const char* name, const QString& text, const QString& story, int least,
-                                  int most) {
-  auto* box = new QSpinBox(this);
+QSpinBox* SettingsPage::addNumber(QSpinBox* box, const char* name, const QString& text, const QString& story,
+                                  int least, int most) {
   box->setObjectName(QLatin1String(name));
   box->setAccessibleName(text);
   box->setAccessibleDescription(story);

@@ -44,7 +44,8 @@ class SettingsPage : public QWidget {
   QButtonGroup* addGroup(const QString& title);
   void addChoice(QButtonGroup* group, int id, const char* name, const QString& text, const QString& story);
   QLabel* addStory(const QString& story);
-  QSpinBox* addNumber(const char* name, const QString& text, const QString& story, int least, int most);
+  QSpinBox* addNumber(QSpinBox* box, const char* name, const QString& text, const QString& story, int least,
+                      int most);
   void addAction(const char* name, const QString& text, const QString& story, void (SettingsPage::*wish)());
 
   QVBoxLayout* m_column;

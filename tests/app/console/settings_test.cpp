@@ -75,7 +75,7 @@ TEST_F(Looks, LetAPersonSayWhoTheConsoleIsOnABus) {
   trigger("settingsAction");
   auto* address = named<QSpinBox>("preferredAddress");
   auto* identity = named<QSpinBox>("identityNumber");
-  EXPECT_EQ(address->text(), QStringLiteral("f9"));
+  EXPECT_EQ(address->text(), QStringLiteral("F9"));
   EXPECT_GE(identity->value(), 1) << "made up";
   address->setFocus();
   address->selectAll();
