@@ -22,6 +22,10 @@ QAction* MainWindow::named(QAction* action, const char* name) {
 void MainWindow::makeMenus() {
   makeFileMenu();
   menuBar()->addMenu(m_sending->menu());
+  m_sending->menu()->addSeparator();
+  named(m_sending->menu()->addAction(tr("Ask the chosen &device…"), QKeySequence(Qt::CTRL | Qt::Key_R),
+                                     m_workspace, &Workspace::showRequests),
+        "askDeviceAction");
   makeViewMenu();
   makeHelpMenu();
 }

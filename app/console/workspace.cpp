@@ -14,6 +14,7 @@
 
 #include "model/decode_model.h"
 #include "model/device_rows.h"
+#include "pane_cycle.h"
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
 #include "panel/dock_title.h"
@@ -183,6 +184,12 @@ void Workspace::traceDevice() {
   m_trace->setFilter(expression);
   m_traceDock->show();
   m_traceDock->raise();
+}
+
+void Workspace::showRequests() {
+  m_requestsDock->show();
+  m_requestsDock->raise();
+  focusNextPane({m_requestsDock}, false);
 }
 
 void Workspace::showHelp() {

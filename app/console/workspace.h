@@ -53,6 +53,8 @@ class Workspace : public QMainWindow {
   void toggleFullDial();
   // Filters the trace down to the chosen device's frames, and shows it.
   void traceDevice();
+  // Opens the dock where the chosen device is asked.
+  void showRequests();
   // Opens the dock that explains what has the focus.
   void showHelp();
   void saveTo(QSettings& settings) const;

@@ -56,6 +56,7 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_scroll->setWidget(m_content);
   m_scroll->viewport()->installEventFilter(this);
+  m_scroll->installEventFilter(this);
   m_dial->installEventFilter(this);
   m_dial->setToolTip(tr("Double click or F11: fill the window"));
   connect(m_header, &PageHeader::fullRequested, this, &MonitorPage::toggleFull);
@@ -159,6 +160,8 @@ void MonitorPage::showParts() {
 bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
     m_content->setRoom(m_scroll->viewport()->height());
+  if (watched == m_scroll && (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut))
+    m_header->setMarked(event->type() == QEvent::FocusIn);
   if (watched == m_dial && event->type() == QEvent::MouseButtonDblClick) {
     toggleFull();
     return true;

@@ -161,13 +161,19 @@ void PageHeader::setTraceOffered(bool isOffered) {
 // What is said of the device goes before a button that the View menu has too.
 void PageHeader::resizeEvent(QResizeEvent*) { setTraceOffered(m_isTraceOffered); }
 
+void PageHeader::setMarked(bool isMarked) {
+  m_isMarked = isMarked;
+  update();
+}
+
 void PageHeader::setFull(bool isFull) { m_full->setFull(isFull); }
 
 void PageHeader::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), m_colours.surface);
-  painter.setPen(QPen(m_colours.stale.fill, 1));
-  painter.drawLine(QPointF(0, height() - 0.5), QPointF(width(), height() - 0.5));
+  const QColor line = m_isMarked ? m_colours.accent.ink : m_colours.stale.fill;
+  const int thick = m_isMarked ? 2 : 1;
+  painter.fillRect(QRect(0, height() - thick, width(), thick), line);
 }
 
 }  // namespace deckpipe

@@ -28,6 +28,8 @@ class PageHeader : public QWidget {
   void setFullOffered(bool isOffered);
   void setTraceOffered(bool isOffered);
   void setFull(bool isFull);
+  // Keys go to the page below.
+  void setMarked(bool isMarked);
 
  Q_SIGNALS:
   void fullRequested();
@@ -57,6 +59,7 @@ class PageHeader : public QWidget {
   QToolButton* m_trace;
   FullButton* m_full;
   bool m_isTraceOffered = false;
+  bool m_isMarked = false;
 };
 
 }  // namespace deckpipe

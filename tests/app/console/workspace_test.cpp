@@ -134,6 +134,13 @@ TEST_F(Docks, LeaveTheWindowToTheDialAtF11WhateverHasTheFocus) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return only<FullDial>() == nullptr; }));
 }
 
+TEST_F(Docks, ShowWhereTheChosenDeviceIsAsked) {
+  m_window.activateWindow();
+  ASSERT_FALSE(named<QDockWidget>("requestsDock")->isVisible());
+  QTest::keyClick(&m_window, Qt::Key_R, Qt::ControlModifier);
+  EXPECT_TRUE(named<QDockWidget>("requestsDock")->isVisible());
+}
+
 TEST_F(Docks, ShowOnlyTheChosenDevicesFramesAtCtrlT) {
   m_window.activateWindow();
   openLog(kTruck + "(10.300000) can0 18FEF190#0102\n");
