@@ -37,7 +37,7 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
   m_lock->setEnabled(isLive && (!m_isLocked || snapshot.view.atEnd));
   m_names->setEnabled(isLive && snapshot.view.atEnd && !m_isLocked && services.linkUp);
   m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canAsk());
-  m_stop->setEnabled(m_everyone->isEnabled());
+  m_stop->setEnabled(isLive && services.canAsk());
 }
 
 void SendingActions::wish(const Wish& wish) { m_session.want(wish); }

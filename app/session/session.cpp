@@ -120,8 +120,11 @@ void Session::openDemo() {
 }
 
 std::uint64_t Session::want(Wish wish) {
-  const bool isLock = std::holds_alternative<wish::Lock>(wish);
-  if (m_live == nullptr || (!m_snapshot.view.atEnd && !isLock)) return 0;
+  const Refusal refusal = m_live == nullptr                            ? Refusal::NoLink
+                          : !m_snapshot.view.atEnd && !onlyStops(wish) ? Refusal::NotLive
+                                                                       : Refusal::None;
+  if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
+  if (refusal != Refusal::None) return 0;
   const Intent intent{std::move(wish), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(
       m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
@@ -146,6 +149,7 @@ void Session::setCursor(Cursor cursor) {
 
 void Session::play() {
   if (m_document == nullptr || m_snapshot.playing) return;
+  m_snapshot.notSent = Refusal::None;
   LogView& view = m_snapshot.view;
   if (view.atEnd && grows()) return;  // it goes on by itself
   const Cursor end = endCursor();
@@ -158,6 +162,7 @@ void Session::play() {
 
 void Session::pause() {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   if (!m_snapshot.playing && !m_snapshot.view.atEnd) return;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
@@ -166,6 +171,7 @@ void Session::pause() {
 
 void Session::seek(Instant time) {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
   setCursor(cursorAt(m_document->frames, std::clamp(time, m_snapshot.view.begin,
@@ -175,6 +181,7 @@ void Session::seek(Instant time) {
 
 void Session::seekFrames(std::uint64_t frames) {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
   setCursor(cursorAfter(m_document->frames, std::min(frames, m_document->frames.count())));
@@ -189,6 +196,7 @@ void Session::step(int frames) {
 
 void Session::goToEnd() {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = true;
   tick();

@@ -50,8 +50,8 @@ class Session : public QObject {
 
   const Snapshot& snapshot() const { return m_snapshot; }
 
-  // Hands a wish to the live link. Off the live edge only locking is heard; 0 where it was not handed on,
-  // otherwise its serial, by which the snapshot tells whether it was refused.
+  // Hands a wish to the live link. Off the live edge only what stops something is heard; 0 where it was not
+  // handed on, which the snapshot then says, otherwise its serial, by which it tells whether it was refused.
   std::uint64_t want(Wish wish);
   // To the demo's twin, where one runs.
   void wantOfTwin(const TwinWish& wish);

@@ -24,6 +24,7 @@ enum class Refusal : std::uint8_t {
   NotTaken,   // this type of device does not take it
   Busy,       // the same is under way already
   TooMuch,    // more characters than may wait
+  NotLive,    // the view stood in the past; nothing is begun from there
 };
 
 struct ClaimStatus {

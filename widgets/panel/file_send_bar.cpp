@@ -75,7 +75,7 @@ FileSendBar::FileSendBar(QWidget* parent)
   hide();
 }
 
-void FileSendBar::setStatus(const PipeStatus& pipe, Instant now) {
+void FileSendBar::setStatus(const PipeStatus& pipe, Instant now, bool isLive) {
   setVisible(!pipe.file.empty());
   if (pipe.file.empty()) return;
   const QLocale locale;
@@ -101,6 +101,7 @@ void FileSendBar::setStatus(const PipeStatus& pipe, Instant now) {
   setText(*m_figures, parts.join(QStringLiteral(" · ")));
   m_pause->setText(m_isPaused ? tr("Go on") : tr("Pause"));
   m_pause->setAccessibleName(m_pause->text());
+  m_pause->setEnabled(isLive || !m_isPaused);
   m_pause->setVisible(pipe.isSendingFile());
   m_cancel->setVisible(pipe.isSendingFile());
 }

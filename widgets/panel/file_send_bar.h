@@ -20,7 +20,8 @@ class FileSendBar : public QWidget {
  public:
   explicit FileSendBar(QWidget* parent = nullptr);
 
-  void setStatus(const PipeStatus& pipe, Instant now);
+  // Off the live edge it can be paused and cancelled, but does not go on.
+  void setStatus(const PipeStatus& pipe, Instant now, bool isLive);
 
  Q_SIGNALS:
   void pauseRequested(bool pause);

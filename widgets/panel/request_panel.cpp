@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QStandardItemModel>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -207,7 +208,7 @@ void RequestPanel::setColours(const Colours& colours) {
 void RequestPanel::showHint() {
   QString hint;
   if (!m_isLive) {
-    hint = m_services.linkUp ? tr("Paused: nothing is asked while the view stands in the past.")
+    hint = m_services.linkUp ? tr("Paused: nothing new is asked while the view stands in the past.")
                              : tr("No live link: what is shown was said in the log.");
   } else if (m_services.locked) {
     hint = tr("Sending is locked.");
@@ -239,9 +240,10 @@ void RequestPanel::showState() {
   }
   const bool takesPolls = device != nullptr && !(device->takes & kPolls).isEmpty();
   m_askAll->setEnabled(canAsk && takesPolls);
-  m_repeat->setEnabled(canAsk && takesPolls);
+  m_repeat->setEnabled((canAsk && takesPolls) || isRepeated);
+  offerPeriods(canAsk && takesPolls);
   m_askEveryone->setEnabled(canAsk);
-  m_cancel->setEnabled(canAsk && (isOpen || isRepeated));
+  m_cancel->setEnabled(isOpen || isRepeated);
   const auto found = std::ranges::find(kPeriods, period);
   const int index = found == kPeriods.end() ? 0 : static_cast<int>(found - kPeriods.begin());
   if (!m_repeat->view()->isVisible() && m_repeat->currentIndex() != index) m_repeat->setCurrentIndex(index);
@@ -256,6 +258,14 @@ void RequestPanel::showState() {
   m_none->setVisible(!hasCard);
   m_none->setText(m_device.isNull() ? tr("Choose an Akron device to ask it.")
                                     : tr("This device takes no polls, or was not asked in this log."));
+}
+
+// What is repeated can be ended off the live edge too, but not begun.
+void RequestPanel::offerPeriods(bool isOffered) {
+  auto* items = qobject_cast<QStandardItemModel*>(m_repeat->model());
+  for (int i = 1; i < items->rowCount(); ++i) {
+    if (items->item(i)->isEnabled() != isOffered) items->item(i)->setEnabled(isOffered);
+  }
 }
 
 QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isFine) const {
@@ -274,7 +284,7 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
         : isCommand(ask) && isFine                                 ? tr("acknowledged")
         : isFine ? tr("answered in %1").arg(periodText(request.latency))
                  : requestEndText(request.end);
-    parts.append(tr("%1, %2").arg(end, agoText(m_view.cursor.time - request.ended)));
+    parts.append(tr("%1, %2").arg(end, agoText(std::max(m_view.cursor.time, m_view.end) - request.ended)));
   }
   if (request.period > 0ns)
     parts.append(tr("every %1: %2 of %3 answered")

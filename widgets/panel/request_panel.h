@@ -48,6 +48,7 @@ class RequestPanel : public QWidget {
  private:
   QWidget* makeAsks();
   void showState();
+  void offerPeriods(bool isOffered);
   void showHint();
   void showCard(AskCard& card, const DeviceServices* device);
   void press(Ask ask);

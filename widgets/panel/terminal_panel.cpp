@@ -117,10 +117,13 @@ QWidget* TerminalPanel::makeStallBar() {
     button->setToolTip(tip);
     row->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, what] { act(what); });
+    return button;
   };
-  add("pipeResend", tr("Resend"), tr("The packet once more. If only its ack was lost, it arrives twice."),
-      wish::PipeAction::What::Resend);
-  add("pipeSkip", tr("Skip"), tr("Goes on as if the packet had arrived."), wish::PipeAction::What::Skip);
+  m_resend =
+      add("pipeResend", tr("Resend"), tr("The packet once more. If only its ack was lost, it arrives twice."),
+          wish::PipeAction::What::Resend);
+  m_skip =
+      add("pipeSkip", tr("Skip"), tr("Goes on as if the packet had arrived."), wish::PipeAction::What::Skip);
   add("pipeAbort", tr("Abort"), tr("Sends nothing more of what waits."), wish::PipeAction::What::Abort);
   return m_stallBar;
 }
@@ -253,7 +256,7 @@ void TerminalPanel::showState() {
   if (!hint.isEmpty()) {
     // Said until the next deed.
   } else if (!m_isLive) {
-    hint = m_services.linkUp ? tr("Paused: nothing is sent while the view stands in the past.")
+    hint = m_services.linkUp ? tr("Paused: nothing new is sent while the view stands in the past.")
                              : tr("No live link: what is shown went through the pipe in the log.");
   } else if (m_services.locked) {
     hint = tr("Sending is locked: the device is not answered either.");
@@ -274,9 +277,9 @@ void TerminalPanel::showState() {
   m_caution->setVisible(!isStalled);  // a small screen has room for one of them
   if (isStalled)
     setText(*m_stall, tr("%1 Whether the packet arrived is not known.").arg(stallText(pipe.stall)));
-  m_file->setStatus(pipe, m_view.cursor.time);
-  m_stallBar->setEnabled(m_isLive);
-  m_file->setEnabled(m_isLive);
+  m_file->setStatus(pipe, std::max(m_view.cursor.time, m_view.end), m_isLive);
+  m_resend->setEnabled(m_isLive);
+  m_skip->setEnabled(m_isLive);
   const bool mayType = canSend && !pipe.isSendingFile();
   m_input->setEnabled(mayType);
   m_send->setEnabled(mayType && !isRaw());

@@ -86,6 +86,8 @@ class TerminalPanel : public QWidget {
   QPushButton* m_unlock = nullptr;
   QWidget* m_stallBar = nullptr;
   QLabel* m_stall = nullptr;
+  QPushButton* m_resend = nullptr;
+  QPushButton* m_skip = nullptr;
   QPlainTextEdit* m_text;
   FileSendBar* m_file;
   QLineEdit* m_input = nullptr;

@@ -89,5 +89,18 @@ TEST_F(Window, ShowsTheDemoMoving) {
   EXPECT_TRUE(text("sourceStatus").contains(QStringLiteral("Simulated truck")));
 }
 
+TEST_F(Window, SaysThatAQuestionAnsweredInThePastSentNothing) {
+  trigger("demoAction");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().services->linkUp; }, kPatience));
+  trigger("lockAction");
+  QWidget* question = QApplication::activeModalWidget();
+  ASSERT_NE(question, nullptr);
+  m_session.pause();
+  QTest::mouseClick(question->findChild<QAbstractButton*>(QStringLiteral("dangerVerb")), Qt::LeftButton);
+  EXPECT_TRUE(only<NoticeBar>()->notice().text.contains(QStringLiteral("Nothing was sent")))
+      << qPrintable(only<NoticeBar>()->notice().text);
+  EXPECT_TRUE(m_session.snapshot().services->locked);
+}
+
 }  // namespace
 }  // namespace deckpipe

@@ -105,6 +105,23 @@ TEST_F(AskedDevice, OffTheLiveEdgeItOffersNothing) {
   EXPECT_FALSE(button("requestUnlock")->isVisible());
 }
 
+TEST_F(AskedDevice, OffTheLiveEdgeWhatGoesOnCanBeEndedButNothingBegun) {
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Queued, .period = 5s};
+  isLive = false;
+  show();
+  auto* period = panel.findChild<QComboBox*>(QStringLiteral("askRepeat"));
+  EXPECT_EQ(period->currentIndex(), 3);
+  period->setFocus();
+  QTest::keyClick(period, Qt::Key_Down);
+  EXPECT_TRUE(wishes.empty()) << "another period would begin something";
+  QTest::keyClick(period, Qt::Key_Home);
+  ASSERT_EQ(wishes.size(), 1u);
+  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).period, 0s);
+  QTest::mouseClick(button("askCancel"), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 2u);
+  EXPECT_EQ(std::get<wish::Cancel>(wishes[1]).device, kMonitor);
+}
+
 TEST_F(AskedDevice, ACommandIsAskedOnceByTheDevicesName) {
   QTest::mouseClick(button(Ask::Reset), Qt::LeftButton);
   EXPECT_TRUE(wishes.empty());

@@ -171,6 +171,31 @@ TEST_F(Terminal, AFileShowsItsProgressAndCanBePausedAndCancelled) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).what, expected[i]);
 }
 
+TEST_F(Terminal, OffTheLiveEdgeAFileCanBePausedAndCancelledButDoesNotGoOn) {
+  pipe() = {.progress = PipeStatus::Progress::Sending, .file = "menu.txt", .fileSize = 1000};
+  isLive = false;
+  show();
+  QTest::mouseClick(child<QPushButton>("filePause"), Qt::LeftButton);
+  pipe().progress = PipeStatus::Progress::Paused;
+  show();
+  EXPECT_FALSE(child<QPushButton>("filePause")->isEnabled());
+  QTest::mouseClick(child<QPushButton>("fileCancel"), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 2u);
+  EXPECT_EQ(std::get<wish::PipeAction>(wishes[0]).what, What::Pause);
+  EXPECT_EQ(std::get<wish::PipeAction>(wishes[1]).what, What::Cancel);
+}
+
+TEST_F(Terminal, OffTheLiveEdgeAStallCanOnlyBeAborted) {
+  pipe().progress = PipeStatus::Progress::Stalled;
+  isLive = false;
+  show();
+  EXPECT_FALSE(child<QPushButton>("pipeResend")->isEnabled());
+  EXPECT_FALSE(child<QPushButton>("pipeSkip")->isEnabled());
+  QTest::mouseClick(child<QPushButton>("pipeAbort"), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 1u);
+  EXPECT_EQ(std::get<wish::PipeAction>(wishes[0]).what, What::Abort);
+}
+
 TEST_F(Terminal, SearchesFromTheNewestBackAndSaysWhenThereIsNothing) {
   add({frame("18EFF980", "FE41420A"), frame("18EFF980", "FE41430A")});
   auto* search = child<QLineEdit>("pipeSearch");
