@@ -131,6 +131,12 @@ std::uint64_t Session::want(Wish wish) {
   return intent.serial;
 }
 
+void Session::sayDrive(Address address, bool isDrive) {
+  if (m_live == nullptr) return;
+  QMetaObject::invokeMethod(
+      m_live, [live = m_live, address, isDrive] { live->sayDrive(address, isDrive); }, Qt::QueuedConnection);
+}
+
 void Session::wantOfTwin(const TwinWish& wish) {
   if (m_bench == nullptr) return;
   QMetaObject::invokeMethod(

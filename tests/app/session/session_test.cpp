@@ -292,6 +292,14 @@ TEST_F(SendingDemo, ThatNothingWasSentIsSaidUntilTheNextDeed) {
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NoLink);
 }
 
+TEST_F(SendingDemo, WhoIsSaidToBeADriveIsOneUntilThatIsTakenBack) {
+  const Address address = state().devices().byPin(kMonitor)->address;
+  m_session.sayDrive(address, true);
+  EXPECT_TRUE(waitFor([&] { return state().channel(Channel{}).roles.isDrive(address); }));
+  m_session.sayDrive(address, false);
+  EXPECT_TRUE(waitFor([&] { return !state().channel(Channel{}).roles.isDrive(address); }));
+}
+
 TEST_F(SendingDemo, AFreshOneIsLockedAgain) {
   ASSERT_TRUE(unlock());
   m_session.openDemo();
