@@ -3,6 +3,7 @@
 // themselves are not here, they are in the State like everything else that was heard.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -105,6 +106,10 @@ struct DeviceServices {
   std::optional<PipeStatus> pipe;
 
   const RequestStatus& of(Ask ask) const { return requests[static_cast<std::size_t>(ask)]; }
+  // Of what is repeated; 0 where nothing is.
+  Duration longestPeriod() const {
+    return std::ranges::max_element(requests, {}, &RequestStatus::period)->period;
+  }
   friend bool operator==(const DeviceServices&, const DeviceServices&) = default;
 };
 

@@ -21,6 +21,7 @@
 #include "panel/danger_dialog.h"
 #include "panel/flat_header.h"
 #include "panel/label_ink.h"
+#include "panel/repeat_bar.h"
 #include "panel/secondary_font.h"
 #include "text/age_text.h"
 #include "text/service_text.h"
@@ -82,6 +83,11 @@ RequestPanel::RequestPanel(QWidget* parent)
   hint->addWidget(m_hint, 1);
   hint->addWidget(m_unlock);
 
+  m_repeats = new RepeatBar(this);
+  connect(m_repeats, &RepeatBar::endRequested, this, [this] {
+    Q_EMIT wished(wish::Repeat{{}, kPolls, Duration{0}});
+  });
+
   m_historyView = new QTreeView(this);
   m_historyHeader = new FlatHeader(m_historyView);
   m_historyHeader->setObjectName(QStringLiteral("answerHeader"));
@@ -113,6 +119,7 @@ RequestPanel::RequestPanel(QWidget* parent)
   layout->setSpacing(6);
   layout->addWidget(m_title);
   layout->addWidget(m_hintBar);
+  layout->addWidget(m_repeats);
   layout->addWidget(split, 1);
 
   connect(m_unlock, &QPushButton::clicked, this, &RequestPanel::unlockRequested);
@@ -183,6 +190,8 @@ void RequestPanel::setDevice(const DeviceKey& device, const QString& name) {
   m_name = name;
 }
 
+void RequestPanel::setLabels(const DeviceLabels& labels) { m_labels = labels; }
+
 void RequestPanel::setView(const LogView& view, const Conversations& talk, const ServiceStatus& services,
                            bool isLive) {
   m_view = view;
@@ -201,6 +210,7 @@ void RequestPanel::setColours(const Colours& colours) {
   setPalette(qtPalette(colours));
   m_historyHeader->setColours(colours);
   for (AskCard* card : m_cards) card->setColours(colours);
+  m_repeats->setColours(colours);
   setInk(*m_none, colours.textSecondary);
   setInk(*m_hint, colours.attend.ink);
 }
@@ -226,14 +236,14 @@ void RequestPanel::showState() {
   setText(*m_title, m_name);
   m_title->setVisible(!m_name.isEmpty());
   showHint();
+  m_repeats->setStatus(m_services, m_labels);
   const DeviceServices* device = m_services.find(m_device);
   const bool canAsk = m_isLive && m_services.canAsk();
-  bool isOpen = false, isRepeated = false;
-  Duration period{0};
+  bool isOpen = false;
+  const Duration period = device != nullptr ? device->longestPeriod() : Duration{0};
+  const bool isRepeated = period > 0ns;
   if (device != nullptr) {
     for (const RequestStatus& request : device->requests) {
-      isRepeated = isRepeated || request.period > 0ns;
-      period = std::max(period, request.period);
       isOpen = isOpen || request.progress == RequestStatus::Progress::Queued ||
                request.progress == RequestStatus::Progress::Waiting;
     }

@@ -9,6 +9,7 @@
 
 #include "control/intent.h"
 #include "control/status.h"
+#include "model/device_labels.h"
 #include "paint/palette.h"
 #include "state/conversations.h"
 
@@ -22,6 +23,7 @@ namespace deckpipe {
 class AnswerHistory;
 class AskCard;
 class FlatHeader;
+class RepeatBar;
 
 class RequestPanel : public QWidget {
   Q_OBJECT
@@ -32,6 +34,7 @@ class RequestPanel : public QWidget {
   // `name` is how the person calls the device.
   void setDevice(const DeviceKey& device, const QString& name);
   // `isLive`: the view stands at the live edge of a link.
+  void setLabels(const DeviceLabels& labels);
   void setView(const LogView& view, const Conversations& talk, const ServiceStatus& services, bool isLive);
   void setColours(const Colours& colours);
 
@@ -56,6 +59,7 @@ class RequestPanel : public QWidget {
   QString stateText(Ask ask, const RequestStatus& request, bool& isFine) const;
 
   Colours m_colours;
+  DeviceLabels m_labels;
   DeviceKey m_device;
   QString m_name;
   LogView m_view;
@@ -66,6 +70,7 @@ class RequestPanel : public QWidget {
   QWidget* m_hintBar = nullptr;
   QLabel* m_hint = nullptr;
   QPushButton* m_unlock = nullptr;
+  RepeatBar* m_repeats = nullptr;
   QPushButton* m_askAll = nullptr;
   QPushButton* m_askEveryone = nullptr;
   QPushButton* m_cancel = nullptr;

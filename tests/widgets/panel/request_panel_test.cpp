@@ -186,6 +186,31 @@ TEST_F(AskedDevice, RepeatsAtTheChosenPeriodUntilOnce) {
   EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).asks, kPolls);
 }
 
+TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce) {
+  EXPECT_FALSE(panel.findChild<QWidget*>(QStringLiteral("repeatBar"))->isVisible());
+  for (int i = 0; i < 6; ++i) {
+    DeviceServices& other = services.devices.emplace_back();
+    other.device = DeviceKey::of(*Pin::make(1032, 'A', 'E', 200u + static_cast<unsigned>(i)));
+    other.requests[0] = {.progress = RequestStatus::Progress::Queued, .period = 5s};
+  }
+  DeviceLabels labels;
+  labels.set(services.devices[1].device.pin, QStringLiteral("Front"));
+  panel.setLabels(labels);
+  show();
+  auto* text = panel.findChild<QLabel*>(QStringLiteral("repeatText"));
+  EXPECT_TRUE(text->isVisible());
+  EXPECT_TRUE(text->text().contains(QStringLiteral("Front: every 5.0 s\n1032AE000000201: every")))
+      << text->text().toStdString();
+  EXPECT_TRUE(text->text().endsWith(QStringLiteral("and 3 more"))) << text->text().toStdString();
+  isLive = false;
+  show();
+  QTest::mouseClick(button("repeatEnd"), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 1u);
+  const auto& wish = std::get<wish::Repeat>(wishes[0]);
+  EXPECT_TRUE(wish.device.isNull());
+  EXPECT_EQ(wish.period, 0s);
+}
+
 TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {
   QAbstractItemModel* history = panel.findChild<AnswerHistory*>();
   QAbstractItemModelTester tester(history, QAbstractItemModelTester::FailureReportingMode::Fatal);
