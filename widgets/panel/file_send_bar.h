@@ -8,11 +8,12 @@
 #include "base/time.h"
 #include "control/status.h"
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace deckpipe {
+
+class ElidedLabel;
 
 class FileSendBar : public QWidget {
   Q_OBJECT
@@ -28,9 +29,9 @@ class FileSendBar : public QWidget {
   void cancelRequested();
 
  private:
-  QLabel* m_name;
+  ElidedLabel* m_name;
   QProgressBar* m_progress;
-  QLabel* m_figures;
+  ElidedLabel* m_figures;
   QPushButton* m_pause;
   QPushButton* m_cancel;
   bool m_isPaused = false;

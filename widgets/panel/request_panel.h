@@ -24,6 +24,7 @@ class AnswerHistory;
 class AskCard;
 class FlatHeader;
 class RepeatBar;
+class SendHint;
 
 class RequestPanel : public QWidget {
   Q_OBJECT
@@ -45,14 +46,10 @@ class RequestPanel : public QWidget {
   void unlockRequested();
   void frameRequested(std::uint64_t frame);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   QWidget* makeAsks();
   void showState();
   void offerPeriods(bool isOffered);
-  void showHint();
   void showCard(AskCard& card, const DeviceServices* device);
   void press(Ask ask);
   void repeat(int index);
@@ -67,9 +64,7 @@ class RequestPanel : public QWidget {
   bool m_isLive = false;
 
   QLabel* m_title = nullptr;
-  QWidget* m_hintBar = nullptr;
-  QLabel* m_hint = nullptr;
-  QPushButton* m_unlock = nullptr;
+  SendHint* m_hint = nullptr;
   RepeatBar* m_repeats = nullptr;
   QPushButton* m_askAll = nullptr;
   QPushButton* m_askEveryone = nullptr;
