@@ -22,6 +22,10 @@ QAction* MainWindow::named(QAction* action, const char* name) {
 void MainWindow::makeMenus() {
   makeFileMenu();
   menuBar()->addMenu(m_sending->menu());
+  m_sending->menu()->addSeparator();
+  named(m_sending->menu()->addAction(tr("Ask the chosen &device…"), QKeySequence(Qt::CTRL | Qt::Key_R),
+                                     m_workspace, &Workspace::showRequests),
+        "askDeviceAction");
   makeViewMenu();
   makeHelpMenu();
 }
@@ -61,6 +65,13 @@ void MainWindow::makeViewMenu() {
   named(m_fieldAction, "fieldDensityAction")->setCheckable(true);
   menu->addSeparator();
   menu->addActions(m_workspace->dockActions());
+  menu->addSeparator();
+  named(menu->addAction(tr("&Dial over the whole window"), QKeySequence(Qt::Key_F11), m_workspace,
+                        &Workspace::toggleFullDial),
+        "fullDialAction");
+  named(menu->addAction(tr("Only &this device in the trace"), QKeySequence(Qt::CTRL | Qt::Key_T), m_workspace,
+                        &Workspace::traceDevice),
+        "traceDeviceAction");
   menu->addSeparator();
   named(menu->addAction(tr("&Next pane"), QKeySequence(Qt::Key_F6), this,
                         [this] { focusNextPane(panes(), false); }),

@@ -73,7 +73,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   layout->addWidget(m_transport);
   setCentralWidget(central);
   m_sending = new SendingActions(m_session, this);
-  m_session.setClaim(claimSettings());
+  const ClaimSettings claim = claimSettings();
+  m_session.setClaim(claim);
+  m_settings->setIdentity(claim.preferred.value, static_cast<int>(claim.identityNumber));
   makeMenus();
   connect(&m_session, &Session::changed, this, &MainWindow::showSnapshot);
   connectPanels();
@@ -98,6 +100,12 @@ void MainWindow::connectPanels() {
   connect(m_connection, &Connection::linkRequested, &m_session, &Session::openLink);
   connect(m_settings, &SettingsPage::themeChosen, this, &MainWindow::setTheme);
   connect(m_settings, &SettingsPage::densityChosen, this, &MainWindow::setDensity);
+  connect(m_settings, &SettingsPage::identityChosen, this, [this](int address, int identity) {
+    const ClaimSettings chosen{static_cast<std::uint32_t>(identity),
+                               Address{static_cast<std::uint8_t>(address)}};
+    keepClaimSettings(chosen);
+    m_session.setClaim(chosen);
+  });
   connect(m_settings, &SettingsPage::resetLayoutRequested, m_workspace, &Workspace::resetLayout);
   connect(m_settings, &SettingsPage::forgetLogsRequested, this, [] { forgetLogs(); });
   connect(m_settings, &SettingsPage::closeRequested, this, [this] { showExtra(nullptr); });

@@ -10,6 +10,14 @@
 #include "panel/danger_dialog.h"
 
 namespace deckpipe {
+namespace {
+
+const QString kIdentityKey = QStringLiteral("bus/identityNumber");
+const QString kAddressKey = QStringLiteral("bus/preferredAddress");
+constexpr std::uint32_t kLargestIdentity = 0x1F'FFFF;  // 21 bits of a NAME
+constexpr uint kLastAddress = 0xFD;
+
+}  // namespace
 
 SendingActions::SendingActions(Session& session, QWidget* window)
     : QObject(window), m_session(session), m_window(window), m_menu(new QMenu(tr("&Bus"), window)) {
@@ -69,17 +77,23 @@ void SendingActions::askToUnlock() {
 
 ClaimSettings claimSettings() {
   QSettings settings;
-  const QString key = QStringLiteral("bus/identityNumber");
   ClaimSettings claim;
   bool isKept = false;
-  claim.identityNumber = settings.value(key).toUInt(&isKept) & 0x1F'FFFFu;
+  claim.identityNumber = settings.value(kIdentityKey).toUInt(&isKept) & kLargestIdentity;
   if (!isKept || claim.identityNumber == 0) {
-    claim.identityNumber = static_cast<std::uint32_t>(QRandomGenerator::global()->bounded(1, 0x20'0000));
-    settings.setValue(key, claim.identityNumber);
+    claim.identityNumber =
+        static_cast<std::uint32_t>(QRandomGenerator::global()->bounded(1, int{kLargestIdentity} + 1));
+    settings.setValue(kIdentityKey, claim.identityNumber);
   }
-  const uint address = settings.value(QStringLiteral("bus/preferredAddress"), claim.preferred.value).toUInt();
-  if (address <= 0xFD) claim.preferred = Address{static_cast<std::uint8_t>(address)};
+  const uint address = settings.value(kAddressKey, claim.preferred.value).toUInt();
+  if (address <= kLastAddress) claim.preferred = Address{static_cast<std::uint8_t>(address)};
   return claim;
+}
+
+void keepClaimSettings(const ClaimSettings& claim) {
+  QSettings settings;
+  settings.setValue(kIdentityKey, claim.identityNumber);
+  settings.setValue(kAddressKey, uint{claim.preferred.value});
 }
 
 }  // namespace deckpipe

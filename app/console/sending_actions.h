@@ -46,5 +46,6 @@ class SendingActions : public QObject {
 // Who this installation is on a bus: its identity number, made up once and kept in the settings, and the
 // address it would like.
 ClaimSettings claimSettings();
+void keepClaimSettings(const ClaimSettings& claim);
 
 }  // namespace deckpipe

@@ -5,15 +5,19 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QHideEvent>
+#include <QMenu>
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
+#include <algorithm>
 #include <utility>
 
 #include "model/decode_model.h"
 #include "model/device_rows.h"
+#include "pane_cycle.h"
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
+#include "panel/dock_title.h"
 #include "panel/event_panel.h"
 #include "panel/help_panel.h"
 #include "panel/monitor_page.h"
@@ -31,7 +35,7 @@ constexpr int kLayoutVersion = 3;
 // A look at so many frames a tick takes about two milliseconds.
 constexpr std::uint64_t kFramesAtOnce = 100'000;
 constexpr int kDevicesLetters = 56;
-constexpr int kDetailWidth = 420, kTraceHeight = 240;
+constexpr int kDetailWidth = 420, kTraceHeight = 208;
 
 }  // namespace
 
@@ -88,6 +92,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
           [this](bool isOn) { m_decodeWanted = isOn; });
   connect(m_devices, &DevicePanel::deviceSelected, m_page, &MonitorPage::setDevice);
   connect(m_devices, &DevicePanel::deviceSelected, m_overview, &OverviewPanel::setDevice);
+  connect(m_page, &MonitorPage::traceRequested, this, &Workspace::traceDevice);
   connect(m_devices, &DevicePanel::labelEdited, this, &Workspace::editLabel);
   connect(m_overview, &OverviewPanel::deviceRequested, this, &Workspace::showPageOf);
   connect(m_trace, &TracePanel::currentFrameChanged, this, &Workspace::showFrame);
@@ -125,6 +130,7 @@ QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
+  m_titles.append(new DockTitle(dock));
   dock->toggleViewAction()->setObjectName(QLatin1String(name) + QStringLiteral("Action"));
   return dock;
 }
@@ -166,6 +172,25 @@ void Workspace::shareRoom() {
 void Workspace::resetLayout() {
   m_decodeWanted = true;
   arrange();
+}
+
+void Workspace::toggleFullDial() {
+  m_centre->setCurrentWidget(m_page);
+  m_page->toggleFull();
+}
+
+void Workspace::traceDevice() {
+  const QString expression = m_page->traceFilter();
+  if (expression.isEmpty()) return;
+  m_trace->setFilter(expression);
+  m_traceDock->show();
+  m_traceDock->raise();
+}
+
+void Workspace::showRequests() {
+  m_requestsDock->show();
+  m_requestsDock->raise();
+  focusNextPane({m_requestsDock}, false);
 }
 
 void Workspace::showHelp() {
@@ -229,6 +254,7 @@ void Workspace::setColours(const Colours& colours) {
   m_terminal->setColours(colours);
   m_twin->setColours(colours);
   m_help->setColours(colours);
+  for (DockTitle* title : m_titles) title->setColours(colours);
 }
 
 // The detail takes room from the trace only while there is a frame to show.
@@ -298,11 +324,33 @@ void Workspace::showEvent(QShowEvent* event) {
   for (QDockWidget* dock : std::exchange(m_floatingHidden, {})) dock->show();
 }
 
-// QMainWindow makes the tabs of docks by itself, and without a name.
+// QMainWindow makes the tabs of docks by itself, without a name and without a menu.
 void Workspace::childEvent(QChildEvent* event) {
   QMainWindow::childEvent(event);
   if (event->type() != QEvent::ChildPolished) return;
-  if (auto* tabs = qobject_cast<QTabBar*>(event->child())) tabs->setAccessibleName(tr("Docks"));
+  auto* tabs = qobject_cast<QTabBar*>(event->child());
+  if (tabs == nullptr) return;
+  tabs->setAccessibleName(tr("Docks"));
+  tabs->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(tabs, &QWidget::customContextMenuRequested, this, [this, tabs](QPoint at) {
+    QMenu* menu = createPopupMenu();
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->popup(tabs->mapToGlobal(at));
+  });
+}
+
+// Docks were put together or taken apart: nothing else tells.
+bool Workspace::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) {
+    for (DockTitle* title : m_titles) {
+      auto* dock = qobject_cast<QDockWidget*>(title->parentWidget());
+      const QList<QDockWidget*> others = tabifiedDockWidgets(dock);
+      const bool isTabbed =
+          std::ranges::any_of(others, [](QDockWidget* other) { return !other->isHidden(); });
+      title->setCollapsed(isTabbed && !dock->isFloating());
+    }
+  }
+  return QMainWindow::event(event);
 }
 
 // Larger letters need wider docks; what a person chose is kept in proportion.

@@ -24,6 +24,7 @@ namespace deckpipe {
 class DecodeModel;
 class DecodePanel;
 class DevicePanel;
+class DockTitle;
 class EventPanel;
 class HelpPanel;
 class MonitorPage;
@@ -48,6 +49,12 @@ class Workspace : public QMainWindow {
   QList<QWidget*> panes() const;
   TracePanel* trace() const { return m_trace; }
   void resetLayout();
+  // The chosen device's dial over the whole window, and back.
+  void toggleFullDial();
+  // Filters the trace down to the chosen device's frames, and shows it.
+  void traceDevice();
+  // Opens the dock where the chosen device is asked.
+  void showRequests();
   // Opens the dock that explains what has the focus.
   void showHelp();
   void saveTo(QSettings& settings) const;
@@ -70,6 +77,7 @@ class Workspace : public QMainWindow {
   void hideEvent(QHideEvent* event) override;
   void changeEvent(QEvent* event) override;
   void childEvent(QChildEvent* event) override;
+  bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -108,6 +116,7 @@ class Workspace : public QMainWindow {
   QDockWidget* m_eventsDock;
   QDockWidget* m_decodeDock;
   QDockWidget* m_helpDock;
+  QList<DockTitle*> m_titles;  // one a dock
   double m_fontSize = 0;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it

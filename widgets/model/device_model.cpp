@@ -126,9 +126,7 @@ QString DeviceModel::emptyText() const {
   const State& state = *m_view.state;
   const std::uint64_t frames = state.cursor().frames;
   if (frames == 0) {
-    return tr(
-        "No device heard yet.\nNot one frame has come: is the bus powered, and is its bit rate that of the "
-        "link?");
+    return tr("No device heard yet.\nNot one frame has come.");
   }
   std::uint64_t errors = 0;
   for (std::uint8_t c = 0; c < kMaxChannels; ++c) errors += state.channel(Channel{c}).errorFrames;

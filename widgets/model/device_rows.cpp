@@ -135,6 +135,7 @@ DeviceType typeOf(const Device& d) {
 
 DeviceType typeOf(const State& state, Channel channel, Address address) {
   const ChannelState& on = state.channel(channel);
+  if (address == on.ownAddress) return {From::Own};
   if (on.roles.isDrive(address)) return {From::Drive};
   const Name name = on.claims[address].name;
   if (name.value == 0) return {From::NoName};
@@ -193,6 +194,7 @@ QString typeText(const DeviceRow& row) {
     case From::AkronMessages: return Row::tr("Akron device, type not known");
     case From::AkronName: return Row::tr("Akron device, not announced");
     case From::Drive: return Row::tr("Copley drive");
+    case From::Own: return Row::tr("This console");
     case From::GatewayNode: return Row::tr("6051 CAN Gateway, by its default node");
     case From::MonitorNode: return Row::tr("Monitor, type not known");
     case From::CanopenNode: return Row::tr("Type not known");

@@ -28,6 +28,7 @@ struct DeviceType {
     AkronName,      // has a NAME of Akron's, has not announced itself
     OtherName,      // number: manufacturer code
     Drive,          // a person said that a Copley drive is there
+    Own,            // the console itself
     NoName,
     GatewayNode,  // the 6051's default node number; nothing else known
     MonitorNode,  // a CANopen node that sends a monitor's PDOs

@@ -25,6 +25,16 @@ QString placeText(const DeviceRow& row) {
   return Page::tr("address %1").arg(addressText(row.address));
 }
 
+QString traceFilterOf(const DeviceRow& row, const QString& channel) {
+  QString filter;
+  if (row.key.kind == DeviceKey::Kind::Node) {
+    filter = QStringLiteral("node=") + hexText(row.key.node.value);
+  } else if (!row.hasLostAddress()) {
+    filter = QStringLiteral("sa=") + hexText(row.address.value);
+  }
+  return filter.isEmpty() || channel.isEmpty() ? filter : filter + QStringLiteral(" and ch=") + channel;
+}
+
 void describeDevice(MonitorPageValues& page, const State& state, const Device& d, Instant now) {
   if (isMonitor(d)) page.dial = dialOf(state, d);
   page.stops = stopsOf(d, now);
@@ -65,6 +75,7 @@ MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key, const
   page.type = typeText(*row);
   page.address = placeText(*row);
   page.channel = channelText(view, row->channel);
+  page.traceFilter = traceFilterOf(*row, page.channel);
   page.age = row->age;
   page.health = row->health;
 

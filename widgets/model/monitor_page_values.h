@@ -107,8 +107,9 @@ struct MonitorPageValues {
   QString title{};     // the person's label, or what identifies it
   QString identity{};  // PIN, where the title is a label
   QString type{};
-  QString address{};  // "address 80 hex", "address lost"
-  QString channel{};  // empty where there is one only
+  QString address{};      // "address 80 hex", "address lost"
+  QString channel{};      // empty where there is one only
+  QString traceFilter{};  // lets only its frames into the trace; empty where it holds no address
   std::optional<Duration> age;
   DeviceHealth health;
 

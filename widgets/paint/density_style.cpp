@@ -25,8 +25,6 @@ int DensityStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, co
     case PM_ScrollBarSliderMin: return m_target;
     case PM_SplitterWidth:
     case PM_DockWidgetSeparatorExtent: return isField ? 14 : 8;
-    // The buttons of a dock's title: the icon with so much around it.
-    case PM_DockWidgetTitleBarButtonMargin: return isField ? 12 : 4;
     case PM_IndicatorWidth:
     case PM_IndicatorHeight:
     case PM_ExclusiveIndicatorWidth:

@@ -65,7 +65,7 @@ bool FullDial::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void FullDial::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape || event->key() == Qt::Key_F11) {
+  if (event->key() == Qt::Key_Escape) {
     Q_EMIT closed();
     return;
   }

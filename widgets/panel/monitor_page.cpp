@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "paint/dial.h"
@@ -57,12 +56,11 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_scroll->setWidget(m_content);
   m_scroll->viewport()->installEventFilter(this);
+  m_scroll->installEventFilter(this);
   m_dial->installEventFilter(this);
   m_dial->setToolTip(tr("Double click or F11: fill the window"));
-  auto* enlarge = new QShortcut(QKeySequence(Qt::Key_F11), this);
-  enlarge->setContext(Qt::WidgetWithChildrenShortcut);
-  connect(enlarge, &QShortcut::activated, this, &MonitorPage::showFull);
-  connect(m_header, &PageHeader::fullRequested, this, &MonitorPage::showFull);
+  connect(m_header, &PageHeader::fullRequested, this, &MonitorPage::toggleFull);
+  connect(m_header, &PageHeader::traceRequested, this, &MonitorPage::traceRequested);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -110,6 +108,7 @@ void MonitorPage::showValues() {
     setText(*m_message, missingText());
   }
   m_header->setFullOffered(isFound && m_values.dial);
+  m_header->setTraceOffered(isFound && !m_values.traceFilter.isEmpty());
   if (m_full != nullptr) m_full->setPage(m_values);
   m_message->setVisible(!isFound);
   m_header->setVisible(isFound);
@@ -161,8 +160,10 @@ void MonitorPage::showParts() {
 bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
     m_content->setRoom(m_scroll->viewport()->height());
+  if (watched == m_scroll && (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut))
+    m_header->setMarked(event->type() == QEvent::FocusIn);
   if (watched == m_dial && event->type() == QEvent::MouseButtonDblClick) {
-    showFull();
+    toggleFull();
     return true;
   }
   return QWidget::eventFilter(watched, event);
@@ -189,8 +190,12 @@ void MonitorPage::setAnimated(bool animated) {
 
 FullDial* MonitorPage::full() const { return m_full; }
 
-void MonitorPage::showFull() {
-  if (m_full != nullptr || !m_values.isFound || !m_values.dial) return;
+void MonitorPage::toggleFull() {
+  if (m_full != nullptr) {
+    Q_EMIT m_full->closed();
+    return;
+  }
+  if (!m_values.isFound || !m_values.dial) return;
   m_full = new FullDial(window());
   m_full->setColours(m_colours);
   m_full->setAnimated(m_isAnimated);

@@ -41,13 +41,19 @@ class MonitorPage : public QWidget {
   void setAnimated(bool animated);
 
   const MonitorPageValues& values() const { return m_values; }
+  // The expression that lets only the device's frames through; empty without a device or address.
+  QString traceFilter() const { return m_values.isFound ? m_values.traceFilter : QString(); }
 
-  // The dial over the whole window, until Esc, F11 or a second double click.
-  void showFull();
+  // The dial over the whole window, until Esc, a second double click or this again. Nothing without a dial.
+  void toggleFull();
   FullDial* full() const;
 
   QSize sizeHint() const override { return {1032, 560}; }
   QSize minimumSizeHint() const override { return {320, 200}; }
+
+ Q_SIGNALS:
+  // Its frames are wanted in the trace.
+  void traceRequested();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

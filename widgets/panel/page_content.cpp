@@ -15,6 +15,7 @@ constexpr int kFactGap = 32;       // between columns of facts
 constexpr int kFactWidth = 288;    // the least that a column of facts is read in
 constexpr int kNarrow = 740;       // below this, one column
 constexpr int kLeastDial = 240;    // still read at arm's length
+constexpr int kWideDial = 480;     // both drawings with their limits
 constexpr int kLeastBeside = 480;  // two columns of switches
 
 int heightOf(const QWidget& part, int width) {
@@ -79,7 +80,9 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
   if (m_parts.dial != nullptr || !m_parts.sticks.empty()) {
     int mainWidth = 0, mainHeight = 0;
     if (m_parts.dial != nullptr) {
-      mainWidth = isWide ? inner * 5 / 9 : inner;
+      // No wider than its height can use: the words beside it need the room.
+      const int usable = std::max(kWideDial, (m_room - 2 * kMargin) * 7 / 4);
+      mainWidth = isWide ? std::min(inner * 5 / 9, usable) : inner;
     } else {
       placeSticks(inner, y, mainWidth, mainHeight, take);
     }

@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +19,8 @@
 
 namespace deckpipe {
 namespace {
+
+constexpr int kRoomForTrace = 640;
 
 QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
   auto* label = new QLabel(parent);
@@ -38,6 +41,7 @@ PageHeader::PageHeader(QWidget* parent)
       m_sign(new GlyphLabel(this)),
       m_word(makeLabel(this, "pageHealth", tr("Health"))),
       m_reason(makeLabel(this, "pageReason", tr("Reason of the health"))),
+      m_trace(new QToolButton(this)),
       m_full(new FullButton(this)) {
   setObjectName(QStringLiteral("pageHeader"));
   QFont strong = font();
@@ -84,7 +88,14 @@ PageHeader::PageHeader(QWidget* parent)
   grid->addLayout(health, 0, 1);
   grid->addLayout(places, 1, 0);
   grid->addWidget(m_reason, 1, 1);
-  grid->addWidget(m_full, 0, 2, 2, 1);
+  grid->addWidget(m_trace, 0, 2, 2, 1);
+  grid->addWidget(m_full, 0, 3, 2, 1);
+  m_trace->setObjectName(QStringLiteral("traceButton"));
+  m_trace->setText(tr("Its frames"));
+  m_trace->setAccessibleName(tr("Only this device in the trace"));
+  m_trace->setToolTip(tr("Only this device in the trace (Ctrl+T)"));
+  m_trace->hide();
+  connect(m_trace, &QAbstractButton::clicked, this, &PageHeader::traceRequested);
   m_full->hide();
   connect(m_full, &QAbstractButton::clicked, this, &PageHeader::fullRequested);
   grid->setColumnStretch(0, 3);
@@ -142,13 +153,27 @@ bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
 
 void PageHeader::setFullOffered(bool isOffered) { m_full->setVisible(isOffered); }
 
+void PageHeader::setTraceOffered(bool isOffered) {
+  m_isTraceOffered = isOffered;
+  m_trace->setVisible(isOffered && width() >= kRoomForTrace);
+}
+
+// What is said of the device goes before a button that the View menu has too.
+void PageHeader::resizeEvent(QResizeEvent*) { setTraceOffered(m_isTraceOffered); }
+
+void PageHeader::setMarked(bool isMarked) {
+  m_isMarked = isMarked;
+  update();
+}
+
 void PageHeader::setFull(bool isFull) { m_full->setFull(isFull); }
 
 void PageHeader::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), m_colours.surface);
-  painter.setPen(QPen(m_colours.stale.fill, 1));
-  painter.drawLine(QPointF(0, height() - 0.5), QPointF(width(), height() - 0.5));
+  const QColor line = m_isMarked ? m_colours.accent.ink : m_colours.stale.fill;
+  const int thick = m_isMarked ? 2 : 1;
+  painter.fillRect(QRect(0, height() - thick, width(), thick), line);
 }
 
 }  // namespace deckpipe

@@ -9,6 +9,7 @@
 #include "paint/palette.h"
 
 class QLabel;
+class QToolButton;
 
 namespace deckpipe {
 
@@ -25,13 +26,19 @@ class PageHeader : public QWidget {
   void setColours(const Colours& colours);
   // Whether the button is there that spreads the dial over the window, and what it does now.
   void setFullOffered(bool isOffered);
+  void setTraceOffered(bool isOffered);
   void setFull(bool isFull);
+  // Keys go to the page below.
+  void setMarked(bool isMarked);
 
  Q_SIGNALS:
   void fullRequested();
+  // The device's frames are wanted in the trace.
+  void traceRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -49,7 +56,10 @@ class PageHeader : public QWidget {
   GlyphLabel* m_sign;
   QLabel* m_word;
   QLabel* m_reason;
+  QToolButton* m_trace;
   FullButton* m_full;
+  bool m_isTraceOffered = false;
+  bool m_isMarked = false;
 };
 
 }  // namespace deckpipe

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "panel/label_ink.h"
@@ -26,6 +28,15 @@ QLabel* heading(const QString& text, double size, QWidget* parent) {
   label->setFont(font);
   return label;
 }
+
+// Addresses as everywhere else: F9.
+class HexBox : public QSpinBox {
+ public:
+  using QSpinBox::QSpinBox;
+
+ protected:
+  QString textFromValue(int value) const override { return QSpinBox::textFromValue(value).toUpper(); }
+};
 
 }  // namespace
 
@@ -50,6 +61,18 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
             tr("More fits on the screen; for mouse and keyboard."));
   addChoice(m_densities, static_cast<int>(Density::Field), "fieldDensity", tr("Field"),
             tr("Larger text, and buttons that gloves can hit."));
+  m_column->addSpacing(12);
+  m_column->addWidget(heading(tr("On the bus"), 1.15, inside));
+  m_address = addNumber(new HexBox(this), "preferredAddress", tr("Preferred address, hex"),
+                        tr("Claimed on unlocking; where another holds it, one of 80 to F7 is taken. F9 is "
+                           "that of a service tool (SAE J1939)."),
+                        0, 0xFD);
+  m_address->setDisplayIntegerBase(16);
+  m_identity = addNumber(new QSpinBox(this), "identityNumber", tr("Identity number"),
+                         tr("Of this computer's NAME. Two consoles on one bus need different ones; it was "
+                            "made up when the program first ran."),
+                         1, 0x1F'FFFF);
+  addStory(tr("Both hold from the next connection."));
   m_column->addSpacing(12);
   m_column->addWidget(heading(tr("Put back"), 1.15, inside));
   addAction("settingsResetLayout", tr("Reset layout"), tr("Puts every dock back where it was at first."),
@@ -84,6 +107,9 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
           [this](int id) { Q_EMIT themeChosen(static_cast<Theme>(id)); });
   connect(m_densities, &QButtonGroup::idClicked, this,
           [this](int id) { Q_EMIT densityChosen(static_cast<Density>(id)); });
+  for (const QSpinBox* box : {m_address, m_identity})
+    connect(box, &QSpinBox::valueChanged, this,
+            [this] { Q_EMIT identityChosen(m_address->value(), m_identity->value()); });
 }
 
 QButtonGroup* SettingsPage::addGroup(const QString& title) {
@@ -100,11 +126,33 @@ void SettingsPage::addChoice(QButtonGroup* group, int id, const char* name, cons
   choice->setAccessibleDescription(story);
   group->addButton(choice, id);
   m_column->addWidget(choice);
+  addStory(story)->setIndent(kIndent);
+}
+
+QLabel* SettingsPage::addStory(const QString& story) {
   auto* label = new QLabel(story, this);
-  label->setIndent(kIndent);
   label->setWordWrap(true);
   m_stories.append(label);
   m_column->addWidget(label);
+  return label;
+}
+
+QSpinBox* SettingsPage::addNumber(QSpinBox* box, const char* name, const QString& text, const QString& story,
+                                  int least, int most) {
+  box->setObjectName(QLatin1String(name));
+  box->setAccessibleName(text);
+  box->setAccessibleDescription(story);
+  box->setRange(least, most);
+  box->setKeyboardTracking(false);
+  auto* label = new QLabel(text, this);
+  label->setBuddy(box);
+  auto* row = new QHBoxLayout;
+  row->addWidget(label);
+  row->addWidget(box);
+  row->addStretch(1);
+  m_column->addLayout(row);
+  addStory(story);
+  return box;
 }
 
 void SettingsPage::addAction(const char* name, const QString& text, const QString& story,
@@ -127,6 +175,12 @@ void SettingsPage::setTheme(Theme theme) { m_themes->button(static_cast<int>(the
 
 void SettingsPage::setDensity(Density density) {
   m_densities->button(static_cast<int>(density))->setChecked(true);
+}
+
+void SettingsPage::setIdentity(int preferredAddress, int identityNumber) {
+  const QSignalBlocker address(m_address), identity(m_identity);
+  m_address->setValue(preferredAddress);
+  m_identity->setValue(identityNumber);
 }
 
 void SettingsPage::setPath(const QString& path) { m_path->setText(tr("Settings are kept in %1").arg(path)); }

@@ -10,6 +10,7 @@
 
 class QButtonGroup;
 class QLabel;
+class QSpinBox;
 class QVBoxLayout;
 
 namespace deckpipe {
@@ -22,6 +23,8 @@ class SettingsPage : public QWidget {
 
   void setTheme(Theme theme);
   void setDensity(Density density);
+  // Who the console is on a bus: the address it would like and the identity number of its NAME.
+  void setIdentity(int preferredAddress, int identityNumber);
   // Where all this is kept.
   void setPath(const QString& path);
   void setColours(const Colours& colours);
@@ -29,6 +32,7 @@ class SettingsPage : public QWidget {
  Q_SIGNALS:
   void themeChosen(deckpipe::Theme theme);
   void densityChosen(deckpipe::Density density);
+  void identityChosen(int preferredAddress, int identityNumber);
   void resetLayoutRequested();
   void forgetLogsRequested();
   void closeRequested();
@@ -39,11 +43,16 @@ class SettingsPage : public QWidget {
  private:
   QButtonGroup* addGroup(const QString& title);
   void addChoice(QButtonGroup* group, int id, const char* name, const QString& text, const QString& story);
+  QLabel* addStory(const QString& story);
+  QSpinBox* addNumber(QSpinBox* box, const char* name, const QString& text, const QString& story, int least,
+                      int most);
   void addAction(const char* name, const QString& text, const QString& story, void (SettingsPage::*wish)());
 
   QVBoxLayout* m_column;
   QButtonGroup* m_themes;
   QButtonGroup* m_densities;
+  QSpinBox* m_address;
+  QSpinBox* m_identity;
   QLabel* m_path;
   QList<QLabel*> m_stories;
 };

@@ -22,7 +22,7 @@ AxisText axisText(std::optional<unsigned> deviceType, int axis) {
   if (axis == 2) return {Axis::tr("Elevation"), Axis::tr("Up"), Axis::tr("Down"), {}};
   if (axis == 3 && isKnown) return {Axis::tr("Pattern"), Axis::tr("Stream"), Axis::tr("Fog"), {}};
   if (axis == 4 && type == kUniversal) {
-    return {Axis::tr("Axis 4, by monitor"), Axis::tr("High | Deploy"), Axis::tr("Low | Stow"),
+    return {Axis::tr("Axis 4"), Axis::tr("High | Deploy"), Axis::tr("Low | Stow"),
             Axis::tr("Axis 4 is monitor specific. Trident Dual Gallonage: flow control, + is high flow. "
                      "DeckMaster: swing arm, + is deploy. Other monitors have none.")};
   }

@@ -6,8 +6,10 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
+#include <QSpinBox>
 
 #include "app/console/window_test.h"
+#include "console/sending_actions.h"
 #include "paint/density_style.h"
 #include "panel/help_panel.h"
 #include "panel/status_cell.h"
@@ -35,8 +37,7 @@ class Looks : public test::WindowTest {
   QStringList tooSmall(int least) const {
     QStringList names;
     for (const auto* button : m_window.findChildren<QAbstractButton*>()) {
-      const bool isDocks = qobject_cast<QDockWidget*>(button->parentWidget()) != nullptr;
-      if (isSeen(*button) && !isDocks && button->height() < least) names += button->objectName();
+      if (isSeen(*button) && button->height() < least) names += button->objectName();
     }
     for (const auto* box : m_window.findChildren<QComboBox*>()) {
       if (isSeen(*box) && box->height() < least) names += box->objectName();
@@ -68,6 +69,22 @@ TEST_F(Looks, ChangeAtOnceFromTheSettings) {
   EXPECT_TRUE(named<QAction>("fieldDensityAction")->isChecked());
   QTest::keyClick(named<QRadioButton>("fieldDensity"), Qt::Key_Escape);
   EXPECT_FALSE(named<QWidget>("settingsPage")->isVisible());
+}
+
+TEST_F(Looks, LetAPersonSayWhoTheConsoleIsOnABus) {
+  trigger("settingsAction");
+  auto* address = named<QSpinBox>("preferredAddress");
+  auto* identity = named<QSpinBox>("identityNumber");
+  EXPECT_EQ(address->text(), QStringLiteral("F9"));
+  EXPECT_GE(identity->value(), 1) << "made up";
+  address->setFocus();
+  address->selectAll();
+  QTest::keyClicks(address, QStringLiteral("8a\t"));
+  identity->setFocus();
+  identity->selectAll();
+  QTest::keyClicks(identity, QStringLiteral("4711\t"));
+  EXPECT_EQ(claimSettings().preferred, Address{0x8A}) << "kept";
+  EXPECT_EQ(claimSettings().identityNumber, 4711u);
 }
 
 TEST_F(Looks, AreKeptForTheNextTime) {

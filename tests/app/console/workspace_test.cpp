@@ -5,11 +5,13 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QSettings>
 
 #include "app/console/window_test.h"
 #include "panel/decode_panel.h"
 #include "panel/device_panel.h"
+#include "panel/full_dial.h"
 #include "panel/trace_view.h"
 #include "panel/transport_bar.h"
 
@@ -43,6 +45,33 @@ TEST_F(Docks, AreClosedAndOpenedFromTheViewMenu) {
   EXPECT_FALSE(dock->isVisible());
   trigger("traceDockAction");
   EXPECT_TRUE(dock->isVisible());
+}
+
+TEST_F(Docks, AreTakenOutAndClosedByTheButtonsOfTheirTitle) {
+  auto* dock = named<QDockWidget>("devicesDock");
+  QTest::mouseClick(named<QAbstractButton>("devicesDockFloat"), Qt::LeftButton);
+  EXPECT_TRUE(dock->isFloating());
+  QTest::mouseClick(named<QAbstractButton>("devicesDockFloat"), Qt::LeftButton);
+  EXPECT_FALSE(dock->isFloating());
+  QTest::mouseClick(named<QAbstractButton>("devicesDockClose"), Qt::LeftButton);
+  EXPECT_FALSE(dock->isVisible());
+  EXPECT_FALSE(named<QAction>("devicesDockAction")->isChecked());
+}
+
+TEST_F(Docks, HaveATitleOnlyWhereNoTabNamesThem) {
+  const auto titleHeight = [this] { return named<QWidget>("traceDockTitle")->height(); };
+  QApplication::sendPostedEvents();
+  EXPECT_EQ(titleHeight(), 0);
+  trigger("eventsDockAction");
+  trigger("terminalDockAction");
+  (void)QTest::qWaitFor([&] { return titleHeight() > 0; });
+  EXPECT_GE(titleHeight(), 32) << "alone";
+  trigger("eventsDockAction");
+  (void)QTest::qWaitFor([&] { return titleHeight() == 0; });
+  EXPECT_EQ(titleHeight(), 0);
+  named<QDockWidget>("traceDock")->setFloating(true);
+  (void)QTest::qWaitFor([&] { return titleHeight() > 0; });
+  EXPECT_GE(titleHeight(), 32) << "floating";
 }
 
 TEST_F(Docks, ComeBackWhereTheyWereByResetLayout) {
@@ -92,6 +121,33 @@ TEST_F(Docks, FloatOnlyWhileALogIsOpen) {
   EXPECT_FALSE(dock->isVisible());
   openLog(kTruck);
   EXPECT_TRUE(dock->isVisible());
+}
+
+TEST_F(Docks, LeaveTheWindowToTheDialAtF11WhateverHasTheFocus) {
+  m_window.activateWindow();
+  only<TraceView>()->setFocus();
+  QTest::keyClick(only<TraceView>(), Qt::Key_F11);
+  auto* full = only<FullDial>();
+  ASSERT_NE(full, nullptr);
+  EXPECT_EQ(full->width(), m_window.width());
+  QTest::keyClick(full, Qt::Key_F11);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return only<FullDial>() == nullptr; }));
+}
+
+TEST_F(Docks, ShowWhereTheChosenDeviceIsAsked) {
+  m_window.activateWindow();
+  ASSERT_FALSE(named<QDockWidget>("requestsDock")->isVisible());
+  QTest::keyClick(&m_window, Qt::Key_R, Qt::ControlModifier);
+  EXPECT_TRUE(named<QDockWidget>("requestsDock")->isVisible());
+}
+
+TEST_F(Docks, ShowOnlyTheChosenDevicesFramesAtCtrlT) {
+  m_window.activateWindow();
+  openLog(kTruck + "(10.300000) can0 18FEF190#0102\n");
+  trigger("traceDockAction");
+  QTest::keyClick(&m_window, Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(named<QDockWidget>("traceDock")->isVisible());
+  EXPECT_EQ(named<QLineEdit>("traceFilter")->text(), QStringLiteral("sa=80"));
 }
 
 TEST_F(Docks, AreReachedOneAfterAnotherByF6) {

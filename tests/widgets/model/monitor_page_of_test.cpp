@@ -468,6 +468,28 @@ TEST(MonitorPageOf, SaysThatADriveIsOneBecauseAPersonSaidSo) {
   EXPECT_EQ(fact(page, "Frames").value, QStringLiteral("1, now 0 a second"));
 }
 
+TEST(MonitorPageOf, KnowsTheConsoleItselfWhileItHoldsItsAddress) {
+  Heard bus;
+  bus.note({.frame = 0, .time = bus.now(), .kind = NoteKind::OwnAddress, .address = {0xF9}});
+  bus.hear("18EEFFF9", "010000FF00810000");
+  EXPECT_EQ(pageOf(bus, addressKey(0xF9)).type, QStringLiteral("This console"));
+  bus.note({.frame = 1, .time = bus.now(), .kind = NoteKind::OwnAddress, .address = kNullAddress});
+  EXPECT_NE(pageOf(bus, addressKey(0xF9)).type, QStringLiteral("This console"));
+}
+
+TEST(MonitorPageOf, SaysHowTheTraceIsFilteredToTheDevice) {
+  Heard bus;
+  bus.monitor().hear("18FEF190", "01");
+  EXPECT_EQ(pageOf(bus).traceFilter, QStringLiteral("sa=80"));
+  EXPECT_EQ(pageOf(bus, addressKey(0x90)).traceFilter, QStringLiteral("sa=90"));
+  bus.document().frames.channel("can1");
+  EXPECT_EQ(pageOf(bus).traceFilter, QStringLiteral("sa=80 and ch=can0"));
+  bus.hear("724", "05");
+  EXPECT_EQ(pageOf(bus, nodeKey(0x24)).traceFilter, QStringLiteral("node=24 and ch=can0"));
+  bus.hear("724", "05");
+  EXPECT_EQ(pageOf(bus, nodeKey(0x24)).traceFilter, QStringLiteral("node=24 and ch=can0"));
+}
+
 TEST(MonitorPageOf, IsNotFoundWhereNothingWasHeardOfTheDevice) {
   Heard bus;
   EXPECT_FALSE(pageOf(bus).isFound);

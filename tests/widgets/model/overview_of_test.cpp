@@ -34,7 +34,7 @@ TEST(OverviewOf, NamesTheStopsThatADialDoesNotShow) {
   Heard bus;
   bus.monitor("011D940371004141");  // axis 3 + and axis 4 -
   EXPECT_EQ(overviewOf(bus.view())[0].stops,
-            QStringLiteral("Pattern Stream, Axis 4, by monitor Low | Stow, Discharge valve Open"));
+            QStringLiteral("Pattern Stream, Axis 4 Low | Stow, Discharge valve Open"));
   EXPECT_FALSE(overviewOf(bus.view())[0].areStopsStale);
   bus.pass(300ms);
   EXPECT_TRUE(overviewOf(bus.view())[0].areStopsStale);

@@ -64,7 +64,7 @@ QPixmap full(const test::PanelScene& scene, Theme theme, QSize size) {
   window.show();
   page.setDevice(scene.device);
   page.setView(scene.view);
-  page.showFull();
+  page.toggleFull();
   for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
   return window.grab();
 }
