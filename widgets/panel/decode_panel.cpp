@@ -156,6 +156,11 @@ void DecodePanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
+void DecodePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) shareWidth();
+}
+
 bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list->viewport() && event->type() == QEvent::Resize) shareWidth();
   if (watched == m_list->viewport() && event->type() == QEvent::Leave) point(-1);

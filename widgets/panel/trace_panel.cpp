@@ -21,7 +21,7 @@ namespace deckpipe {
 namespace {
 
 constexpr int kMoreMs = 33;
-constexpr int kStateVersion = 1;
+constexpr int kStateVersion = 2;
 
 }  // namespace
 
@@ -57,8 +57,11 @@ void TracePanel::connectParts() {
   });
   connect(m_view, &TraceView::cursorRequested, this, &TracePanel::cursorRequested);
   connect(m_view, &TraceView::menuRequested, this, &TracePanel::showCellMenu);
-  m_view->header()->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(m_view->header(), &QWidget::customContextMenuRequested, this, &TracePanel::showColumnMenu);
+  for (FlatHeader* header : {m_view->header(), m_ids->header()}) {
+    header->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header, &QWidget::customContextMenuRequested, this,
+            [this, header](const QPoint& at) { showColumnMenu(*header, at); });
+  }
   m_more.setInterval(kMoreMs);
   connect(&m_more, &QTimer::timeout, this, &TracePanel::refresh);
   connect(m_ids, &IdView::currentFrameChanged, this, &TracePanel::currentFrameChanged);
@@ -307,18 +310,19 @@ void TracePanel::setTimeMode(int mode) {
 QByteArray TracePanel::saveState() const {
   QByteArray state;
   QDataStream out(&state, QIODevice::WriteOnly);
-  out << kStateVersion << m_view->saveState() << static_cast<int>(m_model->timeMode());
+  out << kStateVersion << m_view->saveState() << m_ids->saveState() << static_cast<int>(m_model->timeMode());
   return state;
 }
 
 bool TracePanel::restoreState(const QByteArray& state) {
   QDataStream in(state);
   int version = 0, mode = 0;
-  QByteArray columns;
-  in >> version >> columns >> mode;
+  QByteArray columns, idColumns;
+  in >> version >> columns >> idColumns >> mode;
   if (in.status() != QDataStream::Ok || version != kStateVersion) return false;
   if (mode >= 0 && mode < TraceBar::kTimeModes) setTimeMode(mode);
-  return m_view->restoreState(columns);
+  const bool hasIds = m_ids->restoreState(idColumns);
+  return m_view->restoreState(columns) && hasIds;
 }
 
 void TracePanel::paintEvent(QPaintEvent*) {

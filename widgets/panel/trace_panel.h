@@ -81,7 +81,7 @@ class TracePanel : public QWidget {
   QString idCount() const;
   void showError();
   void showCellMenu(std::optional<TraceView::Cell> cell, const QPoint& global);
-  void showColumnMenu(const QPoint& at);
+  void showColumnMenu(FlatHeader& header, const QPoint& at);
   void setTimeMode(int mode);
   void setOrder(int order);
   TraceSearchBar* makeSearch();

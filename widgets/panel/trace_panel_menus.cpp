@@ -5,6 +5,7 @@
 #include <QMenu>
 
 #include "model/cell_filters.h"
+#include "panel/id_view.h"
 #include "panel/trace_panel.h"
 
 namespace deckpipe {
@@ -42,23 +43,34 @@ void TracePanel::showCellMenu(std::optional<TraceView::Cell> cell, const QPoint&
   menu->popup(global);
 }
 
-void TracePanel::showColumnMenu(const QPoint& at) {
+// The same for the rows in order and by identifier.
+void TracePanel::showColumnMenu(FlatHeader& header, const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("traceColumnMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  FlatHeader* header = m_view->header();
-  const bool isLast = header->count() - header->hiddenSectionCount() == 1;
-  for (int column = 0; column < header->count(); ++column) {
-    QAction* action = menu->addAction(m_model->headerData(column, Qt::Horizontal).toString());
+  const bool isLast = header.count() - header.hiddenSectionCount() == 1;
+  for (int column = 0; column < header.count(); ++column) {
+    QAction* action = menu->addAction(header.model()->headerData(column, Qt::Horizontal).toString());
     action->setCheckable(true);
-    action->setChecked(!header->isSectionHidden(column));
-    action->setEnabled(!isLast || header->isSectionHidden(column));  // one at least stays
-    connect(action, &QAction::toggled, m_view,
-            [this, column](bool isShown) { m_view->setColumnShown(column, isShown); });
+    action->setChecked(!header.isSectionHidden(column));
+    action->setEnabled(!isLast || header.isSectionHidden(column));  // one at least stays
+    connect(action, &QAction::toggled, this, [this, &header, column](bool isShown) {
+      if (&header == m_view->header()) {
+        m_view->setColumnShown(column, isShown);
+      } else {
+        header.setSectionHidden(column, !isShown);
+      }
+    });
   }
   menu->addSeparator();
-  menu->addAction(tr("Columns as they were"), m_view, &TraceView::resetColumns);
-  menu->popup(header->mapToGlobal(at));
+  menu->addAction(tr("Columns as they were"), this, [this, &header] {
+    if (&header == m_view->header()) {
+      m_view->resetColumns();
+    } else {
+      m_ids->resetColumns();
+    }
+  });
+  menu->popup(header.mapToGlobal(at));
 }
 
 }  // namespace deckpipe

@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QCompleter>
 #include <QContextMenuEvent>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -18,6 +19,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "panel/flat_header.h"
 #include "panel/id_view.h"
 #include "panel/trace_filter_edit.h"
 #include "panel/trace_search_bar.h"
@@ -284,6 +286,49 @@ TEST_F(TracePanelTest, ShowsTheColumnsThatWereChosen) {
   Q_EMIT view().header()->customContextMenuRequested({10, 10});
   entry("traceColumnMenu", "Columns as")->trigger();
   EXPECT_FALSE(view().header()->isSectionHidden(TraceModel::Pgn));
+}
+
+TEST_F(TracePanelTest, KeepsTheColumnsByIdentifierAsAPersonMadeThem) {
+  open(traffic(100));
+  panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
+  FlatHeader& header = *panel.ids()->header();
+  const int usual = header.sectionSize(IdModel::Name);
+  Q_EMIT header.customContextMenuRequested({10, 10});
+  entry("traceColumnMenu", "Jitter")->setChecked(false);
+  closeMenu("traceColumnMenu");
+  header.resizeSection(IdModel::Name, usual + 30);
+  header.moveSection(header.visualIndex(IdModel::Data), 0);
+  TracePanel other;
+  ASSERT_TRUE(other.restoreState(panel.saveState()));
+  const FlatHeader& restored = *other.ids()->header();
+  EXPECT_TRUE(restored.isSectionHidden(IdModel::Jitter));
+  EXPECT_EQ(restored.sectionSize(IdModel::Name), usual + 30);
+  EXPECT_EQ(restored.visualIndex(IdModel::Data), 0);
+  Q_EMIT header.customContextMenuRequested({10, 10});
+  entry("traceColumnMenu", "Columns as")->trigger();
+  EXPECT_FALSE(header.isSectionHidden(IdModel::Jitter));
+  EXPECT_EQ(header.sectionSize(IdModel::Name), usual);
+  EXPECT_EQ(header.visualIndex(IdModel::Data), IdModel::Data);
+}
+
+TEST_F(TracePanelTest, MakesRoomForLargerLetters) {
+  open(traffic(100));
+  FlatHeader& rows = *view().header();
+  FlatHeader& ids = *panel.ids()->header();
+  const int identifier = rows.sectionSize(TraceModel::Identifier), data = ids.sectionSize(IdModel::Data);
+  rows.resizeSection(TraceModel::Name, 100);
+  const QFont before = panel.font();
+  QFont large = before;
+  large.setPointSizeF(before.pointSizeF() * 2);
+  panel.setFont(large);
+  EXPECT_GT(rows.sectionSize(TraceModel::Identifier), 1.7 * identifier);
+  EXPECT_GT(ids.sectionSize(IdModel::Data), 1.7 * data);
+  EXPECT_NEAR(rows.sectionSize(TraceModel::Name), 200, 20) << "what a person chose keeps its share";
+  EXPECT_GE(rows.height(), QFontMetrics(large).height() + 12);
+  EXPECT_GE(panel.ids()->verticalHeader()->defaultSectionSize(), QFontMetrics(large).height());
+  panel.setFont(before);
+  EXPECT_EQ(rows.sectionSize(TraceModel::Identifier), identifier);
+  EXPECT_EQ(ids.sectionSize(IdModel::Data), data);
 }
 
 TEST_F(TracePanelTest, FindsForwardsBackwardsAndAroundTheEnds) {
