@@ -93,12 +93,32 @@ Other devices in the list: %n.</numerusform>
     </message>
 </context>
 <context>
+    <name>deckpipe::RepeatBar</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::RequestPanel</name>
     <message numerus="yes">
         <source>%Ln answers too many</source>
         <translation>
             <numerusform>%Ln answer too many</numerusform>
             <numerusform>%Ln answers too many</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::SendingActions</name>
+    <message numerus="yes">
+        <source>&amp;End the repeated polls of %n devices</source>
+        <translation>
+            <numerusform>&amp;End the repeated polls of %n device</numerusform>
+            <numerusform>&amp;End the repeated polls of %n devices</numerusform>
         </translation>
     </message>
 </context>

@@ -217,6 +217,19 @@ Notice pastNotice(const Snapshot& snapshot) {
   return notice;
 }
 
+// A question that was answered too late came to nothing.
+Notice unsentNotice(const Snapshot& snapshot) {
+  if (snapshot.notSent == Refusal::NotLive) {
+    return {
+        .tone = StatusTone::Attend,
+        .text = NoticeText::tr("Nothing was sent: the view stands in the past, where nothing can be begun. "
+                               "Go to the end and ask again."),
+        .action = Notice::Action::GoToEnd};
+  }
+  if (snapshot.notSent == Refusal::None) return {};
+  return {StatusTone::Attend, NoticeText::tr("Nothing was sent: there is no link any more.")};
+}
+
 }  // namespace
 
 QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnly) {
@@ -228,6 +241,7 @@ QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnl
 }
 
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
+  if (Notice unsent = unsentNotice(snapshot); !unsent.text.isEmpty()) return unsent;
   if (!snapshot.view.document) return {};
   if (snapshot.source.kind == From::File) return fileNotice(snapshot);
   Notice notice = linkNotice(snapshot, rates);

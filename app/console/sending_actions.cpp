@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QRandomGenerator>
 #include <QSettings>
+#include <algorithm>
 
 #include "panel/danger_dialog.h"
 
@@ -34,6 +35,8 @@ SendingActions::SendingActions(Session& session, QWidget* window)
   m_stop = m_menu->addAction(tr("&Give up all that is asked"), this, [this] { wish(wish::Cancel{}); });
   m_stop->setObjectName(QStringLiteral("stopAskingAction"));
   m_stop->setToolTip(tr("Ends every poll of every device, repeated ones too"));
+  m_endRepeats = m_menu->addAction(QString(), this, [this] { wish(wish::Repeat{{}, kPolls, Duration{0}}); });
+  m_endRepeats->setObjectName(QStringLiteral("endRepeatsAction"));
   setSnapshot({});
 }
 
@@ -45,7 +48,13 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
   m_lock->setEnabled(isLive && (!m_isLocked || snapshot.view.atEnd));
   m_names->setEnabled(isLive && snapshot.view.atEnd && !m_isLocked && services.linkUp);
   m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canAsk());
-  m_stop->setEnabled(m_everyone->isEnabled());
+  m_stop->setEnabled(isLive && services.canAsk());
+  const auto repeated = std::ranges::count_if(
+      services.devices, [](const DeviceServices& device) { return device.longestPeriod() > 0ns; });
+  m_endRepeats->setEnabled(repeated > 0);
+  m_endRepeats->setText(
+      repeated == 0 ? tr("&End repeated polls")
+                    : tr("&End the repeated polls of %n devices", nullptr, static_cast<int>(repeated)));
 }
 
 void SendingActions::wish(const Wish& wish) { m_session.want(wish); }

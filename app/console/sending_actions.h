@@ -39,6 +39,7 @@ class SendingActions : public QObject {
   QAction* m_names;
   QAction* m_everyone;
   QAction* m_stop;
+  QAction* m_endRepeats;
   bool m_isLocked = true;
 };
 

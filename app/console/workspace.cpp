@@ -123,6 +123,7 @@ void Workspace::showLabels() {
   m_devices->setLabels(m_labels);
   m_page->setLabels(m_labels);
   m_overview->setLabels(m_labels);
+  m_requests->setLabels(m_labels);
 }
 
 QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget* content) {

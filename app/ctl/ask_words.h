@@ -40,6 +40,7 @@ constexpr std::string_view refusalWord(Refusal refusal) {
     case Refusal::NotTaken: return "not_taken";
     case Refusal::Busy: return "busy";
     case Refusal::TooMuch: return "too_much";
+    case Refusal::NotLive: return "not_live";
   }
   return "none";
 }

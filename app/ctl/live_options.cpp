@@ -43,8 +43,12 @@ LiveOptions::LiveOptions(QCommandLineParser& parser)
                  QStringLiteral("N")),
       m_ownAddress(QStringLiteral("own-address"),
                    QStringLiteral("Address to claim if it is free, in hex; F9 by default."),
-                   QStringLiteral("HEX"), QStringLiteral("F9")) {
-  parser.addOptions({m_plugin, m_interface, m_bitRate, m_unlock, m_identity, m_ownAddress});
+                   QStringLiteral("HEX"), QStringLiteral("F9")),
+      m_drive(
+          QStringLiteral("drive"),
+          QStringLiteral("A Copley drive is at this address, in hex; it is never asked what Akron's are."),
+          QStringLiteral("HEX")) {
+  parser.addOptions({m_plugin, m_interface, m_bitRate, m_unlock, m_identity, m_ownAddress, m_drive});
 }
 
 std::optional<LiveSettings> LiveOptions::read(const QString& command, bool sends) const {
@@ -67,6 +71,11 @@ std::optional<LiveSettings> LiveOptions::read(const QString& command, bool sends
   const auto preferred = parseAddress(m_parser.value(m_ownAddress));
   if (!preferred) return bad(QStringLiteral("--own-address wants an address in hex, 00 to FD"));
   settings.claim.preferred = *preferred;
+  for (const QString& text : m_parser.values(m_drive)) {
+    const auto drive = parseAddress(text);
+    if (!drive) return bad(QStringLiteral("--drive wants an address in hex, 00 to FD"));
+    settings.drives.push_back(*drive);
+  }
   settings.unlock = m_parser.isSet(m_unlock);
   if (settings.link.interfaceName.isEmpty()) return bad(QStringLiteral("an --interface is wanted"));
   if (sends && !settings.unlock)

@@ -5,6 +5,7 @@
 
 #include <QCommandLineParser>
 #include <optional>
+#include <vector>
 
 #include "base/ids.h"
 #include "link/can_link.h"
@@ -15,6 +16,7 @@ namespace deckpipe::ctl {
 struct LiveSettings {
   LinkSettings link;
   ClaimSettings claim;
+  std::vector<Address> drives;
   bool unlock = false;
 };
 
@@ -26,7 +28,7 @@ class LiveOptions {
 
  private:
   QCommandLineParser& m_parser;
-  QCommandLineOption m_plugin, m_interface, m_bitRate, m_unlock, m_identity, m_ownAddress;
+  QCommandLineOption m_plugin, m_interface, m_bitRate, m_unlock, m_identity, m_ownAddress, m_drive;
 };
 
 // Exactly one of them, or everyone.

@@ -23,6 +23,7 @@ int LiveRun::run() {
   m_session.setClaim(m_settings.claim);
   connect(&m_session, &Session::changed, this, &LiveRun::changed);
   m_session.openLink(m_settings.link);
+  for (const Address drive : m_settings.drives) m_session.sayDrive(drive, true);
   QCoreApplication::exec();
   // Frames that were written are on their way; nothing else is waited for.
   m_session.closeSource();

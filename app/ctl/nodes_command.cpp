@@ -14,7 +14,8 @@ int nodesCommand(const QStringList& arguments) {
   parser.setApplicationDescription(QStringLiteral(
       "Listens for a while, then writes a line for everyone on the bus. With --unlock it claims an address\n"
       "and asks everyone for their NAME; without, whoever keeps silent is not found.\n"
-      "Keys: channel, address or node, what (own, akron, joystick, foreign, canopen_node, unknown, or\n"
+      "Keys: channel, address or node, what (own, akron, drive, joystick, foreign, canopen_node, unknown, "
+      "or\n"
       "presumed: it speaks as Akron's do, and nothing else is known), sends_joystick, pin,\n"
       "device_type, type_name, claim, name and its parts, part_number, frames, malformed, last_heard\n"
       "(seconds since 1970)."));

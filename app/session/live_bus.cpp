@@ -59,6 +59,13 @@ void LiveBus::apply(const Intent& intent) {
   publish();
 }
 
+void LiveBus::sayDrive(Address address, bool isDrive) {
+  write({.kind = isDrive ? NoteKind::DriveSaid : NoteKind::DriveUnsaid,
+         .channel = m_settings.channel,
+         .address = address});
+  publish();
+}
+
 void LiveBus::serve() {
   m_services.takeNotes(m_toNote);
   for (Note& note : m_toNote) write(std::move(note));

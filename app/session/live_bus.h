@@ -47,6 +47,8 @@ class LiveBus : public QObject, private PortListener {
   void start();
   // Carried out or refused at once; a refusal is in the next Published.
   void apply(const deckpipe::Intent& intent);
+  // By the person: only a drive's own manual tells.
+  void sayDrive(deckpipe::Address address, bool isDrive);
 
  private:
   void stop();

@@ -120,12 +120,21 @@ void Session::openDemo() {
 }
 
 std::uint64_t Session::want(Wish wish) {
-  const bool isLock = std::holds_alternative<wish::Lock>(wish);
-  if (m_live == nullptr || (!m_snapshot.view.atEnd && !isLock)) return 0;
+  const Refusal refusal = m_live == nullptr                            ? Refusal::NoLink
+                          : !m_snapshot.view.atEnd && !onlyStops(wish) ? Refusal::NotLive
+                                                                       : Refusal::None;
+  if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
+  if (refusal != Refusal::None) return 0;
   const Intent intent{std::move(wish), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(
       m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
   return intent.serial;
+}
+
+void Session::sayDrive(Address address, bool isDrive) {
+  if (m_live == nullptr) return;
+  QMetaObject::invokeMethod(
+      m_live, [live = m_live, address, isDrive] { live->sayDrive(address, isDrive); }, Qt::QueuedConnection);
 }
 
 void Session::wantOfTwin(const TwinWish& wish) {
@@ -146,6 +155,7 @@ void Session::setCursor(Cursor cursor) {
 
 void Session::play() {
   if (m_document == nullptr || m_snapshot.playing) return;
+  m_snapshot.notSent = Refusal::None;
   LogView& view = m_snapshot.view;
   if (view.atEnd && grows()) return;  // it goes on by itself
   const Cursor end = endCursor();
@@ -158,6 +168,7 @@ void Session::play() {
 
 void Session::pause() {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   if (!m_snapshot.playing && !m_snapshot.view.atEnd) return;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
@@ -166,6 +177,7 @@ void Session::pause() {
 
 void Session::seek(Instant time) {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
   setCursor(cursorAt(m_document->frames, std::clamp(time, m_snapshot.view.begin,
@@ -175,6 +187,7 @@ void Session::seek(Instant time) {
 
 void Session::seekFrames(std::uint64_t frames) {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
   setCursor(cursorAfter(m_document->frames, std::min(frames, m_document->frames.count())));
@@ -189,6 +202,7 @@ void Session::step(int frames) {
 
 void Session::goToEnd() {
   if (m_document == nullptr) return;
+  m_snapshot.notSent = Refusal::None;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = true;
   tick();

@@ -50,9 +50,11 @@ class Session : public QObject {
 
   const Snapshot& snapshot() const { return m_snapshot; }
 
-  // Hands a wish to the live link. Off the live edge only locking is heard; 0 where it was not handed on,
-  // otherwise its serial, by which the snapshot tells whether it was refused.
+  // Hands a wish to the live link. Off the live edge only what stops something is heard; 0 where it was not
+  // handed on, which the snapshot then says, otherwise its serial, by which it tells whether it was refused.
   std::uint64_t want(Wish wish);
+  // What no frame tells: a Copley drive is at this address of the open link, or is none after all.
+  void sayDrive(Address address, bool isDrive);
   // To the demo's twin, where one runs.
   void wantOfTwin(const TwinWish& wish);
 

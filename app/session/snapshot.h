@@ -46,6 +46,9 @@ struct Snapshot {
   SourceStatus source;
   // Of the live link, whatever the cursor shows; locked and empty without one. Never null.
   std::shared_ptr<const ServiceStatus> services = std::make_shared<const ServiceStatus>();
+  // Why the last wish was not handed to the link at all; None again with the next one, or once the cursor is
+  // moved by hand.
+  Refusal notSent = Refusal::None;
 };
 
 }  // namespace deckpipe

@@ -64,6 +64,16 @@ struct PipeAction {
 using Wish = std::variant<wish::Lock, wish::Unlock, wish::AskNames, wish::AskDevice, wish::Repeat,
                           wish::Cancel, wish::PipeWrite, wish::PipeFile, wish::PipeAction>;
 
+// Whether it only holds or ends what is under way: that is offered whatever the cursor shows. What begins
+// something wants the live edge.
+inline bool onlyStops(const Wish& wish) {
+  using What = wish::PipeAction::What;
+  if (const auto* repeat = std::get_if<wish::Repeat>(&wish)) return repeat->period == Duration{0};
+  if (const auto* action = std::get_if<wish::PipeAction>(&wish))
+    return action->what == What::Pause || action->what == What::Cancel || action->what == What::Abort;
+  return std::holds_alternative<wish::Lock>(wish) || std::holds_alternative<wish::Cancel>(wish);
+}
+
 struct Intent {
   Wish value;
   Instant stamp{};  // CLOCK_BOOTTIME when the person asked

@@ -3,6 +3,7 @@
 // themselves are not here, they are in the State like everything else that was heard.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ enum class Refusal : std::uint8_t {
   NotTaken,   // this type of device does not take it
   Busy,       // the same is under way already
   TooMuch,    // more characters than may wait
+  NotLive,    // the view stood in the past; nothing is begun from there
 };
 
 struct ClaimStatus {
@@ -104,6 +106,10 @@ struct DeviceServices {
   std::optional<PipeStatus> pipe;
 
   const RequestStatus& of(Ask ask) const { return requests[static_cast<std::size_t>(ask)]; }
+  // Of what is repeated; 0 where nothing is.
+  Duration longestPeriod() const {
+    return std::ranges::max_element(requests, {}, &RequestStatus::period)->period;
+  }
   friend bool operator==(const DeviceServices&, const DeviceServices&) = default;
 };
 

@@ -2,6 +2,7 @@
 #include "service/pipe_service.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bus/j1939.h"
 #include "control/pipe_event.h"
@@ -278,12 +279,41 @@ void PipeService::dataHeard(const Live& live, const DeviceKey& device, Address s
   out.send(live, MessageId::PipeAck, source, ack);
 }
 
-void PipeService::adopt(const Live& live) {
-  for (Pipe& pipe : m_pipes) {
-    if (pipe.device.kind != DeviceKey::Kind::Address) continue;
-    const DeviceKey key = live.canonical(pipe.device);
-    if (key != pipe.device && find(key) == nullptr) pipe.device = key;
+void PipeService::adopt(Instant now, const Live& live, Outgoing& out) {
+  for (std::size_t i = 0; i < m_pipes.size(); ++i) {
+    if (m_pipes[i].device.kind != DeviceKey::Kind::Address) continue;
+    const DeviceKey key = live.canonical(m_pipes[i].device);
+    if (key == m_pipes[i].device) continue;
+    if (Pipe* known = find(key)) {
+      join(now, live, m_pipes[i], *known, out);
+      m_pipes.erase(m_pipes.begin() + static_cast<std::ptrdiff_t>(i--));
+    } else {
+      m_pipes[i].device = key;
+    }
   }
+}
+
+// Where both are under way nobody could tell whose the next ack is.
+void PipeService::join(Instant now, const Live& live, Pipe& from, Pipe& into, Outgoing& out) {
+  if (from.isBusy() && into.isBusy()) {
+    drop(now, live, from, out);
+    drop(now, live, into, out);
+    settle(now, into);
+  } else if (from.isBusy()) {
+    std::swap(from, into);
+    std::swap(from.device, into.device);
+  }
+  PipeStatus& sum = into.status;
+  const PipeStatus& more = from.status;
+  sum.sent += more.sent;
+  sum.received += more.received;
+  sum.skipped += more.skipped;
+  sum.resent += more.resent;
+  sum.lateAcks += more.lateAcks;
+  sum.strayAcks += more.strayAcks;
+  sum.acks += more.acks;
+  sum.ackSum += more.ackSum;
+  sum.ackWorst = std::max(sum.ackWorst, more.ackWorst);
 }
 
 Instant PipeService::nextTime() const {

@@ -10,7 +10,9 @@
 // 3. After a packet was sent again, skipped or given up, an ack of it may still come. The next packet waits
 //    kSettle for it, lest it be taken for its own.
 // 4. Only who is known to be Akron's is answered: other makers' frames look the same.
-// 5. A packet belongs to the address it went to. When the device is elsewhere by then, the pipe stops.
+// 5. A device has one pipe, by its PIN once that is known: one that was used by its address joins it. Where
+//    both had something under way, both end.
+// 6. A packet belongs to the address it went to. When the device is elsewhere by then, the pipe stops.
 #pragma once
 
 #include <string>
@@ -39,7 +41,7 @@ class PipeService {
   void endAll(Instant now, const Live& live, Outgoing& out);
 
   // The pipe of an address is the device's there once its PIN is known.
-  void adopt(const Live& live);
+  void adopt(Instant now, const Live& live, Outgoing& out);
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
   void timeCame(Instant now, const Live& live, Outgoing& out);
   Instant nextTime() const;
@@ -72,6 +74,10 @@ class PipeService {
     Instant pausedSince = kNotYet;  // paused or stalled
 
     std::size_t waiting() const { return typed.size() - typedFrom; }
+    bool isBusy() const {
+      return flying || waiting() > 0 || status.isSendingFile() ||
+             status.progress == PipeStatus::Progress::Settling;
+    }
   };
 
   Pipe& pipe(const DeviceKey& device);
@@ -81,6 +87,7 @@ class PipeService {
   void acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   void passed(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   void stall(Instant now, const Live& live, Pipe& pipe, PipeStatus::Stall why, Outgoing& out);
+  void join(Instant now, const Live& live, Pipe& from, Pipe& into, Outgoing& out);
   void endFile(Instant now, const Live& live, Pipe& pipe, PipeStatus::FileEnd how, Outgoing& out);
   void cancelFile(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   static void settle(Instant now, Pipe& pipe);

@@ -53,7 +53,7 @@ Refusal Services::apply(Instant now, const State& state, const Intent& intent) {
 
 Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) {
   m_requests.adopt(now, live, m_out);
-  m_pipes.adopt(live);
+  m_pipes.adopt(now, live, m_out);
   if (std::holds_alternative<wish::Lock>(intent.value)) return lock(now, live), Refusal::None;
   if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live), Refusal::None;
   if (m_status.locked) return Refusal::Locked;
@@ -119,7 +119,7 @@ void Services::timeCame(Instant now, const State& state) {
   if (m_claim.address() == kNullAddress) return;
   const Live live = liveOf(state);
   m_requests.adopt(now, live, m_out);
-  m_pipes.adopt(live);
+  m_pipes.adopt(now, live, m_out);
   m_requests.timeCame(now, live, m_out);
   m_pipes.timeCame(now, live, m_out);
 }

@@ -7,11 +7,14 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "panel/elided_label.h"
 #include "panel/label_ink.h"
 #include "text/age_text.h"
 
 namespace deckpipe {
 namespace {
+
+constexpr int kNameLetters = 28;
 
 // Seconds that the file has been going, pauses and stalls left out.
 double secondsGone(const PipeStatus& pipe, Instant now) {
@@ -43,15 +46,16 @@ QString timeLeftText(const PipeStatus& pipe, Instant now) {
 
 FileSendBar::FileSendBar(QWidget* parent)
     : QWidget(parent),
-      m_name(new QLabel(this)),
+      m_name(new ElidedLabel(this, Qt::ElideMiddle)),
       m_progress(new QProgressBar(this)),
-      m_figures(new QLabel(this)),
+      m_figures(new ElidedLabel(this)),
       m_pause(new QPushButton(tr("Pause"), this)),
       m_cancel(new QPushButton(tr("Cancel file"), this)) {
   setObjectName(QStringLiteral("fileSendBar"));
   setAccessibleName(tr("Sending a file"));
   m_name->setObjectName(QStringLiteral("fileName"));
   m_name->setAccessibleName(tr("File that is sent"));
+  m_name->setMaximumWidth(kNameLetters * fontMetrics().averageCharWidth());
   m_progress->setObjectName(QStringLiteral("fileProgress"));
   m_progress->setAccessibleName(tr("How much of the file was acknowledged"));
   m_progress->setRange(0, 1000);
@@ -75,11 +79,12 @@ FileSendBar::FileSendBar(QWidget* parent)
   hide();
 }
 
-void FileSendBar::setStatus(const PipeStatus& pipe, Instant now) {
+void FileSendBar::setStatus(const PipeStatus& pipe, Instant now, bool isLive) {
   setVisible(!pipe.file.empty());
   if (pipe.file.empty()) return;
   const QLocale locale;
-  setText(*m_name, m_name->fontMetrics().elidedText(QString::fromStdString(pipe.file), Qt::ElideMiddle, 220));
+  setText(*m_name, QString::fromStdString(pipe.file));
+  m_name->setToolTip(m_name->text());
   m_progress->setValue(pipe.fileSize == 0 ? 1000 : static_cast<int>(1000 * pipe.fileSent / pipe.fileSize));
   QStringList parts{tr("%1 of %2 bytes")
                         .arg(locale.toString(static_cast<qulonglong>(pipe.fileSent)),
@@ -99,8 +104,10 @@ void FileSendBar::setStatus(const PipeStatus& pipe, Instant now) {
   if (pipe.acks > 0)
     parts.append(tr("acks %1, worst %2").arg(periodText(pipe.ackSum / pipe.acks), periodText(pipe.ackWorst)));
   setText(*m_figures, parts.join(QStringLiteral(" · ")));
+  m_figures->setToolTip(m_figures->text());
   m_pause->setText(m_isPaused ? tr("Go on") : tr("Pause"));
   m_pause->setAccessibleName(m_pause->text());
+  m_pause->setEnabled(isLive || !m_isPaused);
   m_pause->setVisible(pipe.isSendingFile());
   m_cancel->setVisible(pipe.isSendingFile());
 }

@@ -8,11 +8,12 @@
 #include "base/time.h"
 #include "control/status.h"
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace deckpipe {
+
+class ElidedLabel;
 
 class FileSendBar : public QWidget {
   Q_OBJECT
@@ -20,16 +21,17 @@ class FileSendBar : public QWidget {
  public:
   explicit FileSendBar(QWidget* parent = nullptr);
 
-  void setStatus(const PipeStatus& pipe, Instant now);
+  // Off the live edge it can be paused and cancelled, but does not go on.
+  void setStatus(const PipeStatus& pipe, Instant now, bool isLive);
 
  Q_SIGNALS:
   void pauseRequested(bool pause);
   void cancelRequested();
 
  private:
-  QLabel* m_name;
+  ElidedLabel* m_name;
   QProgressBar* m_progress;
-  QLabel* m_figures;
+  ElidedLabel* m_figures;
   QPushButton* m_pause;
   QPushButton* m_cancel;
   bool m_isPaused = false;

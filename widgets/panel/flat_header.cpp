@@ -87,8 +87,9 @@ void FlatHeader::paintSection(QPainter* painter, const QRect& rect, int section)
   // A short line where a column can be taken and made wider.
   painter->fillRect(QRect(rect.right(), rect.top() + 8, 1, rect.height() - 16), m_colours.outline);
   const QRect text = rect.adjusted(kPadding, 0, -kPadding, 0);
-  const auto alignment =
+  const auto wanted =
       model()->headerData(section, Qt::Horizontal, Qt::TextAlignmentRole).value<Qt::Alignment>();
+  const Qt::Alignment alignment = (wanted & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter;
   QString title = model()->headerData(section, Qt::Horizontal).toString();
   if (isSortIndicatorShown() && sortIndicatorSection() == section)
     title += sortIndicatorOrder() == Qt::AscendingOrder ? QStringLiteral(" ▲") : QStringLiteral(" ▼");

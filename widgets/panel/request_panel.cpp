@@ -3,7 +3,6 @@
 
 #include <QAbstractItemView>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -11,16 +10,20 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QStandardItemModel>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "model/answer_history.h"
 #include "panel/ask_card.h"
+#include "panel/calm_combo.h"
 #include "panel/danger_dialog.h"
 #include "panel/flat_header.h"
 #include "panel/label_ink.h"
+#include "panel/repeat_bar.h"
 #include "panel/secondary_font.h"
+#include "panel/send_hint.h"
 #include "text/age_text.h"
 #include "text/service_text.h"
 
@@ -28,6 +31,7 @@ namespace deckpipe {
 namespace {
 
 constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
+constexpr int kHistoryHeight = 120;  // two or three answers
 
 // What a command does, for the one question before it. The manual's words, no more.
 QString consequence(Ask ask) {
@@ -70,16 +74,12 @@ RequestPanel::RequestPanel(QWidget* parent)
   bold.setBold(true);
   m_title->setFont(bold);
 
-  m_hintBar = new QWidget(this);
-  m_hint = new QLabel(m_hintBar);
-  m_hint->setObjectName(QStringLiteral("requestHint"));
-  m_hint->setAccessibleName(tr("Why nothing can be asked"));
-  m_hint->setWordWrap(true);
-  m_unlock = makeButton("requestUnlock", tr("Unlock…"), m_hintBar);
-  auto* hint = new QHBoxLayout(m_hintBar);
-  hint->setContentsMargins(0, 0, 0, 0);
-  hint->addWidget(m_hint, 1);
-  hint->addWidget(m_unlock);
+  m_hint = new SendHint(QStringLiteral("request"), this);
+  connect(m_hint, &SendHint::unlockRequested, this, &RequestPanel::unlockRequested);
+  m_repeats = new RepeatBar(this);
+  connect(m_repeats, &RepeatBar::endRequested, this, [this] {
+    Q_EMIT wished(wish::Repeat{{}, kPolls, Duration{0}});
+  });
 
   m_historyView = new QTreeView(this);
   m_historyHeader = new FlatHeader(m_historyView);
@@ -99,7 +99,8 @@ RequestPanel::RequestPanel(QWidget* parent)
                                  fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
   m_historyHeader->resizeSection(AnswerHistory::What,
                                  fontMetrics().horizontalAdvance(askText(Ask::Config)) + 24);
-  m_historyHeader->resizeSection(AnswerHistory::Answer, 240);
+  m_historyView->setMinimumHeight(kHistoryHeight);
+  m_historyView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // a tool tip has what is cut off
 
   auto* split = new QSplitter(Qt::Vertical, this);
   split->setChildrenCollapsible(false);
@@ -111,10 +112,10 @@ RequestPanel::RequestPanel(QWidget* parent)
   layout->setContentsMargins(8, 8, 8, 0);
   layout->setSpacing(6);
   layout->addWidget(m_title);
-  layout->addWidget(m_hintBar);
+  layout->addWidget(m_hint);
+  layout->addWidget(m_repeats);
   layout->addWidget(split, 1);
 
-  connect(m_unlock, &QPushButton::clicked, this, &RequestPanel::unlockRequested);
   connect(m_historyView, &QTreeView::activated, this, [this](const QModelIndex& index) {
     Q_EMIT frameRequested(index.data(AnswerHistory::FrameRole).toULongLong());
   });
@@ -130,9 +131,8 @@ QWidget* RequestPanel::makeAsks() {
   m_askAll->setToolTip(tr("Every poll that this device takes, once"));
   m_askEveryone = makeButton("askEveryone", tr("Ask every device"), content);
   m_askEveryone->setToolTip(tr("Every poll of every device, within a small share of the bus"));
-  m_repeat = new QComboBox(content);
+  m_repeat = new CalmCombo(content);
   m_repeat->setObjectName(QStringLiteral("askRepeat"));
-  m_repeat->installEventFilter(this);
   m_repeat->setAccessibleName(tr("Repeat the polls of this device"));
   for (const Duration period : kPeriods)
     m_repeat->addItem(period == 0s ? tr("Ask once") : tr("Every %1").arg(periodText(period)));
@@ -182,6 +182,8 @@ void RequestPanel::setDevice(const DeviceKey& device, const QString& name) {
   m_name = name;
 }
 
+void RequestPanel::setLabels(const DeviceLabels& labels) { m_labels = labels; }
+
 void RequestPanel::setView(const LogView& view, const Conversations& talk, const ServiceStatus& services,
                            bool isLive) {
   m_view = view;
@@ -200,48 +202,34 @@ void RequestPanel::setColours(const Colours& colours) {
   setPalette(qtPalette(colours));
   m_historyHeader->setColours(colours);
   for (AskCard* card : m_cards) card->setColours(colours);
+  m_hint->setColours(colours);
+  m_repeats->setColours(colours);
   setInk(*m_none, colours.textSecondary);
-  setInk(*m_hint, colours.attend.ink);
-}
-
-void RequestPanel::showHint() {
-  QString hint;
-  if (!m_isLive) {
-    hint = m_services.linkUp ? tr("Paused: nothing is asked while the view stands in the past.")
-                             : tr("No live link: what is shown was said in the log.");
-  } else if (m_services.locked) {
-    hint = tr("Sending is locked.");
-  } else if (!m_services.canAsk()) {
-    hint = tr("The console cannot ask yet: %1.").arg(claimText(m_services.claim));
-  } else if (m_services.refusal != Refusal::None && m_services.refusal != Refusal::Busy) {
-    hint = refusalText(m_services.refusal);
-  }
-  setText(*m_hint, hint);
-  m_hintBar->setVisible(!hint.isEmpty());
-  m_unlock->setVisible(m_isLive && m_services.locked);
 }
 
 void RequestPanel::showState() {
   setText(*m_title, m_name);
   m_title->setVisible(!m_name.isEmpty());
-  showHint();
+  const bool isNews = m_services.refusal != Refusal::Busy;  // the card says it already
+  m_hint->setStatus(m_services, m_isLive, isNews ? refusalText(m_services.refusal) : QString());
+  m_repeats->setStatus(m_services, m_labels);
   const DeviceServices* device = m_services.find(m_device);
   const bool canAsk = m_isLive && m_services.canAsk();
-  bool isOpen = false, isRepeated = false;
-  Duration period{0};
+  bool isOpen = false;
+  const Duration period = device != nullptr ? device->longestPeriod() : Duration{0};
+  const bool isRepeated = period > 0ns;
   if (device != nullptr) {
     for (const RequestStatus& request : device->requests) {
-      isRepeated = isRepeated || request.period > 0ns;
-      period = std::max(period, request.period);
       isOpen = isOpen || request.progress == RequestStatus::Progress::Queued ||
                request.progress == RequestStatus::Progress::Waiting;
     }
   }
   const bool takesPolls = device != nullptr && !(device->takes & kPolls).isEmpty();
   m_askAll->setEnabled(canAsk && takesPolls);
-  m_repeat->setEnabled(canAsk && takesPolls);
+  m_repeat->setEnabled((canAsk && takesPolls) || isRepeated);
+  offerPeriods(canAsk && takesPolls);
   m_askEveryone->setEnabled(canAsk);
-  m_cancel->setEnabled(canAsk && (isOpen || isRepeated));
+  m_cancel->setEnabled(isOpen || isRepeated);
   const auto found = std::ranges::find(kPeriods, period);
   const int index = found == kPeriods.end() ? 0 : static_cast<int>(found - kPeriods.begin());
   if (!m_repeat->view()->isVisible() && m_repeat->currentIndex() != index) m_repeat->setCurrentIndex(index);
@@ -256,6 +244,14 @@ void RequestPanel::showState() {
   m_none->setVisible(!hasCard);
   m_none->setText(m_device.isNull() ? tr("Choose an Akron device to ask it.")
                                     : tr("This device takes no polls, or was not asked in this log."));
+}
+
+// What is repeated can be ended off the live edge too, but not begun.
+void RequestPanel::offerPeriods(bool isOffered) {
+  auto* items = qobject_cast<QStandardItemModel*>(m_repeat->model());
+  for (int i = 1; i < items->rowCount(); ++i) {
+    if (items->item(i)->isEnabled() != isOffered) items->item(i)->setEnabled(isOffered);
+  }
 }
 
 QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isFine) const {
@@ -274,7 +270,7 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
         : isCommand(ask) && isFine                                 ? tr("acknowledged")
         : isFine ? tr("answered in %1").arg(periodText(request.latency))
                  : requestEndText(request.end);
-    parts.append(tr("%1, %2").arg(end, agoText(m_view.cursor.time - request.ended)));
+    parts.append(tr("%1, %2").arg(end, agoText(std::max(m_view.cursor.time, m_view.end) - request.ended)));
   }
   if (request.period > 0ns)
     parts.append(tr("every %1: %2 of %3 answered")
@@ -320,13 +316,6 @@ void RequestPanel::press(Ask ask) {
   }
   DangerDialog::ask(this, {tr("%1: %2?").arg(askText(ask), m_name), consequence(ask), askText(ask)},
                     [this, wanted] { Q_EMIT wished(wanted); });
-}
-
-// Scrolling past the choice of a period must not begin to poll.
-bool RequestPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != m_repeat || event->type() != QEvent::Wheel) return QWidget::eventFilter(watched, event);
-  event->ignore();
-  return true;
 }
 
 void RequestPanel::repeat(int index) {

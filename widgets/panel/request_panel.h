@@ -9,6 +9,7 @@
 
 #include "control/intent.h"
 #include "control/status.h"
+#include "model/device_labels.h"
 #include "paint/palette.h"
 #include "state/conversations.h"
 
@@ -22,6 +23,8 @@ namespace deckpipe {
 class AnswerHistory;
 class AskCard;
 class FlatHeader;
+class RepeatBar;
+class SendHint;
 
 class RequestPanel : public QWidget {
   Q_OBJECT
@@ -32,6 +35,7 @@ class RequestPanel : public QWidget {
   // `name` is how the person calls the device.
   void setDevice(const DeviceKey& device, const QString& name);
   // `isLive`: the view stands at the live edge of a link.
+  void setLabels(const DeviceLabels& labels);
   void setView(const LogView& view, const Conversations& talk, const ServiceStatus& services, bool isLive);
   void setColours(const Colours& colours);
 
@@ -42,19 +46,17 @@ class RequestPanel : public QWidget {
   void unlockRequested();
   void frameRequested(std::uint64_t frame);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   QWidget* makeAsks();
   void showState();
-  void showHint();
+  void offerPeriods(bool isOffered);
   void showCard(AskCard& card, const DeviceServices* device);
   void press(Ask ask);
   void repeat(int index);
   QString stateText(Ask ask, const RequestStatus& request, bool& isFine) const;
 
   Colours m_colours;
+  DeviceLabels m_labels;
   DeviceKey m_device;
   QString m_name;
   LogView m_view;
@@ -62,9 +64,8 @@ class RequestPanel : public QWidget {
   bool m_isLive = false;
 
   QLabel* m_title = nullptr;
-  QWidget* m_hintBar = nullptr;
-  QLabel* m_hint = nullptr;
-  QPushButton* m_unlock = nullptr;
+  SendHint* m_hint = nullptr;
+  RepeatBar* m_repeats = nullptr;
   QPushButton* m_askAll = nullptr;
   QPushButton* m_askEveryone = nullptr;
   QPushButton* m_cancel = nullptr;

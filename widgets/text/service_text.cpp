@@ -52,6 +52,7 @@ QString refusalText(Refusal refusal) {
     case Refusal::NotTaken: return ServiceText::tr("This type of device does not take it.");
     case Refusal::Busy: return ServiceText::tr("It is under way already.");
     case Refusal::TooMuch: return ServiceText::tr("That is more than may wait to be sent.");
+    case Refusal::NotLive: return ServiceText::tr("The view stands in the past, where nothing can be begun.");
   }
   return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window as a person meets it: a log opened, a device chosen, rows and the timeline worked with real
 // events.
+#include "app/console/window_scenes.h"
 #include "app/console/window_test.h"
 #include "model/decode_model.h"
 #include "panel/device_panel.h"
@@ -87,6 +88,28 @@ TEST_F(Window, ShowsTheDemoMoving) {
       },
       kPatience));
   EXPECT_TRUE(text("sourceStatus").contains(QStringLiteral("Simulated truck")));
+}
+
+TEST_F(Window, SaysThatAQuestionAnsweredInThePastSentNothing) {
+  trigger("demoAction");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().services->linkUp; }, kPatience));
+  trigger("lockAction");
+  QWidget* question = QApplication::activeModalWidget();
+  ASSERT_NE(question, nullptr);
+  m_session.pause();
+  QTest::mouseClick(question->findChild<QAbstractButton*>(QStringLiteral("dangerVerb")), Qt::LeftButton);
+  EXPECT_TRUE(only<NoticeBar>()->notice().text.contains(QStringLiteral("Nothing was sent")))
+      << qPrintable(only<NoticeBar>()->notice().text);
+  EXPECT_TRUE(m_session.snapshot().services->locked);
+}
+
+TEST_F(Window, ListsRepeatedPollsInTheBusMenu) {
+  m_window.setSnapshot(test::askingSnapshot());
+  EXPECT_TRUE(named<QAction>("endRepeatsAction")->isEnabled());
+  EXPECT_TRUE(named<QAction>("endRepeatsAction")->text().contains(QStringLiteral("repeated polls of 1")));
+  EXPECT_TRUE(named<QLabel>("repeatText")->text().contains(QStringLiteral("1033AE100802117")));
+  m_window.setSnapshot(test::windowScenes()[0].snapshot);
+  EXPECT_FALSE(named<QAction>("endRepeatsAction")->isEnabled());
 }
 
 }  // namespace

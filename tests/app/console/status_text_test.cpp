@@ -57,6 +57,17 @@ TEST(SourceFact, NamesTheLinkItsRateAndItsState) {
   EXPECT_EQ(sourceFact(source).tone, StatusTone::Fault);
 }
 
+TEST(NoticeText, SaysThatNothingWasSentAndWhy) {
+  Snapshot snapshot = link(Progress::Running);
+  snapshot.view.atEnd = false;
+  snapshot.notSent = Refusal::NotLive;
+  EXPECT_TRUE(says(notice(snapshot), "Nothing was sent: the view stands in the past"));
+  EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::GoToEnd);
+  snapshot = {};
+  snapshot.notSent = Refusal::NoLink;
+  EXPECT_TRUE(says(noticeOf(snapshot, {}).text.toStdString(), "Nothing was sent: there is no link"));
+}
+
 TEST(SourceFact, NamesALogByItsFile) {
   const StatusFact fact = sourceFact(file(kTruck).source);
   EXPECT_EQ(fact.text.toStdString(), "truck.log");

@@ -102,6 +102,9 @@ inline Snapshot askingSnapshot() {
   request(Ask::Config, Progress::Waiting, RequestEnd::None, 2);
   request(Ask::Reset, Progress::Ended, RequestEnd::Answered, 1);
   PipeStatus& pipe = device.pipe.emplace();
+  DeviceServices riser;
+  riser.device = DeviceKey::of(*Pin::parse("1033AE100802117"));
+  riser.requests[0] = {.progress = Progress::Queued, .period = 5s};
   pipe.progress = PipeStatus::Progress::Stalled;
   pipe.stall = PipeStatus::Stall::NoAck;
   pipe.file = "a menu with a rather long name for a file.txt";
@@ -111,6 +114,7 @@ inline Snapshot askingSnapshot() {
   pipe.acks = 6'000;
   pipe.ackSum = 24s;
   pipe.ackWorst = 72ms;
+  services.devices.push_back(riser);
   snapshot.services = std::make_shared<const ServiceStatus>(services);
   return snapshot;
 }

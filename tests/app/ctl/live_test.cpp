@@ -87,6 +87,23 @@ TEST_F(Live, NodesUnlockedNamesEveryoneAndOurselves) {
   EXPECT_EQ(at[0xF9][QLatin1String("identity_number")].toInt(), 77);
 }
 
+TEST_F(Live, WhoIsSaidToBeADriveIsNamedSoAndNeverAsked) {
+  const Outcome nodes = run("nodes --seconds 1 --drive 80");
+  EXPECT_EQ(nodes.status, 0) << nodes.err.constData();
+  int drives = 0;
+  for (const QJsonObject& node : nodes.objects()) {
+    if (text(node, "what") != QStringLiteral("drive")) continue;
+    ++drives;
+    EXPECT_EQ(node[QLatin1String("address")].toInt(), 0x80);
+  }
+  EXPECT_EQ(drives, 1) << nodes.out.constData();
+  EXPECT_EQ(run("poll --unlock --all --kinds fault --drive 80").status, 0);
+  EXPECT_FALSE(std::ranges::any_of(m_witness.frames, [](const Frame& frame) {
+    return (frame.identifier() >> 8 & 0xFF'FF) == 0xEF80 && frame.data[0] == 0x02;
+  }));
+  EXPECT_EQ(run("nodes --drive 1FF").status, 2);
+}
+
 TEST_F(Live, LockedItListensAndSendsNothing) {
   const Outcome r = run("nodes --seconds 1 --format text");
   EXPECT_EQ(r.status, 0) << r.err.constData();

@@ -243,12 +243,61 @@ TEST_F(SendingDemo, TalksOverThePipeAndLocksAgain) {
   EXPECT_EQ(state().channel(Channel{}).ownAddress, kNullAddress);
 }
 
-TEST_F(SendingDemo, OffTheLiveEdgeOnlyTheLockIsHeard) {
+TEST_F(SendingDemo, OffTheLiveEdgeOnlyWhatStopsSomethingIsHeard) {
+  using What = wish::PipeAction::What;
+  ASSERT_TRUE(unlock());
+  const Wish starts[] = {wish::Unlock{},
+                         wish::AskNames{},
+                         wish::AskDevice{m_monitor, kPolls},
+                         wish::Repeat{m_monitor, kPolls, 1s},
+                         wish::PipeWrite{m_monitor, "x"},
+                         wish::PipeFile{m_monitor, "x", std::make_shared<const std::string>("x")},
+                         wish::PipeAction{m_monitor, What::Resume},
+                         wish::PipeAction{m_monitor, What::Resend},
+                         wish::PipeAction{m_monitor, What::Skip}};
+  const Wish stops[] = {wish::Repeat{m_monitor, kPolls, 0s},      wish::Cancel{m_monitor},
+                        wish::PipeAction{m_monitor, What::Pause}, wish::PipeAction{m_monitor, What::Cancel},
+                        wish::PipeAction{m_monitor, What::Abort}, wish::Lock{}};
+  m_session.pause();
+  for (const Wish& wish : starts) EXPECT_EQ(m_session.want(wish), 0u) << wish.index();
+  EXPECT_EQ(m_session.snapshot().notSent, Refusal::NotLive);
+  for (const Wish& wish : stops) EXPECT_NE(m_session.want(wish), 0u) << wish.index();
+  EXPECT_TRUE(waitFor([&] { return services().locked; }));
+}
+
+TEST_F(SendingDemo, WhatIsRepeatedEndsOffTheLiveEdgeToo) {
+  ASSERT_TRUE(unlock());
+  m_session.want(wish::Repeat{m_monitor, AskSet{Ask::Fault}, 500ms});
+  const auto period = [&] {
+    const DeviceServices* device = services().find(m_monitor);
+    return device == nullptr ? Duration{0} : device->of(Ask::Fault).period;
+  };
+  ASSERT_TRUE(waitFor([&] { return period() > 0s; }));
+  m_session.pause();
+  m_session.want(wish::Repeat{m_monitor, AskSet{Ask::Fault}, 0s});
+  EXPECT_TRUE(waitFor([&] { return period() == 0s; }));
+}
+
+TEST_F(SendingDemo, ThatNothingWasSentIsSaidUntilTheNextDeed) {
   ASSERT_TRUE(unlock());
   m_session.pause();
-  EXPECT_EQ(m_session.want(wish::AskDevice{m_monitor, kPolls}), 0u);
-  EXPECT_NE(m_session.want(wish::Lock{}), 0u);
-  EXPECT_TRUE(waitFor([&] { return services().locked; }));
+  QSignalSpy changed(&m_session, &Session::changed);
+  m_session.want(wish::AskDevice{m_monitor, kPolls});
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(m_session.snapshot().notSent, Refusal::NotLive);
+  m_session.goToEnd();
+  EXPECT_EQ(m_session.snapshot().notSent, Refusal::None);
+  m_session.closeSource();
+  m_session.want(wish::AskDevice{m_monitor, kPolls});
+  EXPECT_EQ(m_session.snapshot().notSent, Refusal::NoLink);
+}
+
+TEST_F(SendingDemo, WhoIsSaidToBeADriveIsOneUntilThatIsTakenBack) {
+  const Address address = state().devices().byPin(kMonitor)->address;
+  m_session.sayDrive(address, true);
+  EXPECT_TRUE(waitFor([&] { return state().channel(Channel{}).roles.isDrive(address); }));
+  m_session.sayDrive(address, false);
+  EXPECT_TRUE(waitFor([&] { return !state().channel(Channel{}).roles.isDrive(address); }));
 }
 
 TEST_F(SendingDemo, AFreshOneIsLockedAgain) {

@@ -288,6 +288,93 @@ TEST_F(Pipe, ADeviceThatIsElsewhereByThenStopsIt) {
   EXPECT_EQ(pair.sent(kPipe, &pair.console(), before)[0].id().destination, Address{address()});
 }
 
+// A device that moved where nobody heard it say its PIN: known at 90, and an Akron address at 91.
+struct Moved : Pipe {
+  Moved() {
+    pair.inject(frame("18EEFF90", "4523C12800420090"));
+    pair.inject(frame("18EFFF90", kAnnouncement));
+    pair.run(1s);
+    pair.inject(frame("18EEFF91", "4623C12800420090"));
+    pair.inject(frame("18EFFF91", "011D940371000041"));
+    pair.run(1s);
+  }
+  static constexpr std::string_view kAnnouncement = "FF83150206021A0C";
+  const DeviceKey byPin = DeviceKey::of(*Pin::parse("1032AE100801036"));
+  const DeviceKey byAddress = DeviceKey::at(Channel{}, Address{0x91});
+
+  Refusal typeTo(const DeviceKey& key, std::string text) {
+    return pair.want(wish::PipeWrite{key, std::move(text)});
+  }
+  Refusal sendTo(const DeviceKey& key, std::size_t size) {
+    return pair.want(wish::PipeFile{key, "f", std::make_shared<const std::string>(size, 'f')});
+  }
+  PipeStatus of(const DeviceKey& key) { return pair.console().pipe(pair.now(), key); }
+  void announce() {
+    pair.inject(frame("18EFFF91", kAnnouncement));
+    pair.run(2 * Pair::kFlight);
+  }
+  void ack(std::uint8_t from) {
+    pair.inject(fromDevice("FE", from));
+    pair.run(2 * Pair::kFlight);
+  }
+  std::ptrdiff_t pipes() {
+    return std::ranges::count_if(
+        pair.console().status(pair.now()).devices, [&](const DeviceServices& device) {
+          return device.pipe && (device.device == byPin || device.device == byAddress);
+        });
+  }
+};
+
+TEST_F(Moved, WhatGoesToTheAddressGoesOnAsTheDevicesPipe) {
+  typeTo(byPin, "A");
+  pair.run(Pair::kFlight);
+  ack(0x90);
+  ASSERT_EQ(of(byPin).sent, 1u);
+  ASSERT_EQ(sendTo(byAddress, 14), Refusal::None);
+  pair.run(Pair::kFlight);
+  announce();
+  EXPECT_EQ(pipes(), 1);
+  EXPECT_EQ(of(byPin).progress, Progress::Sending);
+  EXPECT_EQ(typeTo(byPin, "x"), Refusal::Busy) << "the file is its own now";
+  ack(0x91);
+  ack(0x91);
+  EXPECT_EQ(of(byPin).fileEnd, FileEnd::Done);
+  EXPECT_EQ(of(byPin).sent, 15u);
+}
+
+TEST_F(Moved, WhatGoesToTheDeviceGoesOnBesideAnIdlePipeToItsAddress) {
+  typeTo(byAddress, "A");
+  pair.run(Pair::kFlight);
+  ack(0x91);
+  ASSERT_EQ(sendTo(byPin, 14), Refusal::None);
+  pair.run(Pair::kFlight);
+  announce();
+  EXPECT_EQ(pipes(), 1);
+  EXPECT_EQ(of(byPin).sent, 1u);
+  EXPECT_EQ(of(byPin).fileEnd, FileEnd::None);
+}
+
+TEST_F(Moved, TwoThatBothHaveAPacketInFlightEndAndNoAckIsTakenForTheOthers) {
+  typeTo(byPin, "0123456789");
+  sendTo(byAddress, 140);
+  pair.run(Pair::kFlight);
+  announce();
+  EXPECT_EQ(pipes(), 1);
+  EXPECT_EQ(of(byPin).progress, Progress::Settling);
+  const Instant joined = pair.now();
+  typeTo(byPin, "new");
+  ack(0x91);
+  pair.run(500ms);
+  EXPECT_TRUE(packets(joined).empty()) << "an ack in doubt may still come";
+  pair.run(1s);
+  EXPECT_EQ(packets(joined), (std::vector<std::string>{"new"}));
+  std::vector<PipeEvent> events;
+  for (const Note& note : pair.console().notes) {
+    if (note.kind == NoteKind::Pipe) events.push_back(static_cast<PipeEvent>(note.number));
+  }
+  EXPECT_EQ(events, (std::vector{PipeEvent::FileBegan, PipeEvent::FileAborted, PipeEvent::Dropped}));
+}
+
 TEST_F(Pipe, OthersFramesThatLookTheSameAreNotAnswered) {
   const Instant before = pair.now();
   pair.inject(frame("18EEFFA0", "1234560000000000"));  // another maker's NAME

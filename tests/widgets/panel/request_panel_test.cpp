@@ -1,76 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/request_panel.h"
 
-#include <gtest/gtest.h>
-
 #include <QAbstractItemModelTester>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
+#include <QWheelEvent>
 
 #include "model/answer_history.h"
 #include "panel/ask_card.h"
-#include "support/frames.h"
+#include "widgets/panel/talk_rig.h"
 
 namespace deckpipe {
 namespace {
 
 using test::frame;
 
-const Pin kPin = *Pin::parse("1032AE100801035");
-const DeviceKey kMonitor = DeviceKey::of(kPin);
+const DeviceKey kMonitor = test::kTalkedTo;
 constexpr std::int64_t kSecond = 1'000'000'000;
 
-// A log in which the monitor answered, and a panel over it.
-struct AskedDevice : ::testing::Test {
+struct AskedDevice : test::Talk<RequestPanel> {
   AskedDevice() {
-    services.locked = false;
-    services.linkUp = true;
-    services.claim.progress = ClaimStatus::Progress::Claimed;
-    services.claim.address = Address{0xF9};
-    DeviceServices& device = services.devices.emplace_back();
-    device.device = kMonitor;
-    device.address = Address{0x80};
-    device.takes = kPolls;
-    device.takes.add(Ask::Reset);
+    services.devices[0].takes = kPolls;
+    services.devices[0].takes.add(Ask::Reset);
     panel.resize(380, 700);
-    QObject::connect(&panel, &RequestPanel::wished, [this](const Wish& wish) { wishes.push_back(wish); });
-    panel.setDevice(kMonitor, QStringLiteral("Roof (1032AE100801035)"));
-    add({frame("18EFFF80", "FF83150206021A0B", 0, kSecond)});
-    panel.show();
-  }
-  void add(const std::vector<Frame>& frames) {
-    ASSERT_TRUE(document->frames.append(frames));
-    while (document->roles.build(1000)) {
-    }
     show();
-  }
-  void show() {
-    view.document = document;
-    view.state = std::make_shared<State>();
-    view.frameCount = document->frames.count();
-    view.cursor = {view.frameCount, document->frames.timeAt(view.frameCount - 1)};
-    talk.take(*document, view.frameCount, 1'000'000);
-    panel.setView(view, talk, services, isLive);
   }
   RequestStatus& request(Ask ask) { return services.devices[0].requests[static_cast<std::size_t>(ask)]; }
   AskCard* card(Ask ask) {
     return panel.findChild<AskCard*>(QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
   }
   QPushButton* button(Ask ask) { return card(ask)->findChild<QPushButton*>(QStringLiteral("askButton")); }
-  QPushButton* button(const char* name) { return panel.findChild<QPushButton*>(QLatin1String(name)); }
-  QString hint() { return panel.findChild<QLabel*>(QStringLiteral("requestHint"))->text(); }
-  static QWidget* dialog() { return QApplication::activeModalWidget(); }
-
-  std::shared_ptr<LogDocument> document = std::make_shared<LogDocument>();
-  LogView view;
-  Conversations talk;
-  ServiceStatus services;
-  bool isLive = true;
-  RequestPanel panel;
-  std::vector<Wish> wishes;
+  using Talk::button;
+  QString hint() { return child<QLabel>("requestHint")->text(); }
 };
 
 TEST_F(AskedDevice, AButtonAsksTheChosenDeviceAndNothingElse) {
@@ -103,6 +66,23 @@ TEST_F(AskedDevice, OffTheLiveEdgeItOffersNothing) {
   show();
   EXPECT_FALSE(button(Ask::Fault)->isEnabled());
   EXPECT_FALSE(button("requestUnlock")->isVisible());
+}
+
+TEST_F(AskedDevice, OffTheLiveEdgeWhatGoesOnCanBeEndedButNothingBegun) {
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Queued, .period = 5s};
+  isLive = false;
+  show();
+  auto* period = child<QComboBox>("askRepeat");
+  EXPECT_EQ(period->currentIndex(), 3);
+  period->setFocus();
+  QTest::keyClick(period, Qt::Key_Down);
+  EXPECT_TRUE(wishes.empty()) << "another period would begin something";
+  QTest::keyClick(period, Qt::Key_Home);
+  ASSERT_EQ(wishes.size(), 1u);
+  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).period, 0s);
+  QTest::mouseClick(button("askCancel"), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 2u);
+  EXPECT_EQ(std::get<wish::Cancel>(wishes[1]).device, kMonitor);
 }
 
 TEST_F(AskedDevice, ACommandIsAskedOnceByTheDevicesName) {
@@ -161,12 +141,49 @@ TEST_F(AskedDevice, WhileOneWaitsItIsNotOfferedAgain) {
 }
 
 TEST_F(AskedDevice, RepeatsAtTheChosenPeriodUntilOnce) {
-  auto* period = panel.findChild<QComboBox*>(QStringLiteral("askRepeat"));
+  auto* period = child<QComboBox>("askRepeat");
   period->setFocus();
   QTest::keyClick(period, Qt::Key_Down);
   ASSERT_EQ(wishes.size(), 1u);
   EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).period, 500ms);
   EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).asks, kPolls);
+}
+
+TEST_F(AskedDevice, TheWheelBeginsNoRepeatedPoll) {
+  auto* period = child<QComboBox>("askRepeat");
+  period->setFocus();
+  const QPointF middle = QRectF(period->rect()).center();
+  QWheelEvent wheel(middle, period->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(period, &wheel);
+  EXPECT_EQ(period->currentIndex(), 0);
+  EXPECT_TRUE(wishes.empty());
+  EXPECT_FALSE(wheel.isAccepted()) << "it scrolls the panel";
+}
+
+TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce) {
+  EXPECT_FALSE(panel.findChild<QWidget*>(QStringLiteral("repeatBar"))->isVisible());
+  for (int i = 0; i < 6; ++i) {
+    DeviceServices& other = services.devices.emplace_back();
+    other.device = DeviceKey::of(*Pin::make(1032, 'A', 'E', 200u + static_cast<unsigned>(i)));
+    other.requests[0] = {.progress = RequestStatus::Progress::Queued, .period = 5s};
+  }
+  DeviceLabels labels;
+  labels.set(services.devices[1].device.pin, QStringLiteral("Front"));
+  panel.setLabels(labels);
+  show();
+  auto* text = panel.findChild<QLabel*>(QStringLiteral("repeatText"));
+  EXPECT_TRUE(text->isVisible());
+  EXPECT_TRUE(text->text().contains(QStringLiteral("Front: every 5.0 s\n1032AE000000201: every")))
+      << text->text().toStdString();
+  EXPECT_TRUE(text->text().endsWith(QStringLiteral("and 3 more"))) << text->text().toStdString();
+  isLive = false;
+  show();
+  QTest::mouseClick(button("repeatEnd"), Qt::LeftButton);
+  ASSERT_EQ(wishes.size(), 1u);
+  const auto& wish = std::get<wish::Repeat>(wishes[0]);
+  EXPECT_TRUE(wish.device.isNull());
+  EXPECT_EQ(wish.period, 0s);
 }
 
 TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/terminal_panel.h"
 
-#include <gtest/gtest.h>
-
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QTest>
+#include <QWheelEvent>
 
+#include "model/pipe_transcript.h"
+#include "paint/density_style.h"
 #include "panel/file_send_bar.h"
-#include "support/frames.h"
+#include "widgets/panel/talk_rig.h"
 
 namespace deckpipe {
 namespace {
@@ -20,46 +21,17 @@ namespace {
 using test::frame;
 using What = wish::PipeAction::What;
 
-const DeviceKey kMonitor = DeviceKey::of(*Pin::parse("1032AE100801035"));
+const DeviceKey kMonitor = test::kTalkedTo;
 constexpr std::int64_t kMilli = 1'000'000;
 
-struct Terminal : ::testing::Test {
-  Terminal() {
-    services.locked = false;
-    services.linkUp = true;
-    services.claim.progress = ClaimStatus::Progress::Claimed;
-    services.claim.address = Address{0xF9};
-    DeviceServices& device = services.devices.emplace_back();
-    device.device = kMonitor;
-    device.address = Address{0x80};
-    panel.resize(900, 420);
-    QObject::connect(&panel, &TerminalPanel::wished, [this](const Wish& wish) { wishes.push_back(wish); });
-    panel.setDevice(kMonitor, QStringLiteral("Roof"));
-    add({frame("18EFFF80", "FF83150206021A0B", 0, 0)});
-    panel.show();
-  }
-  void add(const std::vector<Frame>& frames) {
-    ASSERT_TRUE(document->frames.append(frames));
-    while (document->roles.build(1000)) {
-    }
-    show();
-  }
-  void show() {
-    view.document = document;
-    view.frameCount = document->frames.count();
-    view.cursor = {view.frameCount, document->frames.timeAt(view.frameCount - 1)};
-    talk.take(*document, view.frameCount, 1'000'000);
-    panel.setView(view, talk, services, isLive);
-  }
+struct Terminal : test::Talk<TerminalPanel> {
+  Terminal() { panel.resize(900, 420); }
   PipeStatus& pipe() {
     if (!services.devices[0].pipe) services.devices[0].pipe.emplace();
     return *services.devices[0].pipe;
   }
-  template <typename T>
-  T* child(const char* name) {
-    return panel.findChild<T*>(QLatin1String(name));
-  }
   QString text() { return child<QPlainTextEdit>("pipeText")->toPlainText(); }
+  QString hint() { return child<QLabel>("pipeHint")->text(); }
   std::vector<std::string> written() const {
     std::vector<std::string> out;
     for (const Wish& wish : wishes) {
@@ -67,14 +39,10 @@ struct Terminal : ::testing::Test {
     }
     return out;
   }
-
-  std::shared_ptr<LogDocument> document = std::make_shared<LogDocument>();
-  LogView view;
-  Conversations talk;
-  ServiceStatus services;
-  bool isLive = true;
-  TerminalPanel panel;
-  std::vector<Wish> wishes;
+  void goRaw() {
+    child<QComboBox>("pipeMode")->setFocus();
+    QTest::keyClick(child<QComboBox>("pipeMode"), Qt::Key_Down);
+  }
 };
 
 TEST_F(Terminal, ALineGoesWithItsEndAndCanBeRecalled) {
@@ -89,9 +57,7 @@ TEST_F(Terminal, ALineGoesWithItsEndAndCanBeRecalled) {
 }
 
 TEST_F(Terminal, InRawModeEveryKeyGoesAtOnceAndEscapeOnlyByControlBracket) {
-  auto* mode = child<QComboBox>("pipeMode");
-  mode->setFocus();
-  QTest::keyClick(mode, Qt::Key_Down);
+  goRaw();
   auto* input = child<QLineEdit>("pipeInput");
   QTest::keyClick(input, Qt::Key_H);
   QTest::keyClick(input, Qt::Key_Escape);
@@ -100,6 +66,80 @@ TEST_F(Terminal, InRawModeEveryKeyGoesAtOnceAndEscapeOnlyByControlBracket) {
   QTest::keyClick(input, Qt::Key_Backspace);
   EXPECT_EQ(written(), (std::vector<std::string>{"h", "\x03", "\x1B", "\b"}));
   EXPECT_TRUE(input->text().isEmpty());
+}
+
+TEST_F(Terminal, InRawModeControlKeysAreTheDevicesAndNotTheMenus) {
+  QAction lock(&panel), settings(&panel);
+  lock.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
+  settings.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
+  panel.addActions({&lock, &settings});
+  int locks = 0, opened = 0;
+  QObject::connect(&lock, &QAction::triggered, [&] { ++locks; });
+  QObject::connect(&settings, &QAction::triggered, [&] { ++opened; });
+  panel.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+  auto* input = child<QLineEdit>("pipeInput");
+  input->setFocus();
+  QTest::keyClick(input, Qt::Key_L, Qt::ControlModifier);
+  EXPECT_EQ(locks, 1) << "typing lines";
+  goRaw();
+  input->setFocus();
+  QTest::keyClick(input, Qt::Key_L, Qt::ControlModifier);
+  QTest::keyClick(input, Qt::Key_F, Qt::ControlModifier);
+  EXPECT_EQ(locks, 1);
+  EXPECT_EQ(written(), (std::vector<std::string>{"\x0C", "\x06"}));
+  QTest::keyClick(input, Qt::Key_Comma, Qt::ControlModifier);
+  EXPECT_EQ(opened, 1) << "a comma is no control character";
+}
+
+TEST_F(Terminal, WhatIsPastedInRawModeGoesAtOnce) {
+  goRaw();
+  auto* input = child<QLineEdit>("pipeInput");
+  QInputMethodEvent commit;
+  commit.setCommitString(QStringLiteral("MENU"));
+  QApplication::sendEvent(input, &commit);
+  EXPECT_EQ(written(), (std::vector<std::string>{"MENU"}));
+  EXPECT_TRUE(input->text().isEmpty());
+}
+
+TEST_F(Terminal, CharactersOfMoreThanAByteAreRefusedWithWords) {
+  auto* input = child<QLineEdit>("pipeInput");
+  input->setText(QStringLiteral("5 €"));
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_TRUE(hint().contains(QStringLiteral("“5 €”"))) << hint().toStdString();
+  EXPECT_EQ(input->text(), QStringLiteral("5 €")) << "to be mended";
+  input->setText(QStringLiteral("5 \u00b0"));
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_EQ(written(), (std::vector<std::string>{"5 \xB0\r\n"}));
+  EXPECT_FALSE(child<QLabel>("pipeHint")->isVisible()) << "that was the next deed";
+  goRaw();
+  QTest::sendKeyEvent(QTest::Click, input, Qt::Key_unknown, QStringLiteral("€"), Qt::NoModifier);
+  EXPECT_TRUE(hint().contains(QStringLiteral("“€”")));
+  EXPECT_TRUE(input->text().isEmpty());
+  EXPECT_EQ(written().size(), 1u);
+}
+
+TEST_F(Terminal, WhatWasTypedForOneDeviceIsNotThereForAnother) {
+  auto* input = child<QLineEdit>("pipeInput");
+  QTest::keyClicks(input, QStringLiteral("for the roof"));
+  panel.setDevice(kMonitor, QStringLiteral("Roof, renamed"));
+  EXPECT_FALSE(input->text().isEmpty());
+  panel.setDevice(DeviceKey::of(*Pin::parse("1033AE100802117")), QStringLiteral("Riser"));
+  EXPECT_TRUE(input->text().isEmpty());
+}
+
+TEST_F(Terminal, TheWheelChangesNothingThatIsSent) {
+  for (const char* name : {"pipeMode", "pipeLineEnd"}) {
+    auto* combo = child<QComboBox>(name);
+    for (const bool hasFocus : {false, true}) {
+      if (hasFocus) combo->setFocus();
+      const QPointF middle = QRectF(combo->rect()).center();
+      QWheelEvent wheel(middle, combo->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(combo, &wheel);
+      EXPECT_EQ(combo->currentIndex(), 0) << name;
+    }
+  }
 }
 
 TEST_F(Terminal, ShowsBothDirectionsOnLinesOfTheirOwnAndOddBytesAsBytes) {
@@ -141,8 +181,7 @@ TEST_F(Terminal, AMissingAckOffersResendSkipAndAbort) {
   pipe().stall = PipeStatus::Stall::NoAck;
   show();
   ASSERT_TRUE(child<QWidget>("pipeStall")->isVisible());
-  for (const char* name : {"pipeResend", "pipeSkip", "pipeAbort"})
-    QTest::mouseClick(child<QPushButton>(name), Qt::LeftButton);
+  for (const char* name : {"pipeResend", "pipeSkip", "pipeAbort"}) click(name);
   ASSERT_EQ(wishes.size(), 3u);
   const What expected[] = {What::Resend, What::Skip, What::Abort};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).what, expected[i]);
@@ -161,14 +200,39 @@ TEST_F(Terminal, AFileShowsItsProgressAndCanBePausedAndCancelled) {
   EXPECT_FALSE(child<QLineEdit>("pipeInput")->isEnabled()) << "it would end up in the file";
   EXPECT_EQ(rateText(pipe(), view.cursor.time), QStringLiteral("25 B/s"));
   EXPECT_EQ(timeLeftText(pipe(), view.cursor.time), QStringLiteral("about 30 s left"));
-  QTest::mouseClick(child<QPushButton>("filePause"), Qt::LeftButton);
+  click("filePause");
   pipe().progress = PipeStatus::Progress::Paused;
   show();
-  QTest::mouseClick(child<QPushButton>("filePause"), Qt::LeftButton);
-  QTest::mouseClick(child<QPushButton>("fileCancel"), Qt::LeftButton);
+  click("filePause");
+  click("fileCancel");
   const What expected[] = {What::Pause, What::Resume, What::Cancel};
   ASSERT_EQ(wishes.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).what, expected[i]);
+}
+
+TEST_F(Terminal, OffTheLiveEdgeAFileCanBePausedAndCancelledButDoesNotGoOn) {
+  pipe() = {.progress = PipeStatus::Progress::Sending, .file = "menu.txt", .fileSize = 1000};
+  isLive = false;
+  show();
+  click("filePause");
+  pipe().progress = PipeStatus::Progress::Paused;
+  show();
+  EXPECT_FALSE(child<QPushButton>("filePause")->isEnabled());
+  click("fileCancel");
+  ASSERT_EQ(wishes.size(), 2u);
+  EXPECT_EQ(std::get<wish::PipeAction>(wishes[0]).what, What::Pause);
+  EXPECT_EQ(std::get<wish::PipeAction>(wishes[1]).what, What::Cancel);
+}
+
+TEST_F(Terminal, OffTheLiveEdgeAStallCanOnlyBeAborted) {
+  pipe().progress = PipeStatus::Progress::Stalled;
+  isLive = false;
+  show();
+  EXPECT_FALSE(child<QPushButton>("pipeResend")->isEnabled());
+  EXPECT_FALSE(child<QPushButton>("pipeSkip")->isEnabled());
+  click("pipeAbort");
+  ASSERT_EQ(wishes.size(), 1u);
+  EXPECT_EQ(std::get<wish::PipeAction>(wishes[0]).what, What::Abort);
 }
 
 TEST_F(Terminal, SearchesFromTheNewestBackAndSaysWhenThereIsNothing) {
@@ -181,6 +245,39 @@ TEST_F(Terminal, SearchesFromTheNewestBackAndSaysWhenThereIsNothing) {
   EXPECT_EQ(found(), 0);
   QTest::keyClicks(search, QStringLiteral("X"));
   EXPECT_FALSE(search->toolTip().isEmpty());
+}
+
+TEST_F(Terminal, AlwaysSaysWhomItTalksTo) {
+  QTest::keyClicks(child<QLineEdit>("pipeInput"), QStringLiteral("something"));
+  EXPECT_TRUE(child<QLabel>("pipeDevice")->isVisible());
+  EXPECT_EQ(child<QLabel>("pipeDevice")->text(), QStringLiteral("Roof (1032AE100801035)"));
+  pipe().progress = PipeStatus::Progress::Stalled;
+  show();
+  EXPECT_TRUE(child<QLabel>("pipeDevice")->isVisible());
+}
+
+// At 1366×768 the Ask dock leaves it so much, and the letters of the field are larger.
+TEST_F(Terminal, FitsBesideTheAskPanelInFieldSize) {
+  constexpr int kRoom = 960;
+  const QFont before = QApplication::font();
+  QApplication::setStyle(new DensityStyle(Density::Field));
+  QApplication::setFont(fontFor(Density::Field, before));
+  pipe() = {.progress = PipeStatus::Progress::Sending,
+            .file = "a menu with a rather long name for a file.txt",
+            .fileSize = 100'000,
+            .fileSent = 42'000,
+            .fileBegan = view.cursor.time - 60s,
+            .acks = 6'000,
+            .ackWorst = 72ms,
+            .ackSum = 24s};
+  show();
+  click("pipeMore");
+  EXPECT_LE(panel.minimumSizeHint().width(), kRoom);
+  pipe().progress = PipeStatus::Progress::Stalled;
+  show();
+  EXPECT_LE(panel.minimumSizeHint().width(), kRoom);
+  QApplication::setFont(before);
+  QApplication::setStyle(new DensityStyle(Density::Desk));
 }
 
 TEST_F(Terminal, TheManualsCautionIsAlwaysThere) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A panel that sends, over a log in which a monitor announced itself, with services that may send to it. The
+// tests of such panels stand on it, change what they look at and call show().
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QTest>
+
+#include "control/intent.h"
+#include "control/status.h"
+#include "state/conversations.h"
+#include "support/frames.h"
+
+namespace deckpipe::test {
+
+inline const DeviceKey kTalkedTo = DeviceKey::of(*Pin::parse("1032AE100801035"));
+
+template <typename Panel>
+struct Talk : ::testing::Test {
+  Talk() {
+    services.locked = false;
+    services.linkUp = true;
+    services.claim.progress = ClaimStatus::Progress::Claimed;
+    services.claim.address = Address{0xF9};
+    DeviceServices& device = services.devices.emplace_back();
+    device.device = kTalkedTo;
+    device.address = Address{0x80};
+    QObject::connect(&panel, &Panel::wished, [this](const Wish& wish) { wishes.push_back(wish); });
+    panel.setDevice(kTalkedTo, QStringLiteral("Roof (1032AE100801035)"));
+    add({frame("18EFFF80", "FF83150206021A0B", 0, 0)});
+    panel.show();
+  }
+  void add(const std::vector<Frame>& frames) {
+    ASSERT_TRUE(document->frames.append(frames));
+    while (document->roles.build(1000)) {
+    }
+    show();
+  }
+  void show() {
+    view.document = document;
+    view.state = std::make_shared<State>();
+    view.frameCount = document->frames.count();
+    view.cursor = {view.frameCount, document->frames.timeAt(view.frameCount - 1)};
+    talk.take(*document, view.frameCount, 1'000'000);
+    panel.setView(view, talk, services, isLive);
+  }
+  template <typename T>
+  T* child(const char* name) {
+    return panel.template findChild<T*>(QLatin1String(name));
+  }
+  QAbstractButton* button(const char* name) { return child<QAbstractButton>(name); }
+  void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
+  static QWidget* dialog() { return QApplication::activeModalWidget(); }
+
+  std::shared_ptr<LogDocument> document = std::make_shared<LogDocument>();
+  LogView view;
+  Conversations talk;
+  ServiceStatus services;
+  bool isLive = true;
+  Panel panel;
+  std::vector<Wish> wishes;
+};
+
+}  // namespace deckpipe::test

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/pipe_input.h"
+
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPushButton>
+#include <algorithm>
+
+#include "panel/calm_combo.h"
+
+namespace deckpipe {
+namespace {
+
+// Ctrl+A to Ctrl+Z and Ctrl+[: control characters in a terminal, shortcuts elsewhere.
+bool isControlCharacter(const QKeyEvent& event) {
+  return event.modifiers() == Qt::ControlModifier &&
+         ((event.key() >= Qt::Key_A && event.key() <= Qt::Key_Z) || event.key() == Qt::Key_BracketLeft);
+}
+
+}  // namespace
+
+PipeInput::PipeInput(QWidget* parent)
+    : QWidget(parent),
+      m_mode(new CalmCombo(this)),
+      m_input(new QLineEdit(this)),
+      m_lineEnd(new CalmCombo(this)),
+      m_send(new QPushButton(tr("Send"), this)) {
+  m_mode->setObjectName(QStringLiteral("pipeMode"));
+  m_mode->setAccessibleName(tr("How typing is sent"));
+  m_mode->addItems({tr("Lines"), tr("Every key")});
+  m_mode->setToolTip(
+      tr("Lines: what is typed goes with Enter. Every key: each goes at once; Ctrl+[ sends ESC."));
+  m_input->setObjectName(QStringLiteral("pipeInput"));
+  m_input->setAccessibleName(tr("Characters to send"));
+  m_input->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  m_input->installEventFilter(this);
+  m_lineEnd->setObjectName(QStringLiteral("pipeLineEnd"));
+  m_lineEnd->setAccessibleName(tr("Line end"));
+  m_lineEnd->addItems({tr("CR LF"), tr("CR"), tr("LF"), tr("No line end")});
+  m_send->setObjectName(QStringLiteral("pipeSend"));
+  m_send->setAccessibleName(m_send->text());
+  m_send->setAutoDefault(false);
+  setFocusProxy(m_input);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(m_mode);
+  row->addWidget(m_input, 1);
+  row->addWidget(m_lineEnd);
+  row->addWidget(m_send);
+  connect(m_input, &QLineEdit::returnPressed, this, &PipeInput::sendLine);
+  connect(m_input, &QLineEdit::textEdited, this, &PipeInput::sendRest);
+  connect(m_send, &QPushButton::clicked, this, &PipeInput::sendLine);
+  connect(m_mode, &QComboBox::activated, this, [this] {
+    clear();
+    m_send->setEnabled(m_input->isEnabled() && !isRaw());
+    m_input->setFocus();
+  });
+}
+
+bool PipeInput::isRaw() const { return m_mode->currentIndex() == 1; }
+
+void PipeInput::clear() { m_input->clear(); }
+
+void PipeInput::setOffered(bool mayType, const QString& name) {
+  m_input->setEnabled(mayType);
+  m_send->setEnabled(mayType && !isRaw());
+  m_lineEnd->setEnabled(mayType);
+  const QString whom = name.isEmpty() ? tr("the device") : name;
+  m_input->setPlaceholderText(isRaw() ? tr("Keys go to %1 at once").arg(whom)
+                                      : tr("A line for %1").arg(whom));
+}
+
+std::string PipeInput::lineEnd() const {
+  constexpr const char* kEnds[] = {"\r\n", "\r", "\n", ""};
+  return kEnds[m_lineEnd->currentIndex()];
+}
+
+bool PipeInput::take(const QString& text, std::string& bytes) {
+  if (std::ranges::any_of(text, [](QChar c) { return c.unicode() > 0xFF; })) {
+    Q_EMIT refused(
+        tr("Not sent: the pipe takes characters of one byte only, and “%1” has another.").arg(text));
+    return false;
+  }
+  const QByteArray latin = text.toLatin1();
+  bytes.assign(latin.constData(), static_cast<std::size_t>(latin.size()));
+  return true;
+}
+
+void PipeInput::sendLine() {
+  if (isRaw() || !m_send->isEnabled()) return;
+  const QString line = m_input->text();
+  std::string bytes;
+  if (!take(line, bytes)) return;
+  bytes += lineEnd();
+  if (bytes.empty()) return;
+  if (!line.isEmpty() && (m_history.isEmpty() || m_history.last() != line)) m_history.append(line);
+  m_recalled = m_history.size();
+  clear();
+  Q_EMIT typed(bytes);
+}
+
+void PipeInput::sendRest() {
+  if (!isRaw()) return;
+  const QString text = m_input->text();
+  clear();
+  std::string bytes;
+  if (take(text, bytes) && !bytes.empty()) Q_EMIT typed(bytes);
+}
+
+// The bytes of a key as a terminal sends them; false for keys that are none.
+bool PipeInput::sendKey(const QKeyEvent& event) {
+  std::string bytes;
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+    bytes = lineEnd();
+  } else if (event.key() == Qt::Key_Backspace) {
+    bytes = "\b";
+  } else if (isControlCharacter(event)) {
+    bytes = static_cast<char>(event.key() - Qt::Key_A + 1);
+  } else if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0 &&
+             event.key() != Qt::Key_Escape) {
+    if (!take(event.text(), bytes)) return true;
+  }
+  if (bytes.empty()) return false;
+  Q_EMIT typed(bytes);
+  return true;
+}
+
+bool PipeInput::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && isRaw()) {
+    // Control characters are the device's here, not the menu's.
+    if (isControlCharacter(static_cast<const QKeyEvent&>(*event))) event->accept();
+    return true;
+  }
+  if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  if (isRaw()) return sendKey(key);
+  if (key.matches(QKeySequence::Find)) {
+    Q_EMIT findRequested();
+    return true;
+  }
+  if (key.key() != Qt::Key_Up && key.key() != Qt::Key_Down) return QWidget::eventFilter(watched, event);
+  recall(key.key() == Qt::Key_Up ? -1 : 1);
+  return true;
+}
+
+void PipeInput::recall(int by) {
+  if (m_history.isEmpty()) return;
+  m_recalled = std::clamp<qsizetype>(m_recalled + by, 0, m_history.size());
+  m_input->setText(m_recalled < m_history.size() ? m_history[m_recalled] : QString());
+}
+
+}  // namespace deckpipe

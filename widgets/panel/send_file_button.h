@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Send file…": chooses a file, reads it, and asks once by the device's name before it is sent over the data
+// pipe. Part of the terminal; how the sending goes is the FileSendBar's.
+#pragma once
+
+#include <QPushButton>
+
+#include "control/intent.h"
+
+namespace deckpipe {
+
+class SendFileButton : public QPushButton {
+  Q_OBJECT
+
+ public:
+  static constexpr qint64 kLargest = 8 << 20;  // at some hundred bytes a second more would take days
+
+  explicit SendFileButton(QWidget* parent = nullptr);
+
+  // The file goes to whom it was chosen for, whatever device is looked at by then.
+  void setDevice(const DeviceKey& device, const QString& name);
+
+ Q_SIGNALS:
+  void wished(const deckpipe::Wish& wish);
+  // Empty: another try begins.
+  void failed(const QString& why);
+
+ private:
+  void choose();
+  void confirm(const QString& path, const DeviceKey& device, const QString& name);
+
+  DeviceKey m_device;
+  QString m_name;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Says why nothing can be sent now, and offers to unlock where it is the lock. Every panel that sends has one
+// and gives it the services' status; it takes no room where nothing stands in the way.
+#pragma once
+
+#include <QWidget>
+
+#include "control/status.h"
+#include "paint/palette.h"
+
+class QLabel;
+class QPushButton;
+
+namespace deckpipe {
+
+class SendHint : public QWidget {
+  Q_OBJECT
+
+ public:
+  // Its label and button are `prefix`Hint and `prefix`Unlock.
+  explicit SendHint(const QString& prefix, QWidget* parent = nullptr);
+
+  // `own`: what stands in this panel's way where sending as such is possible. `trouble`: what has just gone
+  // wrong, said before everything else.
+  void setStatus(const ServiceStatus& services, bool isLive, const QString& own, const QString& trouble = {});
+  void setColours(const Colours& colours);
+
+ Q_SIGNALS:
+  void unlockRequested();
+
+ private:
+  QLabel* m_text;
+  QPushButton* m_unlock;
+};
+
+}  // namespace deckpipe
