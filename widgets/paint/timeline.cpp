@@ -29,6 +29,11 @@ constexpr double kNear = 5;        // pixels within which a mark is pointed at
 Timeline::Timeline(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Position in the log"));
+  setWhatsThis(tr(
+      "The log from begin to end: how dense it is, where nothing came, marks, and the cursor. Left and Right "
+      "move the cursor by a second, with Shift by ten, with Ctrl to the next mark; Home and End to either "
+      "end. + and − or the wheel look closer, 0 shows all. [ and ] select from, or to, the cursor, as does a "
+      "drag with Shift."));
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }

@@ -24,6 +24,9 @@ TraceSearchBar::TraceSearchBar(Where where, QWidget* parent)
   m_edit->setObjectName(QStringLiteral("traceSearch"));
   m_edit->setAccessibleName(tr("Search for"));
   m_edit->setPlaceholderText(tr("Find: text of a row, or an expression such as rotation_deg>30"));
+  m_edit->setWhatsThis(tr(
+      "Finds the next frame whose row shows this text, or that passes an expression of the filter language. "
+      "F3 goes on, Shift+F3 back; Escape gives a search up and then closes this line."));
   m_edit->setClearButtonEnabled(true);
   const auto button = [this](const char* name, const QString& text, const QString& tip) {
     auto* made = new QToolButton(this);
