@@ -18,6 +18,12 @@ class RoleWalk {
     m_learned = roles.observe(frame, time, what);
     return what;
   }
+  // What next() would say, without going on.
+  Classified peek(const Frame& frame, Instant time) const {
+    static const ChannelRoles kNothingKnown;
+    const auto roles = m_channels.find(frame.channel);
+    return classify(frame, time, roles == m_channels.end() ? kNothingKnown : roles->second);
+  }
   // Whether the last frame changed any role.
   bool learned() const { return m_learned; }
   void sayDrive(Channel channel, Address address, bool isDrive) {

@@ -55,7 +55,7 @@ void Conversations::look(const LogDocument& log, const Frame& frame, std::uint64
     return;
   }
   if (!mayBeSaid(frame.data[0])) return;
-  const Classified what = log.roles.walk(index).next(frame, time);
+  const Classified what = log.roles.classify(index, frame, time, m_roles);
   if (!what.isDecoded() || what.family == Family::Copley) return;
   const bool isFromDevice = [&] {
     // The pipe goes both ways under one message: whoever is Akron's is the device.

@@ -45,6 +45,7 @@ class Conversations {
 
   std::vector<Utterance> m_list;
   std::array<std::array<Holder, 256>, kMaxChannels> m_holders{};
+  RoleIndex::Stand m_roles;
   std::uint64_t m_looked = 0;
 };
 

@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::uint8_t kStatusType = 0x01, kAnnouncementType = 0xFF;  // protocol.md, 1.3
 
-// What the index of roles says of this frame. Asked only where something may have changed.
-bool isMessage(const LogDocument& log, const Event& at, const Frame& frame, MessageId id) {
-  const Classified what = log.roles.walk(at.frame).next(frame, at.time);
-  return what.isDecoded() && what.message == id;
-}
-
 }  // namespace
 
 bool Events::take(const LogDocument& log, std::uint64_t until, std::uint64_t atMost) {
@@ -34,6 +28,12 @@ bool Events::take(const LogDocument& log, std::uint64_t until, std::uint64_t atM
     }
   }
   return m_looked >= until || isFull();
+}
+
+// What the index of roles says of this frame. Asked only where something may have changed.
+bool Events::isMessage(const LogDocument& log, const Frame& frame, const Event& at, MessageId id) {
+  const Classified what = log.roles.classify(at.frame, frame, at.time, m_roles);
+  return what.isDecoded() && what.message == id;
 }
 
 void Events::look(const LogDocument& log, const Frame& frame, Event at) {
@@ -66,7 +66,7 @@ void Events::lookExtended(const LogDocument& log, Bus& bus, const Frame& frame, 
     statusHeard(log, bus.addresses[id.source.value], frame, at);
   } else if (frame.data[0] == kAnnouncementType) {
     const auto pin = announcedPin(frame);
-    if (pin && isMessage(log, at, frame, MessageId::AddressAnnouncement)) announced(bus, *pin, at);
+    if (pin && isMessage(log, frame, at, MessageId::AddressAnnouncement)) announced(bus, *pin, at);
   }
 }
 
@@ -128,7 +128,7 @@ void Events::statusHeard(const LogDocument& log, Talker& talker, const Frame& fr
   const bool wasSilent = before != kNotYet && at.time - before >= kSilence;
   talker.lastStatus = at.time;
   if (!wasSilent && hasError == talker.hasError) return;
-  if (!isMessage(log, at, frame, MessageId::PositionLimitStatus)) return;
+  if (!isMessage(log, frame, at, MessageId::PositionLimitStatus)) return;
   if (wasSilent) {
     Event silence = at;
     silence.lasted = at.time - before;

@@ -74,10 +74,12 @@ class Events {
   void nameHeard(Bus& bus, Name name, Event at);
   void announced(Bus& bus, const Pin& pin, Event at);
   void statusHeard(const LogDocument& log, Talker& talker, const Frame& frame, const Event& at);
+  bool isMessage(const LogDocument& log, const Frame& frame, const Event& at, MessageId id);
   void add(EventKind kind, Event at);
 
   std::vector<Event> m_list;
   std::array<Bus, kMaxChannels> m_buses{};
+  RoleIndex::Stand m_roles;
   std::uint64_t m_looked = 0;
 };
 

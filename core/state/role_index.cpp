@@ -2,6 +2,7 @@
 #include "state/role_index.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace deckpipe {
 
@@ -13,36 +14,48 @@ void RoleIndex::take(RoleWalk& walk, const Change& change) const {
   }
 }
 
-void RoleIndex::record(const Change& change) {
-  m_changes.push_back(change);
-  if (m_changes.size() % kKeepEvery == 0) m_kept.push_back(m_end);
-}
-
+// Only the worker builds, so that nothing but invalidating can come between the two locks.
 bool RoleIndex::build(std::uint64_t atMost) {
   const std::uint64_t count = m_frames.count();
-  const std::lock_guard lock(m_lock);
+  std::unique_lock lock(m_lock);
   if (m_built >= count) return false;
-  const std::uint64_t end = std::min(count, m_built + atMost);
-  std::vector<Note> notes = m_notes.between(m_built, end);
+  const std::uint64_t begin = m_built, end = std::min(count, begin + atMost), generation = m_generation;
+  const std::size_t before = m_changes.size();
+  RoleWalk walk = m_end;
+  lock.unlock();
+
+  std::vector<Note> notes = m_notes.between(begin, end);
   std::erase_if(notes, [](const Note& note) {
     return note.kind != NoteKind::DriveSaid && note.kind != NoteKind::DriveUnsaid;
   });
+  std::vector<Change> changes;
+  std::vector<RoleWalk> kept;
+  const auto record = [&](const Change& change) {
+    changes.push_back(change);
+    if ((before + changes.size()) % kKeepEvery == 0) kept.push_back(walk);
+  };
   LogTimes times(m_frames);
   std::size_t nextNote = 0;
-  for (std::uint64_t i = m_built; i < end;) {
+  for (std::uint64_t i = begin; i < end;) {
     for (const Frame& frame : m_frames.run(i)) {
       if (i == end) break;
       for (; nextNote < notes.size() && notes[nextNote].frame <= i; ++nextNote) {
         const Note& note = notes[nextNote];
         const Change change{i, true, note.kind == NoteKind::DriveSaid, note.channel, note.address};
-        take(m_end, change);
+        take(walk, change);
         record(change);
       }
-      m_end.next(frame, times.at(i));
-      if (m_end.learned()) record({i, false, false, {}, {}});
+      walk.next(frame, times.at(i));
+      if (walk.learned()) record({i, false, false, {}, {}});
       ++i;
     }
   }
+
+  lock.lock();
+  if (m_generation != generation) return true;  // once more, from where it is now
+  m_changes.insert(m_changes.end(), changes.begin(), changes.end());
+  m_kept.insert(m_kept.end(), kept.begin(), kept.end());
+  m_end = std::move(walk);
   m_built = end;
   return true;
 }
@@ -52,22 +65,39 @@ std::uint64_t RoleIndex::built() const {
   return m_built;
 }
 
-RoleWalk RoleIndex::walk(std::uint64_t i) const {
-  const std::lock_guard lock(m_lock);
-  // Changes that happened before frame i: its own notes did, its own lesson did not.
+std::size_t RoleIndex::changesBefore(std::uint64_t i) const {
   const auto end = std::partition_point(m_changes.begin(), m_changes.end(), [i](const Change& change) {
     return change.frame < i || (change.frame == i && change.isNote);
   });
-  if (end == m_changes.end()) return m_end;
-  const auto before = static_cast<std::size_t>(end - m_changes.begin());
-  const std::size_t kept = before / kKeepEvery;
-  RoleWalk walk = kept == 0 ? RoleWalk() : m_kept[kept - 1];
-  for (std::size_t k = kept * kKeepEvery; k < before; ++k) take(walk, m_changes[k]);
-  return walk;
+  return static_cast<std::size_t>(end - m_changes.begin());
+}
+
+// From where it stands, or from the copy before, if that is nearer.
+void RoleIndex::walkTo(std::size_t changes, Stand& stand) const {
+  const std::size_t kept = changes / kKeepEvery;
+  if (stand.generation != m_generation || stand.changes > changes || stand.changes < kept * kKeepEvery)
+    stand = {kept == 0 ? RoleWalk() : m_kept[kept - 1], kept * kKeepEvery, m_generation};
+  for (; stand.changes < changes; ++stand.changes) take(stand.walk, m_changes[stand.changes]);
+}
+
+RoleWalk RoleIndex::walk(std::uint64_t i) const {
+  const std::lock_guard lock(m_lock);
+  const std::size_t changes = changesBefore(i);
+  if (changes == m_changes.size()) return m_end;
+  Stand stand;
+  walkTo(changes, stand);
+  return stand.walk;
+}
+
+Classified RoleIndex::classify(std::uint64_t i, const Frame& frame, Instant time, Stand& stand) const {
+  const std::lock_guard lock(m_lock);
+  walkTo(changesBefore(i), stand);
+  return stand.walk.peek(frame, time);
 }
 
 void RoleIndex::invalidateAfter(std::uint64_t frame) {
   const std::lock_guard lock(m_lock);
+  ++m_generation;
   if (m_built <= frame) return;
   std::erase_if(m_changes, [frame](const Change& change) { return change.frame >= frame; });
   m_kept.resize(m_changes.size() / kKeepEvery);

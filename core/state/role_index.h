@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The roles at any frame of a log, from the few frames and notes that changed them. A worker calls build()
 // while the log grows; the trace takes a walk() from its first visible row on. Rows beyond what is built yet
-// are classified with the roles known so far.
+// are classified with the roles known so far. The worker looks at frames without the lock, for the window
+// asks on every tick.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,14 @@ class RoleIndex {
   std::uint64_t built() const;
   // A walk that stands before frame `i`: its next() wants exactly that one.
   RoleWalk walk(std::uint64_t i) const;
+  // Where somebody who goes through a log, but classifies few of its frames, stands: going on is cheap.
+  struct Stand {
+    RoleWalk walk;
+    std::size_t changes = 0;  // that are in the walk
+    std::uint64_t generation = 0;
+  };
+  // What frame `i` of the log is, as the first next() of its walk() says.
+  Classified classify(std::uint64_t i, const Frame& frame, Instant time, Stand& stand) const;
   // A drive was said or unsaid before a frame that was built already: everything behind is built anew.
   void invalidateAfter(std::uint64_t frame);
 
@@ -38,7 +47,9 @@ class RoleIndex {
     Address address;
   };
   void take(RoleWalk& walk, const Change& change) const;
-  void record(const Change& change);
+  // The changes up to frame `i`: its own notes happened before it, its own lesson did not.
+  std::size_t changesBefore(std::uint64_t i) const;
+  void walkTo(std::size_t changes, Stand& stand) const;
 
   const FrameStore& m_frames;
   const NoteStore& m_notes;
@@ -47,6 +58,7 @@ class RoleIndex {
   std::vector<RoleWalk> m_kept;  // [i] is after (i + 1) * kKeepEvery changes
   RoleWalk m_end;                // after all changes
   std::uint64_t m_built = 0;
+  std::uint64_t m_generation = 0;  // of what was built: invalidating begins another
 };
 
 }  // namespace deckpipe

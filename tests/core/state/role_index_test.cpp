@@ -56,6 +56,14 @@ TEST(RoleIndex, ClassifiesFromAnyRowAsAWalkFromTheStartDoes) {
     ASSERT_EQ(index.walk(i).next(frames[i], frames.timeAt(i)), expected[i]) << "row " << i;
   }
 
+  // One who goes through it, now and then back.
+  RoleIndex::Stand stand;
+  const auto classifySome = [&] {
+    for (std::uint64_t i = 0, round = 0; round < 2'000; ++round, i = (i + random() % 97) % frames.count())
+      ASSERT_EQ(index.classify(i, frames[i], frames.timeAt(i), stand), expected[i]) << "row " << i;
+  };
+  classifySome();
+
   index.invalidateAfter(9'000);
   EXPECT_EQ(index.built(), 9'000u);
   while (index.build(5'000)) {
@@ -64,6 +72,7 @@ TEST(RoleIndex, ClassifiesFromAnyRowAsAWalkFromTheStartDoes) {
     const std::uint64_t i = random() % frames.count();
     ASSERT_EQ(index.walk(i).next(frames[i], frames.timeAt(i)), expected[i]) << "row " << i;
   }
+  classifySome();
 }
 
 }  // namespace
