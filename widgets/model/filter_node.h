@@ -61,6 +61,7 @@ struct FilterNode {
   std::vector<FilterBytes> patterns;
   QStringList words;
   FilterTitles titles;
+  bool mayBeStamp = true;  // Text: may stand in the Time column
   std::bitset<256> channels;
   Instant begin;  // of the log, for Seconds
   // Field: which messages have it, and with what it is compared.
