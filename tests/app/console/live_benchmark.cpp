@@ -7,7 +7,6 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QEventLoop>
 #include <QSettings>
 #include <QTcpSocket>
 #include <QTemporaryDir>
@@ -15,12 +14,12 @@
 #include <QThread>
 #include <QTimer>
 #include <QUrl>
-#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <ctime>
 #include <functional>
 
+#include "app/console/event_waits.h"
 #include "console/main_window.h"
 #include "link/virtual_bus.h"
 
@@ -96,18 +95,8 @@ class Truck : public QThread {
   std::atomic<double> m_cpu = 0;
 };
 
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-// Unlike QTest::qWait(), which sleeps between events.
-void runFor(int milliseconds) {
-  QEventLoop loop;
-  QTimer::singleShot(milliseconds, Qt::PreciseTimer, &loop, &QEventLoop::quit);
-  loop.exec();
-}
+using test::percentile;
+using test::runFor;
 
 void aLiveBus(benchmark::State& state) {
   static double floorOfWaits = 0;
