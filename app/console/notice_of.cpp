@@ -5,8 +5,10 @@
 #include <QFileInfo>
 #include <QStringList>
 #include <algorithm>
+#include <climits>
 #include <limits>
 
+#include "log/reading.h"
 #include "model/device_rows.h"
 #include "status_text.h"
 #include "text/elapsed_text.h"
@@ -64,16 +66,40 @@ Notice unreadable(const Snapshot& snapshot) {
   return notice;
 }
 
+// Where a log's clock does not run, ages, rates and load are no measure.
+Notice clockNotice(const LogDocument& log) {
+  if (!log.frames[0].hasStamp()) {
+    return {StatusTone::Attend, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
+                                               "rates, load and silence means nothing.")};
+  }
+  if (const std::size_t jumps = log.frames.jumps().size(); jumps > 0) {
+    return {StatusTone::Attend,
+            NoticeText::tr("The clock of this log jumps at %Ln places: ages, rates and load around them are "
+                           "not to be trusted. They are marked in the trace.",
+                           nullptr, static_cast<int>(jumps))};
+  }
+  return {};
+}
+
 Notice fileNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (source.progress == Progress::Failed) {
-    return {StatusTone::Fault,
-            NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason)};
+    QString text =
+        NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason);
+    if (source.reason.startsWith(QLatin1String(readErrorText(ReadError::Kind::NotThisFormat))))
+      text = NoticeText::tr("%1. Deckpipe reads what candump writes or prints.", "after a reason").arg(text);
+    return {StatusTone::Fault, text};
   }
   if (source.progress != Progress::Done) return {};
   if (source.unreadable > 0) return unreadable(snapshot);
   if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};
-  return {};
+  if (source.notKept > 0) {
+    return {StatusTone::Attend,
+            NoticeText::tr("%Ln frames of this log are missing here: CAN FD and CAN XL "
+                           "frames are not held.",
+                           nullptr, static_cast<int>(std::min<std::uint64_t>(source.notKept, INT_MAX)))};
+  }
+  return clockNotice(*snapshot.view.document);
 }
 
 // When the link of a live log came up last.
