@@ -122,4 +122,14 @@ Other devices in the list: %n.</numerusform>
         </translation>
     </message>
 </context>
+<context>
+    <name>deckpipe::TracePanel</name>
+    <message numerus="yes">
+        <source>%Ln rows</source>
+        <translation>
+            <numerusform>%Ln row</numerusform>
+            <numerusform>%Ln rows</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -9,6 +9,7 @@
 #include "mark_bar.h"
 #include "pane_cycle.h"
 #include "panel/settings_page.h"
+#include "panel/trace_panel.h"
 #include "sending_actions.h"
 #include "workspace.h"
 
@@ -37,6 +38,17 @@ void MainWindow::makeFileMenu() {
   m_saveAction =
       named(menu->addAction(tr("&Save log as…"), QKeySequence::Save, this, &MainWindow::saveLogByHand),
             "saveLogAction");
+  TracePanel* trace = m_workspace->trace();
+  QAction* selection =
+      named(menu->addAction(tr("Save the trace's se&lection…"), trace, &TracePanel::saveSelection),
+            "saveSelectionAction");
+  QAction* shown =
+      named(menu->addAction(tr("Save all that &passes the trace's filter…"), trace, &TracePanel::saveShown),
+            "saveShownAction");
+  connect(menu, &QMenu::aboutToShow, this, [this, trace, selection, shown] {
+    selection->setEnabled(m_saveAction->isEnabled() && trace->hasSelection());
+    shown->setEnabled(m_saveAction->isEnabled() && trace->isFiltered());
+  });
   menu->addSeparator();
   m_markAction = named(menu->addAction(tr("&Mark this place…"), QKeySequence(Qt::CTRL | Qt::Key_M), this,
                                        [this] { m_markBar->open(m_snapshot.view); }),

@@ -16,6 +16,7 @@
 #include "appearance.h"
 #include "connection.h"
 #include "mark_bar.h"
+#include "model/frame_test.h"
 #include "notice_of.h"
 #include "pane_cycle.h"
 #include "panel/about_page.h"
@@ -126,6 +127,7 @@ void MainWindow::connectPanels() {
   connect(m_transport, &TransportBar::stepRequested, &m_session, &Session::step);
   connect(m_transport, &TransportBar::rowStepRequested, m_workspace->trace(), &TracePanel::stepCursor);
   connect(m_transport, &TransportBar::spanRequested, m_workspace->trace(), &TracePanel::setFilter);
+  connect(m_workspace->trace(), &TracePanel::saveRequested, this, &MainWindow::savePartByHand);
   connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
   connect(m_transport, &TransportBar::endRequested, &m_session, &Session::goToEnd);
   connect(m_transport, &TransportBar::speedRequested, &m_session, &Session::setSpeed);
@@ -197,11 +199,27 @@ void MainWindow::openLogByHand() {
   dialog->open();
 }
 
-void MainWindow::saveLogByHand() {
-  QFileDialog* dialog = fileDialog(tr("Save the log as candump text"));
+QFileDialog* MainWindow::saveDialog(const QString& title) {
+  QFileDialog* dialog = fileDialog(title);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("log"));
+  return dialog;
+}
+
+void MainWindow::saveLogByHand() {
+  QFileDialog* dialog = saveDialog(tr("Save the log as candump text"));
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::saveLog);
+  dialog->open();
+}
+
+// What was asked for, of the log that was open then, whatever is shown by the time a name is chosen.
+void MainWindow::savePartByHand(std::uint64_t begin, std::uint64_t end, const TraceFilter& filter) {
+  const auto document = m_snapshot.view.document;
+  if (document == nullptr) return;
+  QFileDialog* dialog = saveDialog(tr("Save these frames as candump text"));
+  connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
+    m_saveBar->save(document, path, {begin, end, frameTest(document, filter)});
+  });
   dialog->open();
 }
 

@@ -22,6 +22,7 @@ class Connection;
 class MarkBar;
 class SaveBar;
 class SettingsPage;
+class TraceFilter;
 class StatusStrip;
 class TransportBar;
 class SendingActions;
@@ -64,6 +65,9 @@ class MainWindow : public QMainWindow {
   void openLogByHand();
   void openLog(const QString& path);
   void saveLogByHand();
+  // Frames [begin, end) that pass.
+  void savePartByHand(std::uint64_t begin, std::uint64_t end, const TraceFilter& filter);
+  QFileDialog* saveDialog(const QString& title);
   void closeSource();
   void follow(Notice::Action action);
   QList<QWidget*> panes() const;

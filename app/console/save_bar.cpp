@@ -38,10 +38,12 @@ SaveBar::SaveBar(QWidget* parent)
 
 SaveBar::~SaveBar() = default;
 
-void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& path) {
-  m_saving = std::make_unique<LogSaving>(std::move(document), path);
+void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part) {
+  m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
-  m_text->setText(tr("Saving %1 to %2").arg(frameCountText(m_saving->frames()), path));
+  const auto frames = m_saving->frames();
+  m_text->setText(frames ? tr("Saving %1 to %2").arg(frameCountText(*frames), path)
+                         : tr("Saving what passes the filter to %1").arg(path));
   m_button->setText(tr("Cancel"));
   m_button->setAccessibleName(tr("Cancel saving"));
   m_progress->show();
@@ -56,7 +58,7 @@ void SaveBar::showProgress() {
 
 void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   const QString path = m_saving->path();
-  const QString frames = frameCountText(m_saving->frames());
+  const QString frames = frameCountText(m_saving->written());
   m_tick.stop();
   m_saving.release()->deleteLater();  // it is telling us this
   m_progress->hide();

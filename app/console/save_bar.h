@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saves a log and shows how that goes: a line above the timeline with the progress and a way to cancel, then
-// what came of it. The window tells it what to save and where.
+// Saves a log, or a part of it, and shows how that goes: a line above the timeline with the progress and a
+// way to cancel, then what came of it. The window tells it what to save and where.
 #pragma once
 
 #include <QTimer>
@@ -22,7 +22,7 @@ class SaveBar : public QWidget {
   ~SaveBar() override;
 
   // Gives up what is being saved now.
-  void save(std::shared_ptr<const LogDocument> document, const QString& path);
+  void save(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part = {});
   bool isSaving() const { return m_saving != nullptr; }
 
  Q_SIGNALS:

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/filter_token.h"
 #include "model/trace_filter.h"
 
 namespace deckpipe {
@@ -17,30 +18,11 @@ class FilterParser {
   Result<TraceFilter, FilterError> parse();
 
  private:
-  struct Token {
-    enum class Kind : std::uint8_t {
-      End,
-      Open,
-      Close,
-      Operator,
-      Comma,
-      Word,
-      Quoted,
-      And,
-      Or,
-      Not,
-      Unclosed
-    };
-    Kind kind = Kind::End;
-    int at = 0, length = 0;
-    QString text;  // without quotes
-  };
-  using Kind = Token::Kind;
+  using Kind = FilterToken::Kind;
   // Deeper nesting is a mistake, or an attack on the stack.
   static constexpr int kDeepest = 100;
 
   void next();
-  Token read(int at) const;
   int expression(int depth);
   int term(int depth);
   int factor(int depth);
@@ -49,17 +31,10 @@ class FilterParser {
   int add(FilterNode node);
   bool takeOperator(FilterNode& node, bool& isNot);
   bool takeValues(FilterNode& node);
-  bool takeValue(FilterNode& node);
-  bool takeHex(FilterNode& node);
-  bool takeIdentifier(FilterNode& node);
-  bool takeBytes(FilterNode& node);
-  bool takeNumber(FilterNode& node);
-  bool takeWord(FilterNode& node);
-  bool takeFieldValue(FilterNode& node);
-  int fail(const Token& token, const QString& text);
+  int fail(const FilterToken& token, const QString& text);
 
   const QString m_text;
-  Token m_token;
+  FilterToken m_token;
   std::vector<FilterNode> m_nodes;
   std::optional<FilterError> m_error;
 };

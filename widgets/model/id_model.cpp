@@ -32,13 +32,25 @@ IdModel::IdModel(QObject* parent) : QAbstractTableModel(parent), m_table(std::ma
 
 IdModel::~IdModel() = default;
 
+void IdModel::setFilter(const TraceFilter& filter) {
+  beginResetModel();
+  m_filter = filter;
+  begin();
+  endResetModel();
+  Q_EMIT headerDataChanged(Qt::Horizontal, Count, Count);
+}
+
+void IdModel::begin() {
+  m_walker = m_view.document ? std::make_unique<IdTableWalker>(m_view.document, m_filter) : nullptr;
+  m_table = std::make_shared<const IdTable>();
+  m_words.clear();
+}
+
 void IdModel::setView(const LogView& view) {
   if (view.document != m_view.document) {
     beginResetModel();
     m_view = view;
-    m_walker = view.document ? std::make_unique<IdTableWalker>(view.document) : nullptr;
-    m_table = std::make_shared<const IdTable>();
-    m_words.clear();
+    begin();
     endResetModel();
   }
   const bool isLater = view.cursor.time != m_view.cursor.time;
@@ -165,7 +177,9 @@ QVariant IdModel::headerData(int section, Qt::Orientation orientation, int role)
         Qt::Alignment((isToRight(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
   if (role == Qt::ToolTipRole) {
     switch (section) {
-      case Count: return tr("Frames since the log's begin");
+      case Count:
+        return m_filter.isEmpty() ? tr("Frames since the log's begin")
+                                  : tr("Frames since the log's begin that pass the filter");
       case Period: return tr("Mean time between frames, since the last long pause");
       case Jitter: return tr("The worst that a period was beside the mean");
       case Age: return tr("Time from the last frame to the cursor");

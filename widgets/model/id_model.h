@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/id_table.h"
+#include "model/trace_filter.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
@@ -31,9 +32,14 @@ class IdModel : public QAbstractTableModel {
   ~IdModel() override;
 
   void setView(const LogView& view);
+  // Rows and counts are of the frames that pass.
+  void setFilter(const TraceFilter& filter);
   // The table is that of an earlier cursor, or not there yet.
   bool isBehind() const { return m_table->frames() != m_view.cursor.frames; }
   std::uint64_t otherFrames() const { return m_table->others(); }
+  // Frames that were looked at, and how many of them passed.
+  std::uint64_t lookedAt() const { return m_table->frames(); }
+  std::uint64_t passed() const { return m_table->passed(); }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -46,12 +52,14 @@ class IdModel : public QAbstractTableModel {
     bool isMade = false;
     QString title, summary, key;
   };
+  void begin();
   const Words& words(int row) const;
   QString text(int row, int column) const;
   QVariant sortKey(int row, int column) const;
   unsigned changedBytes(const IdRow& row) const;
 
   LogView m_view;
+  TraceFilter m_filter;
   std::shared_ptr<const IdTable> m_table;
   std::unique_ptr<IdTableWalker> m_walker;
   mutable std::vector<Words> m_words;  // by row

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bus/j1939.h"
+#include "model/frame_test.h"
 
 namespace deckpipe {
 
@@ -32,12 +33,14 @@ IdRow* IdTable::rowOf(std::uint64_t key) {
   return &m_rows.back();
 }
 
-void IdTable::walk(const FrameStore& frames, std::uint64_t end) {
+void IdTable::walk(const FrameStore& frames, std::uint64_t end, FrameTest* test) {
   end = std::min(end, frames.count());
   LogTimes times(frames);
   for (; m_frames < end; ++m_frames) {
     const Frame& frame = frames[m_frames];
     const Instant now = times.at(m_frames);
+    if (test != nullptr && !test->passes(m_frames, now)) continue;
+    ++m_passed;
     IdRow* row = rowOf(keyOf(frame));
     if (row == nullptr) {
       ++m_others;

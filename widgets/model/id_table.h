@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The traffic of a log up to a cursor, by identifier: how often, how regular, what came last. A pure function
 // of frames, so it is the same live, in replay and after seeking. Copyable: copies are kept every so many
-// frames (id_table_walker.h), so that the table at any cursor is a short walk away.
+// frames (id_table_walker.h), so that the table at any cursor is a short walk away. With a filter it is the
+// table of the frames that pass, as if there were no others.
 //
 //   1. A row is a channel and an identifier; of PGN EF00, which carries many messages, also its type byte.
 //   2. Periods are those of the present run: a pause of more than kPause times the mean, and of more than a
@@ -18,6 +19,8 @@
 #include "log/frame_store.h"
 
 namespace deckpipe {
+
+class FrameTest;
 
 struct IdRow {
   std::uint64_t key = 0;
@@ -48,10 +51,11 @@ class IdTable {
   static constexpr std::size_t kMost = 2048;
   static constexpr int kPause = 10;
 
-  // The frames of the log that are behind what the table has seen, up to `end`.
-  void walk(const FrameStore& frames, std::uint64_t end);
+  // The frames of the log that are behind what the table has seen, up to `end`; with a test those that pass.
+  void walk(const FrameStore& frames, std::uint64_t end, FrameTest* test = nullptr);
 
-  std::uint64_t frames() const { return m_frames; }
+  std::uint64_t frames() const { return m_frames; }          // that were looked at
+  std::uint64_t passed() const { return m_passed; }          // of them
   const std::vector<IdRow>& rows() const { return m_rows; }  // in the order in which they came first
   std::uint64_t others() const { return m_others; }          // frames that have no row
 
@@ -63,6 +67,7 @@ class IdTable {
   std::vector<IdRow> m_rows;
   std::vector<std::uint16_t> m_slots;  // open addressing: 0 free, otherwise row + 1
   std::uint64_t m_frames = 0;
+  std::uint64_t m_passed = 0;
   std::uint64_t m_others = 0;
 };
 

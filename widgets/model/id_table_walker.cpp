@@ -6,8 +6,9 @@
 
 namespace deckpipe {
 
-IdTableWalker::IdTableWalker(std::shared_ptr<const LogDocument> log)
+IdTableWalker::IdTableWalker(std::shared_ptr<const LogDocument> log, const TraceFilter& filter)
     : m_log(std::move(log)),
+      m_filter(filter),
       m_latest(std::make_shared<const IdTable>()),
       m_thread([this](const std::stop_token& stop) { run(stop); }) {}
 
@@ -16,7 +17,8 @@ IdTableWalker::~IdTableWalker() = default;
 void IdTableWalker::request(std::uint64_t frames) {
   {
     const std::lock_guard lock(m_lock);
-    if (m_latest->frames() == frames && !m_request) return;
+    const bool isCurrent = !m_filter.needsRoles() || m_notes == m_log->notes.count();
+    if (m_latest->frames() == frames && isCurrent && !m_request) return;
     m_request = frames;
   }
   m_wake.notify_one();
@@ -32,30 +34,41 @@ bool IdTableWalker::isSuperseded() const {
   return m_request.has_value();
 }
 
+IdTableWalker::Stand IdTableWalker::begin() const {
+  Stand stand;
+  if (!m_filter.isEmpty()) stand.test.emplace(m_log, m_filter);
+  return stand;
+}
+
 void IdTableWalker::run(const std::stop_token& stop) {
-  IdTable table;
+  Stand now = begin();
   while (!stop.stop_requested()) {
     std::uint64_t wanted = 0;
     {
       std::unique_lock lock(m_lock);
       if (!m_wake.wait(lock, stop, [this] { return m_request.has_value(); })) return;
       wanted = std::min(*std::exchange(m_request, std::nullopt), m_log->frames.count());
+      if (m_filter.needsRoles() && isPastChanged(*m_log, m_notes, m_log->frames.count())) {
+        m_kept.clear();
+        now = begin();
+      }
     }
     // From the nearest copy, unless the table stands nearer already.
     const auto after = m_kept.upper_bound(wanted);
     const auto* kept = after == m_kept.begin() ? nullptr : std::prev(after)->second.get();
-    if (table.frames() > wanted || (kept != nullptr && kept->frames() > table.frames()))
-      table = kept != nullptr ? *kept : IdTable();
+    if (now.table.frames() > wanted || (kept != nullptr && kept->table.frames() > now.table.frames()))
+      now = kept != nullptr ? *kept : begin();
+    if (now.test) now.test->bind();
     // A far way is left for a newer wish; what was walked of it is kept.
-    while (table.frames() < wanted && !stop.stop_requested() && !isSuperseded()) {
-      const std::uint64_t next = (table.frames() / kEvery + 1) * kEvery;
-      table.walk(m_log->frames, std::min(wanted, next));
-      if (table.frames() == next && !m_kept.contains(next))
-        m_kept.emplace(next, std::make_shared<const IdTable>(table));
+    while (now.table.frames() < wanted && !stop.stop_requested() && !isSuperseded()) {
+      const std::uint64_t next = (now.table.frames() / kEvery + 1) * kEvery;
+      now.table.walk(m_log->frames, std::min(wanted, next), now.test ? &*now.test : nullptr);
+      if (now.table.frames() == next && !m_kept.contains(next))
+        m_kept.emplace(next, std::make_shared<const Stand>(now));
     }
-    auto reached = std::make_shared<const IdTable>(table);
+    auto reached = std::make_shared<const IdTable>(now.table);
     const std::lock_guard lock(m_lock);
-    if (table.frames() == wanted || reached->frames() > m_latest->frames()) m_latest = std::move(reached);
+    if (now.table.frames() == wanted || reached->frames() > m_latest->frames()) m_latest = std::move(reached);
   }
 }
 

@@ -5,11 +5,23 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "state/log_view.h"
 
 namespace deckpipe {
+
+// Whether more notes are there than were `seen`, and any says that a drive is, or is not, at an address: what
+// frames before `end` are must be looked up again.
+inline bool isPastChanged(const LogDocument& log, std::size_t& seen, std::uint64_t end) {
+  const std::size_t notes = log.notes.count();
+  if (notes == std::exchange(seen, notes)) return false;
+  const std::vector<Note> past = log.notes.between(0, end);
+  return std::any_of(past.begin(), past.end(), [](const Note& note) {
+    return note.kind == NoteKind::DriveSaid || note.kind == NoteKind::DriveUnsaid;
+  });
+}
 
 class LogWalk {
  public:

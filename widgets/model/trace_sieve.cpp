@@ -32,18 +32,8 @@ void TraceSieve::run(const std::stop_token& stop) {
   }
 }
 
-// A drive that is said to be at an address changes what the frames behind that note are.
-bool TraceSieve::isPastChanged() {
-  const std::size_t notes = m_log->notes.count();
-  if (notes == std::exchange(m_notes, notes) || !m_filter.needsRoles()) return false;
-  const std::vector<Note> past = m_log->notes.between(0, m_rows.scanned());
-  return std::any_of(past.begin(), past.end(), [](const Note& note) {
-    return note.kind == NoteKind::DriveSaid || note.kind == NoteKind::DriveUnsaid;
-  });
-}
-
 void TraceSieve::scan(const std::stop_token& stop) {
-  if (isPastChanged()) {
+  if (m_filter.needsRoles() && isPastChanged(*m_log, m_notes, m_rows.scanned())) {
     m_rows.clear();
     m_walk.reset();
   }

@@ -31,7 +31,6 @@ class TraceSieve {
  private:
   void run(const std::stop_token& stop);
   void scan(const std::stop_token& stop);
-  bool isPastChanged();
 
   const std::shared_ptr<const LogDocument> m_log;
   TraceFilter m_filter;

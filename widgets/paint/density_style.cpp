@@ -43,6 +43,7 @@ QSize DensityStyle::sizeFromContents(ContentsType type, const QStyleOption* opti
           item != nullptr && item->menuItemType == QStyleOptionMenuItem::Separator)
         break;
       [[fallthrough]];
+    case CT_ItemViewItem:
     case CT_PushButton:
     case CT_ToolButton:
     case CT_ComboBox:

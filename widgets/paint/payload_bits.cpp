@@ -29,6 +29,7 @@ PayloadBits::PayloadBits(QWidget* parent) : QWidget(parent), m_colours(coloursOf
   setObjectName(QStringLiteral("payloadBits"));
   setAccessibleName(tr("Data bytes"));
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   describe();
 }
@@ -67,6 +68,20 @@ void PayloadBits::pick(int bit) {
 
 void PayloadBits::mousePressEvent(QMouseEvent* event) {
   pick(PayloadGeometry::fitting(size()).bitAt(event->position()));
+}
+
+void PayloadBits::mouseMoveEvent(QMouseEvent* event) {
+  const int bit = PayloadGeometry::fitting(size()).bitAt(event->position());
+  point(isThere(bit) ? std::uint64_t{1} << bit : 0);
+}
+
+void PayloadBits::leaveEvent(QEvent*) { point(0); }
+
+// Told once a bit, however often the pointer moves within it.
+void PayloadBits::point(std::uint64_t bit) {
+  if (bit == m_pointed) return;
+  m_pointed = bit;
+  Q_EMIT bitPointed(bit);
 }
 
 void PayloadBits::keyPressEvent(QKeyEvent* event) {
@@ -111,10 +126,10 @@ void PayloadBits::paintEvent(QPaintEvent*) {
   for (int bit = 0; bit < 8 * m_values.length; ++bit) {
     const auto byte = static_cast<std::size_t>(bit / 8);
     const bool isOne = (m_values.bytes[byte] >> bit % 8 & 1) != 0;
-    const bool isSelected = (m_values.selected >> bit & 1) != 0;
+    const bool isShown = (m_values.shown() >> bit & 1) != 0;
     const QRectF cell = g.cell(bit);
-    if (isSelected) p.fillRect(cell, c.accent.fill);
-    p.setPen(isSelected ? c.accent.onFill : isOne ? c.text : c.textSecondary);
+    if (isShown) p.fillRect(cell, c.accent.fill);
+    p.setPen(isShown ? c.accent.onFill : isOne ? c.text : c.textSecondary);
     p.drawText(cell, Qt::AlignCenter, isOne ? QStringLiteral("1") : QStringLiteral("0"));
   }
   for (int byte = 0; byte < m_values.length; ++byte) {
@@ -148,7 +163,7 @@ void PayloadBits::paintEvent(QPaintEvent*) {
   drawOutline(m_values.related, related);
   drawOutline(m_values.selected, QPen(c.text, 2 * c.stroke, Qt::SolidLine, Qt::SquareCap));
   if (hasFocus() && isThere(m_at)) {
-    p.setPen(QPen((m_values.selected >> m_at & 1) != 0 ? c.accent.onFill : c.accent.ink, 1.5 * c.stroke));
+    p.setPen(QPen((m_values.shown() >> m_at & 1) != 0 ? c.accent.onFill : c.accent.ink, 1.5 * c.stroke));
     p.setBrush(Qt::NoBrush);
     p.drawRect(g.cell(m_at).adjusted(3.5, 3.5, -3.5, -3.5));
   }

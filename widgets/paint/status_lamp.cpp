@@ -26,8 +26,14 @@ void StatusLamp::setLabel(const QString& label, const QString& spoken) {
   m_label = label;
   m_spoken = spoken;
   describe();
+  m_hint = {};
   updateGeometry();
   update();
+}
+
+void StatusLamp::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  m_hint = {};
 }
 
 void StatusLamp::setWhenOn(WhenOn whenOn) {
@@ -86,13 +92,15 @@ StatusLamp::Look StatusLamp::look() const {
 }
 
 QSize StatusLamp::sizeHint() const {
+  if (m_hint.isValid()) return m_hint;
   // The widest word, so that no change of state moves a neighbour.
   const QFontMetricsF metrics(font());
   double words = 0;
   for (const QString& w : {tr("unknown"), tr("off"), tr("on"), tr("error"), tr("not available")})
     words = std::max(words, metrics.horizontalAdvance(w));
-  return {static_cast<int>(std::ceil(kLamp + metrics.horizontalAdvance(m_label) + words + 4 * kGap)),
-          std::max(kHeight, static_cast<int>(metrics.height() * 1.6))};
+  m_hint = {static_cast<int>(std::ceil(kLamp + metrics.horizontalAdvance(m_label) + words + 4 * kGap)),
+            std::max(kHeight, static_cast<int>(metrics.height() * 1.6))};
+  return m_hint;
 }
 
 QSize StatusLamp::minimumSizeHint() const { return {static_cast<int>(kLamp + 2 * kGap), kHeight}; }

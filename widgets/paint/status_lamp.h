@@ -38,6 +38,7 @@ class StatusLamp : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   struct Look {
@@ -57,6 +58,7 @@ class StatusLamp : public QWidget {
   State m_state = State::Unknown;
   WhenOn m_whenOn = WhenOn::Plain;
   bool m_stale = false;
+  mutable QSize m_hint;  // as long as label, font and language are the same: pages are laid out often
 };
 
 }  // namespace deckpipe

@@ -5,8 +5,9 @@
 #include <QLabel>
 #include <QLibraryInfo>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
+
+#include "panel/scrolled.h"
 
 namespace deckpipe {
 namespace {
@@ -60,15 +61,7 @@ AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent)
   connect(done, &QPushButton::clicked, this, &AboutPage::closeRequested);
   column->addWidget(done, 0, Qt::AlignLeft);
   column->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setObjectName(QStringLiteral("aboutScroll"));
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(inside);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  fillScrolled(this, inside, QStringLiteral("aboutScroll"));
 }
 
 void AboutPage::keyPressEvent(QKeyEvent* event) {

@@ -45,6 +45,11 @@ void DecodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   const bool isSelected = (option.state & QStyle::State_Selected) != 0;
   const QColor ground = index.row() % 2 != 0 ? m_colours.surfaceAlternate : m_colours.surface;
   painter->fillRect(option.rect, isSelected ? m_colours.accent.fill : ground);
+  if (index.row() == m_pointed && !isSelected) {
+    // Lines above and below each cell make one frame of the row.
+    for (const int y : {option.rect.top(), option.rect.bottom() - 1})
+      painter->fillRect(option.rect.left(), y, option.rect.width(), 2, m_colours.accent.ink);
+  }
   const QFont font = fontOf(option.font, index);
   const QRect area = option.rect.adjusted(FlatHeader::kPadding, 0, -FlatHeader::kPadding, 0);
   const QString text = index.data().toString();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How rows of the decode detail are drawn: what is off or has no value lighter, the message's name bold, bits
-// in figures that stand under one another, a doubt in the colour of what wants attention.
+// in figures that stand under one another, a doubt in the colour of what wants attention, a frame around the
+// row whose bits are pointed at.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -15,6 +16,8 @@ class DecodeDelegate : public QStyledItemDelegate {
  public:
   explicit DecodeDelegate(QObject* parent = nullptr);
   void setColours(const Colours& colours) { m_colours = colours; }
+  // -1: none.
+  void setPointedRow(int row) { m_pointed = row; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
@@ -22,6 +25,7 @@ class DecodeDelegate : public QStyledItemDelegate {
   QColor ink(const QModelIndex& index) const;
 
   Colours m_colours;
+  int m_pointed = -1;
 };
 
 }  // namespace deckpipe

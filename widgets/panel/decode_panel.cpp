@@ -36,6 +36,7 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent), m_colours(coloursOf
   m_list->setTabKeyNavigation(false);
   m_list->setShowGrid(false);
   m_list->viewport()->installEventFilter(this);
+  m_list->setMouseTracking(true);
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
@@ -56,6 +57,11 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent), m_colours(coloursOf
   m_layout->addLayout(around);
   m_layout->addWidget(m_list, 1);
   connect(m_payload, &PayloadBits::bitPicked, this, &DecodePanel::pick);
+  connect(m_payload, &PayloadBits::bitPointed, this,
+          [this](std::uint64_t bit) { point(m_model == nullptr || bit == 0 ? -1 : m_model->rowOfBit(bit)); });
+  connect(m_list, &QAbstractItemView::entered, this,
+          [this](const QModelIndex& index) { point(index.row()); });
+  connect(m_list, &QAbstractItemView::viewportEntered, this, [this] { point(-1); });
 }
 
 void DecodePanel::setModel(DecodeModel* model) {
@@ -65,6 +71,7 @@ void DecodePanel::setModel(DecodeModel* model) {
   if (m_model == nullptr) return;
   m_header->setSectionResizeMode(QHeaderView::Interactive);
   shareWidth();
+  connect(m_model, &QAbstractItemModel::modelReset, this, [this] { point(-1); });
   connect(m_model, &DecodeModel::frameChanged, this, &DecodePanel::showFrame);
   connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::showBits);
   showFrame();
@@ -102,16 +109,25 @@ void DecodePanel::showBits() {
     if (const auto bits = m_model->index(row, 0).data(DecodeModel::BitsRole).toULongLong(); bits != 0)
       values.fields.push_back(bits);
   }
-  if (const QModelIndex current = m_list->currentIndex(); current.isValid()) {
-    values.selected = current.data(DecodeModel::BitsRole).toULongLong();
-    values.related = current.data(DecodeModel::SignBitsRole).toULongLong();
-  }
+  const QModelIndex current = m_list->currentIndex();
+  if (current.isValid()) values.selected = current.data(DecodeModel::BitsRole).toULongLong();
+  const QModelIndex pointed = m_model->index(m_pointed, 0);
+  if (pointed.isValid()) values.pointed = pointed.data(DecodeModel::BitsRole).toULongLong();
+  values.related = (values.pointed != 0 ? pointed : current).data(DecodeModel::SignBitsRole).toULongLong();
   m_payload->setValues(values);
 }
 
 void DecodePanel::pick(std::uint64_t bit) {
   const int row = m_model == nullptr ? -1 : m_model->rowOfBit(bit);
   if (row >= 0) m_list->setCurrentIndex(m_model->index(row, 0));
+}
+
+void DecodePanel::point(int row) {
+  if (row == m_pointed) return;
+  m_pointed = row;
+  m_delegate->setPointedRow(row);
+  m_list->viewport()->update();
+  showBits();
 }
 
 // Values get what is left, but no more than they need: what they are made of should stand beside them. Where
@@ -140,8 +156,14 @@ void DecodePanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
+void DecodePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) shareWidth();
+}
+
 bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list->viewport() && event->type() == QEvent::Resize) shareWidth();
+  if (watched == m_list->viewport() && event->type() == QEvent::Leave) point(-1);
   if (watched == m_list->viewport() && event->type() == QEvent::Paint &&
       (m_model == nullptr || m_model->rowCount() == 0)) {
     QPainter p(m_list->viewport());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One frame in full: its bytes bit by bit, and what they say field by field. The field that is selected in
-// the list has its bits brought out; a bit that is picked selects its field. The console gives it the model,
+// the list, or pointed at, has its bits brought out; a bit that is picked selects its field, and one that is
+// pointed at marks it. The console gives it the model,
 // and the model the frame that is selected in the trace.
 #pragma once
 
@@ -34,6 +35,7 @@ class DecodePanel : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -41,10 +43,12 @@ class DecodePanel : public QWidget {
   void showFrame();
   void showBits();
   void pick(std::uint64_t bit);
+  void point(int row);
   void shareWidth();
 
   Colours m_colours;
   DecodeModel* m_model = nullptr;
+  int m_pointed = -1;  // the row under the pointer, or whose bit is
   QBoxLayout* m_layout;
   PayloadBits* m_payload;
   QTableView* m_list;

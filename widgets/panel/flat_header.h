@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QHeaderView>
+#include <QList>
 
 #include "paint/palette.h"
 
@@ -21,14 +22,24 @@ class FlatHeader : public QHeaderView {
   // So much at the left belongs to no column; sections begin behind it and are scrolled under it.
   void setGutter(int width);
   void scrollTo(int offset) { setOffset(offset - m_gutter); }
+  // Every column as wide as this. Told again, for other letters, a column that a person made wider or
+  // narrower keeps its share.
+  void setUsualWidths(const QList<int>& widths);
+  // All columns shown, in their order, as wide as usual.
+  void showUsual();
+  // Widths, order and which are hidden, for settings; fits larger and smaller letters than it was saved in.
+  QByteArray saveColumns() const;
+  bool restoreColumns(const QByteArray& state);
 
  protected:
   void paintSection(QPainter* painter, const QRect& rect, int section) const override;
   void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   Colours m_colours;
   int m_gutter = 0;
+  QList<int> m_usual;
 };
 
 }  // namespace deckpipe

@@ -5,11 +5,11 @@
 #include <QEvent>
 #include <QItemSelectionModel>
 #include <QLabel>
-#include <QScrollArea>
 #include <QTextDocumentFragment>
 #include <QVBoxLayout>
 
 #include "panel/label_ink.h"
+#include "panel/scrolled.h"
 
 namespace deckpipe {
 namespace {
@@ -53,15 +53,7 @@ HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
   column->setSpacing(6);
   for (QLabel* label : {m_title, m_now, m_story}) column->addWidget(label);
   column->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setObjectName(QStringLiteral("helpScroll"));
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(inside);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  fillScrolled(this, inside, QStringLiteral("helpScroll"));
   explain(nullptr);
 }
 

@@ -7,13 +7,28 @@
 #include <QPainter>
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
+#include <algorithm>
+#include <utility>
 
 #include "panel/flat_header.h"
 
 namespace deckpipe {
 namespace {
 
-constexpr int kRow = 24;
+constexpr int kLeastRow = 24;
+
+// What a column must hold without being cut; Name holds what it can, Decoded has what is left.
+constexpr std::pair<IdModel::Column, const char*> kWidest[] = {
+    {IdModel::ChannelName, "Channel ▲"},
+    {IdModel::Identifier, "18EFFF80"},
+    {IdModel::Ends, "From→To ▲"},
+    {IdModel::Name, "Malformed: Position / lim"},
+    {IdModel::Count, "99,999,999"},
+    {IdModel::Period, "1,000.0 ms"},
+    {IdModel::Jitter, "±1,000.0 ms"},
+    {IdModel::Age, "00 min 00"},
+    {IdModel::Data, "00 00 00 00 00 00 00 00"},
+};
 
 QFont figureFont(const QFont& base) {
   QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -93,7 +108,6 @@ IdView::IdView(QWidget* parent)
   setHorizontalScrollMode(ScrollPerPixel);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(kRow);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   m_header = new FlatHeader(this);
   m_header->setObjectName(QStringLiteral("traceByIdHeader"));
@@ -102,26 +116,38 @@ IdView::IdView(QWidget* parent)
   m_header->setSectionsClickable(true);
   setSortingEnabled(true);
   sortByColumn(IdModel::Identifier, Qt::AscendingOrder);
-  const QFontMetrics figures(figureFont(font())), words(font());
-  const auto width = [&](int column, const char* widest) {
-    const QFontMetrics& metrics = isFigures(column) ? figures : words;
-    setColumnWidth(column,
-                   metrics.horizontalAdvance(QString::fromUtf8(widest)) + 2 * FlatHeader::kPadding + 4);
-  };
-  width(IdModel::ChannelName, "Channel ▲");
-  width(IdModel::Identifier, "18EFFF80");
-  width(IdModel::Ends, "From→To ▲");
-  width(IdModel::Name, "Malformed: Position / lim");
-  width(IdModel::Count, "99,999,999");
-  width(IdModel::Period, "1,000.0 ms");
-  width(IdModel::Jitter, "±1,000.0 ms");
-  width(IdModel::Age, "00 min 00");
-  width(IdModel::Data, "00 00 00 00 00 00 00 00");
+  m_header->setSectionsMovable(true);
+  updateFonts();
   m_header->setStretchLastSection(true);
   connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this, &IdView::tellCurrent);
   connect(this, &QAbstractItemView::doubleClicked, this, [this](const QModelIndex& index) {
     Q_EMIT filterRequested(index.data(IdModel::FilterRole).toString());
   });
+}
+
+void IdView::updateFonts() {
+  const QFontMetrics figures(figureFont(font())), words(font());
+  verticalHeader()->setDefaultSectionSize(std::max({kLeastRow, figures.height() + 6, words.height() + 6}));
+  QList<int> widths;
+  for (const auto& [column, widest] : kWidest) {
+    const QFontMetrics& metrics = isFigures(column) ? figures : words;
+    widths.push_back(metrics.horizontalAdvance(QString::fromUtf8(widest)) + 2 * FlatHeader::kPadding + 4);
+  }
+  m_header->setUsualWidths(widths);
+}
+
+void IdView::changeEvent(QEvent* event) {
+  QTableView::changeEvent(event);
+  if (event->type() == QEvent::FontChange && m_header != nullptr) updateFonts();
+}
+
+QByteArray IdView::saveState() const { return m_header->saveColumns(); }
+
+bool IdView::restoreState(const QByteArray& state) { return m_header->restoreColumns(state); }
+
+void IdView::resetColumns() {
+  m_header->showUsual();
+  sortByColumn(IdModel::Identifier, Qt::AscendingOrder);
 }
 
 void IdView::setView(const LogView& view) {

@@ -25,6 +25,11 @@ class IdView : public QTableView {
   void setColours(const Colours& colours);
   // The last frame of the row that is chosen.
   std::optional<std::uint64_t> currentFrame() const;
+  FlatHeader* header() const { return m_header; }
+  // Widths, order and which are hidden, for the caller's settings.
+  QByteArray saveState() const;
+  bool restoreState(const QByteArray& state);
+  void resetColumns();
 
  Q_SIGNALS:
   void currentFrameChanged(std::optional<std::uint64_t> frame);
@@ -32,13 +37,15 @@ class IdView : public QTableView {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void tellCurrent();
+  void updateFonts();
 
   IdModel* m_rows;
   QSortFilterProxyModel* m_sorted;
-  FlatHeader* m_header;
+  FlatHeader* m_header = nullptr;
   std::optional<std::uint64_t> m_told;
 };
 

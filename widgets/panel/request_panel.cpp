@@ -31,6 +31,7 @@ namespace deckpipe {
 namespace {
 
 constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
+constexpr int kHistoryHeight = 120;  // two or three answers
 
 // What a command does, for the one question before it. The manual's words, no more.
 QString consequence(Ask ask) {
@@ -98,7 +99,8 @@ RequestPanel::RequestPanel(QWidget* parent)
                                  fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
   m_historyHeader->resizeSection(AnswerHistory::What,
                                  fontMetrics().horizontalAdvance(askText(Ask::Config)) + 24);
-  m_historyHeader->resizeSection(AnswerHistory::Answer, 240);
+  m_historyView->setMinimumHeight(kHistoryHeight);
+  m_historyView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // a tool tip has what is cut off
 
   auto* split = new QSplitter(Qt::Vertical, this);
   split->setChildrenCollapsible(false);

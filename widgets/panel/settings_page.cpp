@@ -6,12 +6,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "panel/label_ink.h"
+#include "panel/scrolled.h"
 
 namespace deckpipe {
 namespace {
@@ -94,15 +94,7 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
   connect(done, &QPushButton::clicked, this, &SettingsPage::closeRequested);
   m_column->addWidget(done, 0, Qt::AlignLeft);
   m_column->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setObjectName(QStringLiteral("settingsScroll"));
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(inside);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  fillScrolled(this, inside, QStringLiteral("settingsScroll"));
   connect(m_themes, &QButtonGroup::idClicked, this,
           [this](int id) { Q_EMIT themeChosen(static_cast<Theme>(id)); });
   connect(m_densities, &QButtonGroup::idClicked, this,

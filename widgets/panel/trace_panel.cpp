@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/trace_panel.h"
 
-#include <QApplication>
-#include <QCheckBox>
-#include <QClipboard>
-#include <QComboBox>
 #include <QDataStream>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QMenu>
 #include <QPainter>
 #include <QShortcut>
-#include <QSignalBlocker>
 #include <QStackedWidget>
-#include <QTabBar>
-#include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "model/cell_filters.h"
 #include "model/field_text.h"
-#include "model/filter_keys.h"
 #include "panel/id_view.h"
-#include "panel/label_ink.h"
+#include "panel/trace_bar.h"
 #include "panel/trace_filter_edit.h"
 #include "panel/trace_search_bar.h"
 
@@ -30,7 +21,7 @@ namespace deckpipe {
 namespace {
 
 constexpr int kMoreMs = 33;
-constexpr int kStateVersion = 1;
+constexpr int kStateVersion = 2;
 
 }  // namespace
 
@@ -41,67 +32,67 @@ TracePanel::TracePanel(QWidget* parent)
   m_view = new TraceView(this);
   m_view->setModel(m_model);
   m_view->setFrameShape(QFrame::NoFrame);
+  m_bar = new TraceBar(this);
+  m_ids = new IdView(this);
   m_search = makeSearch();
   m_search->hide();
-  makeBar();
+  layOut();
+  connectParts();
+  makeShortcuts();
+  showCount();
+}
+
+void TracePanel::connectParts() {
+  TraceFilterEdit* filter = m_bar->filter();
+  connect(filter, &TraceFilterEdit::filterTyped, this, &TracePanel::takeFilter);
+  connect(filter, &TraceFilterEdit::mistyped, this, &TracePanel::showError);
+  connect(filter, &TraceFilterEdit::left, this, [this] { m_pages->currentWidget()->setFocus(); });
+  connect(m_bar, &TraceBar::orderChosen, this, &TracePanel::setOrder);
+  connect(m_bar, &TraceBar::timeModeChosen, this, &TracePanel::setTimeMode);
+  connect(m_bar, &TraceBar::followToggled, m_view, &TraceView::setFollowing);
+  m_bar->setFollowing(m_view->isFollowing());
+  connect(m_view, &TraceView::followingChanged, m_bar, &TraceBar::setFollowing);
   connect(m_view, &TraceView::currentFrameChanged, this, [this](std::optional<std::uint64_t> frame) {
     if (!isById()) Q_EMIT currentFrameChanged(frame);
   });
   connect(m_view, &TraceView::cursorRequested, this, &TracePanel::cursorRequested);
-  connect(m_view, &TraceView::followingChanged, m_follow, &QAbstractButton::setChecked);
   connect(m_view, &TraceView::menuRequested, this, &TracePanel::showCellMenu);
-  m_view->header()->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(m_view->header(), &QWidget::customContextMenuRequested, this, &TracePanel::showColumnMenu);
+  for (FlatHeader* header : {m_view->header(), m_ids->header()}) {
+    header->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header, &QWidget::customContextMenuRequested, this,
+            [this, header](const QPoint& at) { showColumnMenu(*header, at); });
+  }
   m_more.setInterval(kMoreMs);
   connect(&m_more, &QTimer::timeout, this, &TracePanel::refresh);
+  connect(m_ids, &IdView::currentFrameChanged, this, &TracePanel::currentFrameChanged);
+  connect(m_ids, &IdView::filterRequested, this, [this](const QString& expression) {
+    m_bar->setOrder(TraceBar::InOrder);
+    m_row = Row{m_expression, narrowed(m_expression, expression)};
+    setFilter(m_row->frames);
+  });
+}
+
+void TracePanel::makeShortcuts() {
   const auto shortcut = [this](const QKeySequence& keys, auto what) {
     connect(new QShortcut(keys, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut),
             &QShortcut::activated, this, what);
   };
   const auto search = [this] {
-    m_order->setCurrentIndex(0);
+    m_bar->setOrder(TraceBar::InOrder);
     m_search->open();
   };
   shortcut(QKeySequence::Find, search);
   shortcut(QKeySequence(QStringLiteral("Ctrl+L")), [this] {
-    m_order->setCurrentIndex(0);
-    m_filter->setFocus(Qt::ShortcutFocusReason);
-    m_filter->selectAll();
+    m_bar->filter()->setFocus(Qt::ShortcutFocusReason);
+    m_bar->filter()->selectAll();
   });
   shortcut(QKeySequence(QStringLiteral("F3")),
            [this, search] { m_search->isVisible() ? m_search->findNext() : search(); });
   shortcut(QKeySequence(QStringLiteral("Shift+F3")),
            [this, search] { m_search->isVisible() ? m_search->findPrevious() : search(); });
-  showCount();
 }
 
-void TracePanel::makeBar() {
-  auto* bar = new QHBoxLayout;
-  bar->setContentsMargins(8, 4, 8, 4);
-  bar->setSpacing(8);
-  m_filter = new TraceFilterEdit(this);
-  connect(m_filter, &TraceFilterEdit::filterTyped, this, &TracePanel::takeFilter);
-  connect(m_filter, &TraceFilterEdit::mistyped, this, &TracePanel::showError);
-  connect(m_filter, &TraceFilterEdit::left, m_view, qOverload<>(&QWidget::setFocus));
-  m_help = new QToolButton(this);
-  m_help->setObjectName(QStringLiteral("traceFilterHelp"));
-  m_help->setText(QStringLiteral("?"));
-  m_help->setAccessibleName(tr("How filters are written"));
-  m_help->setMinimumWidth(32);
-  m_help->setToolTip(filterHelp());
-  m_help->setPopupMode(QToolButton::InstantPopup);
-  auto* examples = new QMenu(m_help);
-  for (const char* example : {"pgn=EF00 and sa=80", "type=01,83", "name~\"soft limits\"", "rotation_deg>30",
-                              "data~\"01 1D\"", "dir=tx", "malformed or err", "t>=10 and t<20"}) {
-    const QString text = QLatin1String(example);
-    examples->addAction(text, this, [this, text] { setFilter(text); });
-  }
-  m_help->setMenu(examples);
-  m_count = new QLabel(this);
-  m_count->setObjectName(QStringLiteral("traceCount"));
-  m_count->setTextFormat(Qt::PlainText);
-  m_count->setMinimumWidth(fontMetrics().horizontalAdvance(
-      tr("%1 of %2").arg(QLocale().toString(10'000'000), QLocale().toString(10'000'000))));
+void TracePanel::layOut() {
   m_error = new QLabel(this);
   m_error->setObjectName(QStringLiteral("traceFilterError"));
   m_error->setAccessibleName(tr("What is wrong with the filter"));
@@ -112,49 +103,13 @@ void TracePanel::makeBar() {
   m_error->setAutoFillBackground(true);
   m_error->setAttribute(Qt::WA_TransparentForMouseEvents);
   m_error->hide();
-  m_time = new QComboBox(this);
-  m_time->setObjectName(QStringLiteral("traceTime"));
-  m_time->setAccessibleName(tr("How the Time column says time"));
-  m_time->setToolTip(m_time->accessibleName());
-  m_time->addItems({tr("Time of the log"), tr("Since the begin"), tr("Since the row before")});
-  connect(m_time, &QComboBox::activated, this, &TracePanel::setTimeMode);
-  m_follow = new QCheckBox(this);
-  m_follow->setObjectName(QStringLiteral("traceFollow"));
-  m_follow->setText(tr("Follow"));
-  m_follow->setAccessibleName(tr("Follow the end of the log"));
-  m_follow->setToolTip(m_follow->accessibleName());
-  m_follow->setChecked(m_view->isFollowing());
-  connect(m_follow, &QAbstractButton::toggled, m_view, &TraceView::setFollowing);
-  m_order = new QTabBar(this);
-  m_order->setObjectName(QStringLiteral("traceOrder"));
-  m_order->setAccessibleName(tr("Rows of the trace"));
-  m_order->setExpanding(false);
-  m_order->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  m_order->setDrawBase(false);
-  m_order->addTab(tr("In order"));
-  m_order->addTab(tr("By ID"));
-  m_order->setTabToolTip(0, tr("Every frame, as it came"));
-  m_order->setTabToolTip(1, tr("The last frame of each identifier, how often and how regular it comes"));
-  connect(m_order, &QTabBar::currentChanged, this, &TracePanel::setOrder);
-  bar->addWidget(m_order);
-  bar->addWidget(m_filter, 1);
-  bar->addWidget(m_help);
-  bar->addWidget(m_count);
-  bar->addWidget(m_time);
-  bar->addWidget(m_follow);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->setSpacing(0);
-  all->addLayout(bar);
-  m_ids = new IdView(this);
-  connect(m_ids, &IdView::currentFrameChanged, this, &TracePanel::currentFrameChanged);
-  connect(m_ids, &IdView::filterRequested, this, [this](const QString& expression) {
-    m_order->setCurrentIndex(0);
-    setFilter(expression);
-  });
   m_pages = new QStackedWidget(this);
   m_pages->addWidget(m_view);
   m_pages->addWidget(m_ids);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  all->addWidget(m_bar);
   all->addWidget(m_pages, 1);
   all->addWidget(m_search);
 }
@@ -198,7 +153,7 @@ void TracePanel::setView(const LogView& view) {
     QStringList channels;
     for (std::size_t i = 0; i < m_channels; ++i)
       channels += toQString(view.document->frames.channelName(static_cast<std::uint8_t>(i)));
-    m_filter->setChannels(channels);
+    m_bar->filter()->setChannels(channels);
   }
   showCount();
 }
@@ -208,19 +163,21 @@ void TracePanel::setColours(const Colours& colours) {
   m_view->setColours(colours);
   m_ids->setColours(colours);
   m_search->setColours(colours);
-  showCount();
+  m_bar->setColours(colours);
   showError();
   update();
 }
 
-void TracePanel::setFilter(const QString& expression) { m_filter->setExpression(expression); }
+void TracePanel::setFilter(const QString& expression) { m_bar->filter()->setExpression(expression); }
 
-QString TracePanel::filter() const { return m_filter->text(); }
+QString TracePanel::filter() const { return m_bar->filter()->text(); }
 
 void TracePanel::takeFilter(const TraceFilter& filter) {
   const bool wasFiltered = m_model->isFiltered();
-  m_expression = m_filter->text().trimmed();
+  m_expression = m_bar->filter()->text().trimmed();
   m_model->setFilter(filter);
+  m_ids->rows()->setFilter(filter);
+  if (isById()) m_ids->setView(m_model->view());
   showCount();
   showError();
   if (m_model->isFiltered() != wasFiltered) Q_EMIT filteredChanged(!wasFiltered);
@@ -242,14 +199,11 @@ void TracePanel::showCount() {
       m_more.start();
     }
   }
-  setInk(*m_count, m_colours.textSecondary);
   const QLocale locale;
   const std::uint64_t frames = m_model->view().frameCount;
   QString text;
   if (isById()) {
-    text = tr("%1 rows").arg(locale.toString(m_ids->rows()->rowCount()));
-    if (const std::uint64_t others = m_ids->rows()->otherFrames(); others > 0)
-      text = tr("%1; %2 frames of further identifiers have none").arg(text, locale.toString(others));
+    text = idCount();
   } else if (!m_model->isFiltered()) {
     text = frames == 0 ? QString() : tr("All frames");
   } else if (m_model->isFiltering()) {
@@ -259,21 +213,36 @@ void TracePanel::showCount() {
   } else {
     text = tr("%1 of %2").arg(locale.toString(m_model->rows()), locale.toString(frames));
   }
-  setText(*m_count, text);
+  m_bar->setCount(text);
+}
+
+// How many rows, and of how many frames they tell.
+QString TracePanel::idCount() const {
+  const QLocale locale;
+  const IdModel& ids = *m_ids->rows();
+  QString text = tr("%Ln rows", nullptr, ids.rowCount());
+  if (m_model->isFiltered())
+    text = tr("%1 of %2 frames, %3")
+               .arg(locale.toString(static_cast<qulonglong>(ids.passed())),
+                    locale.toString(static_cast<qulonglong>(ids.lookedAt())), text);
+  if (ids.otherFrames() > 0)
+    text = tr("%1; %2 frames of further identifiers have none").arg(text, locale.toString(ids.otherFrames()));
+  return text;
 }
 
 // Over the first rows, so that nothing moves while one types.
 void TracePanel::showError() {
-  const auto& error = m_filter->error();
-  m_error->setVisible(error.has_value() && !isById());
-  if (!error || isById()) return;
+  const auto& error = m_bar->filter()->error();
+  m_error->setVisible(error.has_value());
+  if (!error) return;
   m_error->setText(tr("Character %1: %2").arg(error->at + 1).arg(error->text));
   QPalette inks = m_error->palette();
   inks.setColor(QPalette::Window, m_colours.surface);
   inks.setColor(QPalette::WindowText, m_colours.fault.ink);
   m_error->setPalette(inks);
-  m_error->setFixedSize(m_filter->width(), m_error->heightForWidth(m_filter->width()));
-  m_error->move(m_filter->x(), m_filter->geometry().bottom());
+  const QRect line = m_bar->filter()->geometry();  // the bar begins where the panel does
+  m_error->setFixedSize(line.width(), m_error->heightForWidth(line.width()));
+  m_error->move(line.left(), line.bottom());
   m_error->raise();
 }
 
@@ -282,13 +251,14 @@ void TracePanel::resizeEvent(QResizeEvent* event) {
   showError();
 }
 
-// Filter, time and search are about frames one by one.
+// Time and search are about frames one by one. Whoever comes back from the frames of one row finds the rows
+// as they were.
 void TracePanel::setOrder(int order) {
-  const bool isById = order == 1;
+  const bool isById = order == TraceBar::ById;
   if (isById && m_search->isVisible()) closeSearch();
   m_pages->setCurrentIndex(order);
-  for (QWidget* widget : std::initializer_list<QWidget*>{m_filter, m_help, m_time, m_follow})
-    widget->setVisible(!isById);
+  if (const auto row = std::exchange(m_row, std::nullopt); row && m_expression == row->frames)
+    setFilter(row->before);
   if (isById) m_ids->setView(m_model->view());
   showCount();
   showError();
@@ -321,76 +291,38 @@ void TracePanel::stepCursor(int rows) {
   if (const auto cursor = cursorRowsOn(rows); cursor && *cursor > 0) Q_EMIT cursorRequested(*cursor - 1);
 }
 
+bool TracePanel::hasSelection() const { return !isById() && !m_view->selection().isEmpty(); }
+
+void TracePanel::saveSelection() {
+  if (!hasSelection()) return;
+  const TraceView::FrameRange selection = m_view->selection();
+  Q_EMIT saveRequested(selection.first, selection.end, m_model->filter());
+}
+
+// Also what the filter has still to look at.
+void TracePanel::saveShown() { Q_EMIT saveRequested(0, m_model->view().frameCount, m_model->filter()); }
+
 void TracePanel::setTimeMode(int mode) {
   m_model->setTimeMode(static_cast<TraceModel::TimeMode>(mode));
-  const QSignalBlocker blocker(m_time);
-  m_time->setCurrentIndex(mode);
-}
-
-void TracePanel::showCellMenu(std::optional<TraceView::Cell> cell, const QPoint& global) {
-  auto* menu = new QMenu(this);
-  menu->setObjectName(QStringLiteral("traceMenu"));
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  if (cell) {
-    QMenu* hide = new QMenu(tr("Hide"), menu);
-    menu->addSection(tr("Show only"));
-    for (const CellFilter& filter : cellFilters(*m_model->view().document, cell->frame, cell->column)) {
-      QString what = filter.what;
-      what.replace(u'&', QLatin1String("&&"));
-      menu->addAction(what, this, [this, filter] { setFilter(narrowed(m_expression, filter.expression)); });
-      hide->addAction(what, this, [this, filter] { setFilter(reduced(m_expression, filter.expression)); });
-    }
-    menu->addMenu(hide);
-    if (m_model->isFiltered()) menu->addAction(tr("Show all"), this, [this] { setFilter({}); });
-    menu->addSeparator();
-    menu->addAction(tr("Put the cursor here"), this,
-                    [this, frame = cell->frame] { Q_EMIT cursorRequested(frame); });
-    if (cell->column >= 0) {
-      const QModelIndex at = m_view->indexOfFrame(cell->frame, cell->column);
-      if (const QString text = at.data().toString(); !text.isEmpty())
-        menu->addAction(tr("Copy the cell"), this, [text] { QApplication::clipboard()->setText(text); });
-    }
-  }
-  QAction* copy = menu->addAction(tr("Copy as candump text"), m_view, &TraceView::copy);
-  copy->setShortcut(QKeySequence::Copy);
-  copy->setEnabled(!m_view->selection().isEmpty());
-  menu->popup(global);
-}
-
-void TracePanel::showColumnMenu(const QPoint& at) {
-  auto* menu = new QMenu(this);
-  menu->setObjectName(QStringLiteral("traceColumnMenu"));
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  FlatHeader* header = m_view->header();
-  const bool isLast = header->count() - header->hiddenSectionCount() == 1;
-  for (int column = 0; column < header->count(); ++column) {
-    QAction* action = menu->addAction(m_model->headerData(column, Qt::Horizontal).toString());
-    action->setCheckable(true);
-    action->setChecked(!header->isSectionHidden(column));
-    action->setEnabled(!isLast || header->isSectionHidden(column));  // one at least stays
-    connect(action, &QAction::toggled, m_view,
-            [this, column](bool isShown) { m_view->setColumnShown(column, isShown); });
-  }
-  menu->addSeparator();
-  menu->addAction(tr("Columns as they were"), m_view, &TraceView::resetColumns);
-  menu->popup(header->mapToGlobal(at));
+  m_bar->setTimeMode(mode);
 }
 
 QByteArray TracePanel::saveState() const {
   QByteArray state;
   QDataStream out(&state, QIODevice::WriteOnly);
-  out << kStateVersion << m_view->saveState() << static_cast<int>(m_model->timeMode());
+  out << kStateVersion << m_view->saveState() << m_ids->saveState() << static_cast<int>(m_model->timeMode());
   return state;
 }
 
 bool TracePanel::restoreState(const QByteArray& state) {
   QDataStream in(state);
   int version = 0, mode = 0;
-  QByteArray columns;
-  in >> version >> columns >> mode;
+  QByteArray columns, idColumns;
+  in >> version >> columns >> idColumns >> mode;
   if (in.status() != QDataStream::Ok || version != kStateVersion) return false;
-  if (mode >= 0 && mode < m_time->count()) setTimeMode(mode);
-  return m_view->restoreState(columns);
+  if (mode >= 0 && mode < TraceBar::kTimeModes) setTimeMode(mode);
+  const bool hasIds = m_ids->restoreState(idColumns);
+  return m_view->restoreState(columns) && hasIds;
 }
 
 void TracePanel::paintEvent(QPaintEvent*) {

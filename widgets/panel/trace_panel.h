@@ -14,17 +14,13 @@
 #include "paint/palette.h"
 #include "panel/trace_view.h"
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QStackedWidget;
-class QTabBar;
-class QToolButton;
 
 namespace deckpipe {
 
 class IdView;
-class TraceFilterEdit;
+class TraceBar;
 class TraceSearchBar;
 
 class TracePanel : public QWidget {
@@ -40,6 +36,7 @@ class TracePanel : public QWidget {
   std::optional<std::uint64_t> currentFrame() const;
   void setCurrentFrame(std::optional<std::uint64_t> frame);
   bool isById() const;
+  bool isFiltered() const { return m_model->isFiltered(); }
   // In the filter language; what is wrong is said as if it had been typed.
   void setFilter(const QString& expression);
   QString filter() const;
@@ -48,6 +45,11 @@ class TracePanel : public QWidget {
   std::optional<std::uint64_t> cursorRowsOn(int rows) const;
   // Asks for the cursor there.
   void stepCursor(int rows);
+
+  // Asks for a file of what is selected, or of all that passes the filter.
+  bool hasSelection() const;
+  void saveSelection();
+  void saveShown();
 
   // Columns and how time is said, for the caller's settings.
   QByteArray saveState() const;
@@ -60,6 +62,8 @@ class TracePanel : public QWidget {
  Q_SIGNALS:
   void currentFrameChanged(std::optional<std::uint64_t> frame);
   void cursorRequested(std::uint64_t frame);
+  // The frames of [begin, end) that pass.
+  void saveRequested(std::uint64_t begin, std::uint64_t end, const deckpipe::TraceFilter& filter);
   // Whether steps by row are others than steps by frame.
   void filteredChanged(bool isFiltered);
 
@@ -68,32 +72,35 @@ class TracePanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void makeBar();
+  void layOut();
+  void connectParts();
+  void makeShortcuts();
   void takeFilter(const TraceFilter& filter);
   void refresh();
   void showCount();
+  QString idCount() const;
   void showError();
   void showCellMenu(std::optional<TraceView::Cell> cell, const QPoint& global);
-  void showColumnMenu(const QPoint& at);
+  void showColumnMenu(FlatHeader& header, const QPoint& at);
   void setTimeMode(int mode);
   void setOrder(int order);
   TraceSearchBar* makeSearch();
   void closeSearch();
 
   Colours m_colours;
-  QString m_expression;        // of the filter in force
+  QString m_expression;  // of the filter in force
+  // While the frames of a row of the traffic by identifier are looked at: the filter before, and theirs.
+  struct Row {
+    QString before, frames;
+  };
+  std::optional<Row> m_row;
   std::size_t m_channels = 0;  // that completion knows
   TraceModel* m_model;
   TraceView* m_view;
   IdView* m_ids;
   QStackedWidget* m_pages;
-  QTabBar* m_order;
-  TraceFilterEdit* m_filter;
-  QLabel* m_count;
+  TraceBar* m_bar;
   QLabel* m_error;
-  QToolButton* m_help;
-  QComboBox* m_time;
-  QCheckBox* m_follow;
   TraceSearchBar* m_search;
   QTimer m_more;  // while a filter is looked through, or a table is on its way
 };

@@ -67,7 +67,8 @@ void TraceView::setModel(TraceModel* model) {
     connect(m_model, &TraceModel::filterChanged, this, &TraceView::keepInPlace);
     connect(m_model, &QAbstractItemModel::dataChanged, viewport(), qOverload<>(&QWidget::update));
   }
-  setDefaultWidths();
+  m_header->setSectionResizeMode(QHeaderView::Interactive);
+  setUsualWidths();
   takeView();
 }
 
@@ -159,7 +160,9 @@ void TraceView::updateFonts() {
   m_fonts = TraceFonts(font());
   const int text = std::max(QFontMetrics(m_fonts.text).height(), QFontMetrics(m_fonts.figures).height());
   m_rowHeight = std::max(kLeastRow, text + 6);
-  m_header->setFixedHeight(std::max(FlatHeader::kLeastHeight, text + 12));
+  // As high as it makes itself, but now: its letters may come later than ours.
+  m_header->setFixedHeight(std::max(FlatHeader::kLeastHeight, QFontMetrics(m_fonts.text).height() + 12));
+  setUsualWidths();
   layOut();
 }
 
@@ -188,17 +191,18 @@ void TraceView::layOut() {
   showScroll();
 }
 
-void TraceView::setDefaultWidths() {
+void TraceView::setUsualWidths() {
   if (m_header->count() == 0) return;
-  const QSignalBlocker blocker(m_header);
+  QList<int> widths;
   for (int column = 0; column < TraceModel::Decoded; ++column) {
     const QFontMetrics metrics(m_fonts.of(column));
     const QString title = m_model->headerData(column, Qt::Horizontal).toString();
     const int widest = std::max(QFontMetrics(m_header->font()).horizontalAdvance(title),
                                 metrics.horizontalAdvance(widestText(column)));
-    m_header->resizeSection(column, widest + 2 * FlatHeader::kPadding + 2);
+    widths.push_back(widest + 2 * FlatHeader::kPadding + 2);
   }
-  m_header->setSectionResizeMode(QHeaderView::Interactive);
+  const QSignalBlocker blocker(m_header);
+  m_header->setUsualWidths(widths);
   stretchDecoded();
 }
 
@@ -218,15 +222,15 @@ void TraceView::setColumnShown(int column, bool isShown) {
 }
 
 void TraceView::resetColumns() {
-  for (int column = 0; column < m_header->count(); ++column) m_header->setSectionHidden(column, false);
-  setDefaultWidths();
+  m_header->showUsual();
+  stretchDecoded();
   layOut();
 }
 
-QByteArray TraceView::saveState() const { return m_header->saveState(); }
+QByteArray TraceView::saveState() const { return m_header->saveColumns(); }
 
 bool TraceView::restoreState(const QByteArray& state) {
-  const bool isTaken = m_header->restoreState(state);
+  const bool isTaken = m_header->restoreColumns(state);
   stretchDecoded();
   layOut();
   return isTaken;

@@ -106,7 +106,7 @@ class TraceView : public QAbstractScrollArea {
   void notePlace();
   void layOut();
   void stretchDecoded();
-  void setDefaultWidths();
+  void setUsualWidths();
   void updateFonts();
   std::vector<TraceColumn> columns() const;
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person does with a whole log: saves it, marks places in it, finds it again.
+#include <QFileDialog>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
@@ -9,6 +12,7 @@
 #include "console/recent_logs.h"
 #include "model/event_model.h"
 #include "panel/event_panel.h"
+#include "panel/trace_panel.h"
 
 namespace deckpipe {
 namespace {
@@ -37,6 +41,49 @@ TEST_F(LogActions, SaveTheWholeLogAsItWasRead) {
   EXPECT_EQ(read(path), QByteArray(kTruck).replace("(10", "(0000000010"));
   QTest::mouseClick(named<QPushButton>("saveButton"), Qt::LeftButton);
   EXPECT_FALSE(named<QWidget>("saveBar")->isVisible());
+}
+
+TEST_F(LogActions, SaveWhatIsSelectedInTheTraceOrPassesItsFilter) {
+  openLog(kTruck);
+  const QList<QByteArray> lines = QByteArray(kTruck).replace("(10", "(0000000010").split('\n');
+  const QString path = m_dir.filePath(QStringLiteral("part.log"));
+  const auto saveBy = [&](const char* action, const char* done) {
+    QFile::remove(path);
+    trigger(action);
+    auto* dialog = named<QFileDialog>("fileDialog");
+    ASSERT_NE(dialog, nullptr);
+    Q_EMIT dialog->fileSelected(path);
+    delete dialog;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return text("saveText").startsWith(QLatin1String(done)); }, kPatience))
+        << qPrintable(text("saveText"));
+  };
+  auto* trace = only<TracePanel>();
+  trace->setFilter(QStringLiteral("name~position"));
+  saveBy("saveShownAction", "Saved 2 frames");
+  EXPECT_EQ(read(path), lines[1] + '\n' + lines[2] + '\n');
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !trace->model()->isFiltering(); }, kPatience));
+  QTest::keyClick(trace->view(), Qt::Key_End);
+  saveBy("saveSelectionAction", "Saved 1 frame");
+  EXPECT_EQ(read(path), lines[2] + '\n');
+  trace->setFilter({});
+  QTest::keyClick(trace->view(), Qt::Key_Home);
+  QTest::keyClick(trace->view(), Qt::Key_Down, Qt::ShiftModifier);
+  saveBy("saveSelectionAction", "Saved 2 frames");
+  EXPECT_EQ(read(path), lines[0] + '\n' + lines[1] + '\n');
+}
+
+TEST_F(LogActions, OfferToSaveAPartOnlyWhereThereIsOne) {
+  openLog(kTruck);
+  const auto isOffered = [this](const char* action) {
+    Q_EMIT m_window.menuBar()->actions().first()->menu()->aboutToShow();
+    return named<QAction>(action)->isEnabled();
+  };
+  EXPECT_FALSE(isOffered("saveSelectionAction"));
+  EXPECT_FALSE(isOffered("saveShownAction"));
+  only<TracePanel>()->setFilter(QStringLiteral("sa=80"));
+  only<TracePanel>()->setCurrentFrame(1);
+  EXPECT_TRUE(isOffered("saveSelectionAction"));
+  EXPECT_TRUE(isOffered("saveShownAction"));
 }
 
 TEST_F(LogActions, SayWhyALogCannotBeSaved) {

@@ -13,6 +13,7 @@
 #include "paint/density_style.h"
 #include "panel/help_panel.h"
 #include "panel/status_cell.h"
+#include "panel/trace_panel.h"
 
 namespace deckpipe {
 namespace {
@@ -95,6 +96,25 @@ TEST_F(Looks, AreKeptForTheNextTime) {
   next.restoreLayout();
   EXPECT_EQ(next.theme(), Theme::Dark);
   EXPECT_TRUE(next.findChild<QAction*>(QStringLiteral("fieldDensityAction"))->isChecked());
+}
+
+// Widths were measured in the letters of their density: taken in others they would grow each time.
+TEST_F(Looks, KeepTheColumnsOfTheFieldAsWideAsTheyWere) {
+  const auto widthIn = [](const MainWindow& window, int column) {
+    QCoreApplication::sendPostedEvents();  // new letters come by one
+    return window.findChild<TracePanel*>()->view()->header()->sectionSize(column);
+  };
+  const int desk = widthIn(m_window, TraceModel::Identifier);
+  m_window.setDensity(Density::Field);
+  const int field = widthIn(m_window, TraceModel::Identifier);
+  EXPECT_LT(desk, field);
+  m_window.findChild<TracePanel*>()->view()->header()->resizeSection(TraceModel::Name, 400);
+  m_window.close();
+  m_window.setDensity(Density::Desk);
+  MainWindow next(m_session);
+  next.restoreLayout();
+  EXPECT_EQ(widthIn(next, TraceModel::Identifier), field);
+  EXPECT_NEAR(widthIn(next, TraceModel::Name), 400, 1);
 }
 
 TEST_F(Looks, ClosesTheSettingsForWhatWasOpened) {

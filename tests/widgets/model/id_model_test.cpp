@@ -85,6 +85,40 @@ TEST(IdTableWalker, FindsTheSameTableFromEveryDirection) {
   }
 }
 
+// The table of the frames that pass alone, also where their meaning decides.
+TEST(IdTableWalker, CountsWhatPassesAFilterFromEveryDirection) {
+  const auto log = longLog();
+  for (const char* expression :
+       {"id=5A4", "sa=80 or sa=33 and t>=100 and t<300", "family=canopen or pgn=EF00"}) {
+    const TraceFilter filter = TraceFilter::parse(QString::fromLatin1(expression)).value();
+    IdTableWalker walker(log, filter);
+    for (const std::uint64_t wanted : {399'000u, 200'000u, 131'073u, 400'000u}) {
+      walker.request(wanted);
+      ASSERT_TRUE(QTest::qWaitFor([&] { return walker.latest()->frames() == wanted; }));
+      IdTable plain;
+      FrameTest test(log, filter);
+      plain.walk(log->frames, wanted, &test);
+      EXPECT_EQ(walker.latest()->rows(), plain.rows());
+      EXPECT_EQ(walker.latest()->passed(), plain.passed());
+      EXPECT_GT(plain.passed(), 0u);
+      EXPECT_LT(plain.passed(), wanted);
+    }
+  }
+}
+
+TEST(IdTableWalker, LooksAgainWhenADriveIsSaidInThePast) {
+  const auto log = std::make_shared<LogDocument>();
+  log->frames.channel("can0");
+  ASSERT_TRUE(log->frames.append(std::vector(20, frame("18EF2080", "02210002"))));
+  IdTableWalker walker(log, TraceFilter::parse(QStringLiteral("family=copley")).value());
+  walker.request(20);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return walker.latest()->frames() == 20; }));
+  EXPECT_EQ(walker.latest()->passed(), 0u);
+  log->notes.append({.frame = 5, .kind = NoteKind::DriveSaid, .address = {0x20}});
+  walker.request(20);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return walker.latest()->passed() == 15; }));
+}
+
 struct IdModelTest : testing::Test {
   IdModel model;
   QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::Fatal};
@@ -114,6 +148,26 @@ TEST_F(IdModelTest, ShowsTheLastFrameWithItsMeaningAndWhatChanged) {
             QStringLiteral("01 1D A4 03 71 00 00 01; changed: byte 3, 8"));
   EXPECT_EQ(model.index(1, 0).data(IdModel::FilterRole).toString(),
             QStringLiteral("ch=\"can0\" and id=18EFFF80 and type=01"));
+}
+
+TEST_F(IdModelTest, ShowsOnlyWhatPassesTheFilter) {
+  const auto log = test::logOfText(test::busyText(200));
+  show(test::viewOf(log));
+  const int all = model.rowCount();
+  model.setFilter(TraceFilter::parse(QStringLiteral("sa=80 and malformed")).value());
+  show(test::viewOf(log));
+  EXPECT_GT(model.rowCount(), 0);
+  EXPECT_LT(model.rowCount(), all);
+  EXPECT_EQ(model.lookedAt(), log->frames.count());
+  std::uint64_t counted = 0;
+  for (int row = 0; row < model.rowCount(); ++row) {
+    counted += model.index(row, IdModel::Count).data(IdModel::SortRole).toULongLong();
+    EXPECT_TRUE(cell(row, IdModel::Name).startsWith(QStringLiteral("Malformed")));
+  }
+  EXPECT_EQ(counted, model.passed());
+  model.setFilter({});
+  show(test::viewOf(log));
+  EXPECT_EQ(model.rowCount(), all);
 }
 
 TEST_F(IdModelTest, StandsWhereTheCursorStands) {

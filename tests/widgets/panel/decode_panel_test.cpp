@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QTableView>
 #include <QTest>
 
@@ -38,6 +39,19 @@ struct DecodePanelTest : testing::Test {
         panel.list()->setCurrentIndex(model.index(row, 0));
     }
   }
+  QRect rectOf(const char* name) const {
+    for (int row = 0; row < model.rowCount(); ++row) {
+      const QModelIndex index = model.index(row, 0);
+      if (index.data().toString() == QString::fromUtf8(name)) return panel.list()->visualRect(index);
+    }
+    return {};
+  }
+  QPoint centreOf(const char* name) const { return rectOf(name).center(); }
+  QImage pictureOf(const char* name) const { return panel.list()->viewport()->grab(rectOf(name)).toImage(); }
+  static void leave(QWidget* widget) {
+    QEvent event(QEvent::Leave);
+    QApplication::sendEvent(widget, &event);
+  }
   std::string field() const {
     return panel.list()->currentIndex().siblingAtColumn(0).data().toString().toStdString();
   }
@@ -62,6 +76,45 @@ TEST_F(DecodePanelTest, SelectsTheFieldOfABitThatIsPicked) {
   EXPECT_EQ(field(), "Calibrated");
   QTest::keyClick(panel.payload(), Qt::Key_Up);
   EXPECT_EQ(field(), "Axis 4 (-) hard stop");
+}
+
+TEST_F(DecodePanelTest, BringsOutTheBitsOfTheFieldUnderThePointerUntilItLeaves) {
+  model.setFrame(1);
+  selectField("Elevation");
+  QWidget* rows = panel.list()->viewport();
+  QTest::mouseMove(rows, centreOf("Rotation"));
+  EXPECT_EQ(panel.payload()->values().pointed, 0x00F0FF00u);
+  EXPECT_EQ(panel.payload()->values().shown(), 0x00F0FF00u);
+  EXPECT_EQ(panel.payload()->values().related, 0x000F0000u);
+  EXPECT_EQ(panel.payload()->values().selected, 0x00F0FF000000u) << "the selection stays what it is";
+  QTest::mouseMove(rows, centreOf("Source"));
+  EXPECT_EQ(panel.payload()->values().shown(), 0x00F0FF000000u) << "it has no bits of the payload";
+  QTest::mouseMove(rows, centreOf("Rotation"));
+  leave(rows);
+  EXPECT_EQ(panel.payload()->values().shown(), 0x00F0FF000000u);
+  EXPECT_EQ(field(), "Elevation");
+}
+
+TEST_F(DecodePanelTest, MarksTheFieldOfTheBitUnderThePointer) {
+  model.setFrame(1);
+  const PayloadGeometry g = PayloadGeometry::fitting(panel.payload()->size());
+  const QImage before = pictureOf("Rotation");
+  QTest::mouseMove(panel.payload(), g.cell(8).center().toPoint());
+  EXPECT_EQ(panel.payload()->values().pointed, 0x00F0FF00u);
+  EXPECT_NE(pictureOf("Rotation"), before);
+  EXPECT_FALSE(panel.list()->currentIndex().isValid()) << "pointing selects nothing";
+  leave(panel.payload());
+  EXPECT_EQ(panel.payload()->values().pointed, 0u);
+  EXPECT_EQ(pictureOf("Rotation"), before);
+}
+
+TEST_F(DecodePanelTest, PointsAtNothingOnceTheFieldsAreOthers) {
+  model.setFrame(1);
+  QTest::mouseMove(panel.list()->viewport(), centreOf("Rotation"));
+  model.setFrame(2);
+  EXPECT_EQ(panel.payload()->values().pointed, 0x00F0FF00u) << "the same message";
+  model.setFrame(0);
+  EXPECT_EQ(panel.payload()->values().pointed, 0u);
 }
 
 TEST_F(DecodePanelTest, KeepsTheFieldWhileOneStepsThroughOneMessage) {

@@ -83,10 +83,11 @@ struct Gallery {
     save(panel, {kWidth, 420}, name);
   }
 
-  void byId(const char* name, const std::shared_ptr<LogDocument>& log) {
+  void byId(const char* name, const std::shared_ptr<LogDocument>& log, const char* filter = "") {
     TracePanel panel;
     panel.setColours(coloursOf(theme));
     panel.setView(test::viewOf(log));
+    panel.setFilter(QString::fromUtf8(filter));
     panel.resize(kWidth, 420);
     panel.show();
     panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
@@ -97,7 +98,7 @@ struct Gallery {
   }
 
   void decode(const char* name, const std::shared_ptr<LogDocument>& log, std::uint64_t frame, QSize size,
-              const char* field) {
+              const char* field, const char* pointed = nullptr) {
     DecodeModel model;
     DecodePanel panel;
     panel.setColours(coloursOf(theme));
@@ -107,6 +108,10 @@ struct Gallery {
     for (int row = 0; row < model.rowCount(); ++row) {
       if (model.index(row, 0).data().toString() == QString::fromLatin1(field))
         panel.list()->setCurrentIndex(model.index(row, 0));
+    }
+    for (int row = 0; pointed != nullptr && row < model.rowCount(); ++row) {
+      if (model.index(row, 0).data().toString() == QString::fromLatin1(pointed))
+        Q_EMIT panel.list()->entered(model.index(row, 0));
     }
     save(panel, size, name);
   }
@@ -148,7 +153,9 @@ struct Gallery {
     tracePanel("panel_found", busy, "", "soft limits");
     tracePanel("panel_not_found", busy, "dir=tx", "elevation_deg>80");
     byId("panel_by_id", busy);
+    byId("panel_by_id_filtered", busy, "sa=80 and t>=10 and t<20");
     decode("decode_position", busy, 3, {520, 760}, "Rotation");
+    decode("decode_pointed", busy, 3, {520, 760}, "Rotation", "Elevation");
     decode("decode_wide", busy, 3, {kWidth, 300}, "Rotation");
     decode("decode_joystick", busy, 6, {420, 600}, "Stick X");
     decode("decode_none", busy, count, {420, 420}, "");

@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QCompleter>
 #include <QContextMenuEvent>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -18,6 +19,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "panel/flat_header.h"
 #include "panel/id_view.h"
 #include "panel/trace_filter_edit.h"
 #include "panel/trace_search_bar.h"
@@ -199,6 +201,32 @@ TEST_F(TracePanelTest, CopiesOnlyTheRowsThatPass) {
             "(0000000000.010000) can0 18EFFF81#011D940371000041\n");
 }
 
+TEST_F(TracePanelTest, AsksForAFileOfTheSelectionOrOfAllThatPasses) {
+  open(traffic(100));
+  const QSignalSpy wanted(&panel, &TracePanel::saveRequested);
+  const auto asked = [&wanted] {
+    return std::pair(wanted.back()[0].value<std::uint64_t>(), wanted.back()[1].value<std::uint64_t>());
+  };
+  openMenu(model().rows(), -1);
+  EXPECT_FALSE(entry("traceMenu", "Save the selection")->isEnabled());
+  EXPECT_EQ(entry("traceMenu", "Save all"), nullptr) << "that is the log";
+  closeMenu("traceMenu");
+  panel.setFilter(QStringLiteral("sa=81"));
+  waitForFilter();
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_Home);
+  QTest::keyClick(&view(), Qt::Key_Down, Qt::ShiftModifier);
+  openMenu(1, TraceModel::Name);
+  entry("traceMenu", "Save the selection")->trigger();
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_EQ(asked(), std::pair(std::uint64_t{0}, std::uint64_t{11}));
+  EXPECT_FALSE(wanted.back()[2].value<TraceFilter>().isEmpty());
+  entry("traceMenu", "Save all")->trigger();
+  ASSERT_EQ(wanted.count(), 2);
+  EXPECT_EQ(asked(), std::pair(std::uint64_t{0}, std::uint64_t{100}));
+  closeMenu("traceMenu");
+}
+
 TEST_F(TracePanelTest, FiltersByPointingAtACell) {
   open(traffic(1000), 5);
   QTest::keyClick(&view(), Qt::Key_Home);
@@ -260,6 +288,49 @@ TEST_F(TracePanelTest, ShowsTheColumnsThatWereChosen) {
   EXPECT_FALSE(view().header()->isSectionHidden(TraceModel::Pgn));
 }
 
+TEST_F(TracePanelTest, KeepsTheColumnsByIdentifierAsAPersonMadeThem) {
+  open(traffic(100));
+  panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
+  FlatHeader& header = *panel.ids()->header();
+  const int usual = header.sectionSize(IdModel::Name);
+  Q_EMIT header.customContextMenuRequested({10, 10});
+  entry("traceColumnMenu", "Jitter")->setChecked(false);
+  closeMenu("traceColumnMenu");
+  header.resizeSection(IdModel::Name, usual + 30);
+  header.moveSection(header.visualIndex(IdModel::Data), 0);
+  TracePanel other;
+  ASSERT_TRUE(other.restoreState(panel.saveState()));
+  const FlatHeader& restored = *other.ids()->header();
+  EXPECT_TRUE(restored.isSectionHidden(IdModel::Jitter));
+  EXPECT_EQ(restored.sectionSize(IdModel::Name), usual + 30);
+  EXPECT_EQ(restored.visualIndex(IdModel::Data), 0);
+  Q_EMIT header.customContextMenuRequested({10, 10});
+  entry("traceColumnMenu", "Columns as")->trigger();
+  EXPECT_FALSE(header.isSectionHidden(IdModel::Jitter));
+  EXPECT_EQ(header.sectionSize(IdModel::Name), usual);
+  EXPECT_EQ(header.visualIndex(IdModel::Data), IdModel::Data);
+}
+
+TEST_F(TracePanelTest, MakesRoomForLargerLetters) {
+  open(traffic(100));
+  FlatHeader& rows = *view().header();
+  FlatHeader& ids = *panel.ids()->header();
+  const int identifier = rows.sectionSize(TraceModel::Identifier), data = ids.sectionSize(IdModel::Data);
+  rows.resizeSection(TraceModel::Name, 100);
+  const QFont before = panel.font();
+  QFont large = before;
+  large.setPointSizeF(before.pointSizeF() * 2);
+  panel.setFont(large);
+  EXPECT_GT(rows.sectionSize(TraceModel::Identifier), 1.7 * identifier);
+  EXPECT_GT(ids.sectionSize(IdModel::Data), 1.7 * data);
+  EXPECT_NEAR(rows.sectionSize(TraceModel::Name), 200, 20) << "what a person chose keeps its share";
+  EXPECT_GE(rows.height(), QFontMetrics(large).height() + 12);
+  EXPECT_GE(panel.ids()->verticalHeader()->defaultSectionSize(), QFontMetrics(large).height());
+  panel.setFont(before);
+  EXPECT_EQ(rows.sectionSize(TraceModel::Identifier), identifier);
+  EXPECT_EQ(ids.sectionSize(IdModel::Data), data);
+}
+
 TEST_F(TracePanelTest, FindsForwardsBackwardsAndAroundTheEnds) {
   open(traffic(100'000), 5);
   QTest::keyClick(&view(), Qt::Key_Home);
@@ -317,7 +388,6 @@ TEST_F(TracePanelTest, ShowsTrafficByIdentifierAndLeadsBackToItsFrames) {
   QTabBar* order = child<QTabBar>("traceOrder");
   QTest::mouseClick(order, Qt::LeftButton, {}, order->tabRect(1).center());
   ASSERT_TRUE(panel.isById());
-  EXPECT_FALSE(filter()->isVisible());
   ASSERT_TRUE(QTest::qWaitFor([this] { return panel.ids()->model()->rowCount() == 2; }));
   panel.ids()->grab();
   QTest::keyClick(panel.ids(), Qt::Key_Down);
@@ -329,6 +399,43 @@ TEST_F(TracePanelTest, ShowsTrafficByIdentifierAndLeadsBackToItsFrames) {
   EXPECT_EQ(panel.filter(), QStringLiteral("ch=\"can0\" and id=18EFFF81 and type=01"));
   waitForFilter();
   EXPECT_EQ(model().rows(), 100u);
+}
+
+TEST_F(TracePanelTest, FiltersTrafficByIdentifierAndSaysSo) {
+  open(traffic(500));
+  panel.setFilter(QStringLiteral("sa=81"));
+  QTabBar* order = child<QTabBar>("traceOrder");
+  QTest::mouseClick(order, Qt::LeftButton, {}, order->tabRect(1).center());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return count() == QStringLiteral("50 of 500 frames, 1 rows"); }))
+      << count().toStdString();
+  type("sa=80");
+  ASSERT_TRUE(panel.isById());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return count() == QStringLiteral("450 of 500 frames, 1 rows"); }))
+      << count().toStdString();
+  type("rotation_deg>left");
+  EXPECT_TRUE(child<QLabel>("traceFilterError")->isVisible());
+  QTest::keyClick(filter(), Qt::Key_Escape);
+  EXPECT_EQ(panel.focusWidget(), panel.ids());
+}
+
+TEST_F(TracePanelTest, ComesBackFromTheFramesOfOneIdentifierToTheRowsAsTheyWere) {
+  open(traffic(1000));
+  panel.setFilter(QStringLiteral("pgn=EF00"));
+  QTabBar* order = child<QTabBar>("traceOrder");
+  const auto drillDown = [&] {
+    order->setCurrentIndex(1);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return panel.ids()->model()->rowCount() == 2; }));
+    panel.ids()->selectRow(0);
+    QTest::keyClick(panel.ids(), Qt::Key_Return);
+    EXPECT_EQ(panel.filter(), QStringLiteral("pgn=EF00 and ch=\"can0\" and id=18EFFF80 and type=01"));
+  };
+  drillDown();
+  order->setCurrentIndex(1);
+  EXPECT_EQ(panel.filter(), QStringLiteral("pgn=EF00"));
+  drillDown();
+  panel.setFilter(QStringLiteral("sa=81"));
+  order->setCurrentIndex(1);
+  EXPECT_EQ(panel.filter(), QStringLiteral("sa=81")) << "what a person wrote since stays";
 }
 
 TEST_F(TracePanelTest, LivesWithoutALog) {
