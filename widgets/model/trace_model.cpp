@@ -10,6 +10,7 @@
 #include "model/field_text.h"
 #include "model/trace_cells.h"
 #include "model/trace_sieve.h"
+#include "text/elapsed_text.h"
 
 namespace deckpipe {
 
@@ -236,6 +237,9 @@ QString TraceModel::timeText(const TraceRow& row) const {
     case TimeMode::Absolute: break;
     case TimeMode::SinceBegin: return sinceText(m_view.document->frames.timeAt(row.index) - m_view.begin);
     case TimeMode::SinceRowBefore: return deltaText(row.delta);
+    case TimeMode::Clock:
+      if (row.frame.hasStamp() && isDate(row.frame.stamp)) return clockText(row.frame.stamp);
+      break;
   }
   return stampText(row.frame);
 }
@@ -316,6 +320,7 @@ QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int ro
     switch (section) {
       case Time:
         return m_timeMode == TimeMode::Absolute     ? tr("What the adapter or the log says, in seconds")
+               : m_timeMode == TimeMode::Clock      ? tr("Local time of what the adapter or the log says")
                : m_timeMode == TimeMode::SinceBegin ? tr("Log time since the log's begin, in seconds")
                                                     : tr("Log time since the row before, in seconds");
       case Delta: return tr("Log time since the row before, in seconds");
@@ -330,6 +335,7 @@ QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int ro
   switch (section) {
     case Time:
       return m_timeMode == TimeMode::Absolute     ? tr("Time")
+             : m_timeMode == TimeMode::Clock      ? tr("Local time")
              : m_timeMode == TimeMode::SinceBegin ? tr("Since begin")
                                                   : tr("Since row");
     case Delta: return tr("Δ");

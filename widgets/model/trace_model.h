@@ -60,7 +60,7 @@ class TraceModel : public QAbstractTableModel {
     Ambiguous = 256,  // several readings, none decided
   };
   Q_DECLARE_FLAGS(Marks, Mark)
-  enum class TimeMode : std::uint8_t { Absolute, SinceBegin, SinceRowBefore };
+  enum class TimeMode : std::uint8_t { Absolute, SinceBegin, SinceRowBefore, Clock };
 
   explicit TraceModel(QObject* parent = nullptr);
   ~TraceModel() override;

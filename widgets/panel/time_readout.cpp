@@ -11,15 +11,9 @@
 #include "paint/figures.h"
 
 namespace deckpipe {
-namespace {
-
-// Stamps below are no dates: adapters that count from their own start, trimmed logs.
-constexpr std::int64_t kYear2000 = 946'684'800'000'000'000;
-
-}  // namespace
 
 QString stampTimeText(std::int64_t stampNs) {
-  if (stampNs < kYear2000) return TimeReadout::tr("%1 s").arg(static_cast<double>(stampNs) / 1e9, 0, 'f', 3);
+  if (!isDate(stampNs)) return TimeReadout::tr("%1 s").arg(static_cast<double>(stampNs) / 1e9, 0, 'f', 3);
   return QDateTime::fromMSecsSinceEpoch(stampNs / 1'000'000).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
          millisecondsText(stampNs);
 }

@@ -30,7 +30,8 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   m_time->setObjectName(QStringLiteral("traceTime"));
   m_time->setAccessibleName(tr("How the Time column says time"));
   m_time->setToolTip(m_time->accessibleName());
-  m_time->addItems({tr("Time of the log"), tr("Since the begin"), tr("Since the row before")});
+  m_time->addItems(
+      {tr("Time of the log"), tr("Since the begin"), tr("Since the row before"), tr("Local time")});
   connect(m_time, &QComboBox::activated, this, &TraceBar::timeModeChosen);
   m_follow = new QCheckBox(this);
   m_follow->setObjectName(QStringLiteral("traceFollow"));

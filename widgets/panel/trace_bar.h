@@ -22,7 +22,7 @@ class TraceBar : public QWidget {
 
  public:
   enum Order { InOrder, ById };
-  static constexpr int kTimeModes = 3;
+  static constexpr int kTimeModes = 4;
 
   explicit TraceBar(QWidget* parent = nullptr);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/elapsed_text.h"
 
+#include <QDateTime>
 #include <QLocale>
 #include <algorithm>
 
@@ -8,10 +9,19 @@ namespace deckpipe {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kYear2000 = 946'684'800 * kSecond;
 
 QString twoDigits(std::int64_t number) { return QString::number(number).rightJustified(2, QLatin1Char('0')); }
 
 }  // namespace
+
+bool isDate(std::int64_t stampNs) { return stampNs >= kYear2000; }
+
+QString clockText(std::int64_t stampNs) {
+  return QDateTime::fromMSecsSinceEpoch(stampNs / 1'000'000).toString(QStringLiteral("HH:mm:ss")) +
+         QLocale().decimalPoint() +
+         QString::number(stampNs % kSecond / 1'000).rightJustified(6, QLatin1Char('0'));
+}
 
 QString millisecondsText(std::int64_t ns) {
   return QLocale().decimalPoint() +

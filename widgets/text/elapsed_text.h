@@ -14,4 +14,9 @@ QString elapsedText(Duration elapsed);
 // ".456" in the person's writing: the milliseconds of a time in nanoseconds, which is not below zero.
 QString millisecondsText(std::int64_t ns);
 
+// Whether a stamp is a date: adapters that count from their own start and trimmed logs have small ones.
+bool isDate(std::int64_t stampNs);
+// "14:33:39.184225", the local time of a stamp that is a date.
+QString clockText(std::int64_t stampNs);
+
 }  // namespace deckpipe

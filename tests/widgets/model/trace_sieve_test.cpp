@@ -10,6 +10,7 @@
 #include "model/trace_model.h"
 #include "support/frames.h"
 #include "support/logs.h"
+#include "text/elapsed_text.h"
 
 namespace deckpipe {
 namespace {
@@ -178,7 +179,7 @@ TEST_F(FilteredTrace, GrowsWithTheLogAndGoesToAnotherLog) {
   EXPECT_EQ(model.rows(), 0u);
 }
 
-TEST_F(FilteredTrace, SaysTimesInThreeWays) {
+TEST_F(FilteredTrace, SaysTimesInFourWays) {
   open(100);
   model.setWindow(0, 100);
   QSignalSpy header(&model, &QAbstractItemModel::headerDataChanged);
@@ -190,6 +191,14 @@ TEST_F(FilteredTrace, SaysTimesInThreeWays) {
   model.setWindow(0, 100);
   model.setTimeMode(TraceModel::TimeMode::SinceBegin);
   EXPECT_EQ(cell(0, TraceModel::Time), QStringLiteral("0.040000"));
+  model.setTimeMode(TraceModel::TimeMode::Clock);
+  EXPECT_EQ(cell(0, TraceModel::Time), QStringLiteral("0.040000")) << "no date";
+}
+
+TEST(TraceClock, IsTheLocalTimeOfTheStamp) {
+  const QString text = clockText(1'795'358'019'184'225'999);
+  EXPECT_EQ(text.size(), 15);
+  EXPECT_EQ(text.mid(5), QStringLiteral(":39.184225")) << "whatever the zone of this computer is";
 }
 
 }  // namespace
