@@ -243,17 +243,25 @@ Notice pastNotice(const Snapshot& snapshot) {
   return notice;
 }
 
-// A question that was answered too late came to nothing.
-Notice unsentNotice(const Snapshot& snapshot) {
-  if (snapshot.notSent == Refusal::NotLive) {
-    return {
-        .tone = StatusTone::Attend,
-        .text = NoticeText::tr("Nothing was sent: the view stands in the past, where nothing can be begun. "
-                               "Go to the end and ask again."),
-        .action = Notice::Action::GoToEnd};
+// What was wanted, confirmed perhaps, came to nothing.
+Notice unsentNotice(Refusal why) {
+  Notice notice{StatusTone::Attend};
+  switch (why) {
+    case Refusal::None: return {};
+    case Refusal::NotLive:
+      notice.text = NoticeText::tr(
+          "Nothing was sent: the view stands in the past, where nothing can be begun. "
+          "Go to the end and ask again.");
+      notice.action = Notice::Action::GoToEnd;
+      break;
+    case Refusal::LogFull:
+      notice.text = NoticeText::tr(
+          "Nothing was sent: there is no room for more frames, neither in memory nor "
+          "on disk, and what is not recorded is not sent.");
+      break;
+    default: notice.text = NoticeText::tr("Nothing was sent: there is no link any more."); break;
   }
-  if (snapshot.notSent == Refusal::None) return {};
-  return {StatusTone::Attend, NoticeText::tr("Nothing was sent: there is no link any more.")};
+  return notice;
 }
 
 }  // namespace
@@ -267,7 +275,7 @@ QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnl
 }
 
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
-  if (Notice unsent = unsentNotice(snapshot); !unsent.text.isEmpty()) return unsent;
+  if (Notice unsent = unsentNotice(snapshot.notSent); !unsent.text.isEmpty()) return unsent;
   if (!snapshot.view.document) return {};
   if (snapshot.source.kind == From::File) return fileNotice(snapshot);
   Notice notice = linkNotice(snapshot, rates);

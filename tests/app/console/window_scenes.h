@@ -171,6 +171,9 @@ inline std::vector<Scene> windowScenes() {
   Snapshot down = snapshotOf("", Kind::Link, Progress::Failed);
   down.source.fault = LinkFault::InterfaceDown;
   add("link_down", down);
+  Snapshot unsent = paused;
+  unsent.notSent = Refusal::NotLive;
+  add("live_nothing_sent", unsent);
   return scenes;
 }
 
