@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenuBar>
+#include <QWhatsThis>
 
 #include "appearance.h"
 #include "main_window.h"
@@ -103,6 +104,10 @@ void MainWindow::makeHelpMenu() {
   m_helpAction = named(menu->addAction(tr("&Explain what has the focus"), QKeySequence::HelpContents,
                                        m_workspace, &Workspace::showHelp),
                        "explainAction");
+  QAction* pointed = QWhatsThis::createAction(this);  // Shift+F1, then a click
+  pointed->setText(tr("Explain what is &pointed at"));
+  pointed->setIcon({});
+  menu->addAction(named(pointed, "whatsThisAction"));
   named(menu->addAction(tr("&About Deckpipe"), this, [this] { showExtra(m_about); }), "aboutAction");
 }
 

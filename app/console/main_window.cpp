@@ -8,10 +8,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
+#include <QHelpEvent>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <QWhatsThis>
 #include <utility>
 
 #include "appearance.h"
@@ -278,6 +280,23 @@ void MainWindow::saveLayout() const {
   m_workspace->saveTo(settings);
   settings.setValue(kThemeKey, keyOfTheme(m_theme));
   settings.setValue(kDensityKey, keyOfDensity(m_density));
+}
+
+// Asked last, after the widget pointed at and all around it: what has no story has its tool tip.
+bool MainWindow::event(QEvent* event) {
+  if (event->type() == QEvent::QueryWhatsThis) {
+    event->accept();
+    return true;
+  }
+  if (event->type() == QEvent::WhatsThis) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QWidget* at = childAt(help->pos());
+    while (at != nullptr && at->toolTip().isEmpty()) at = at->parentWidget();
+    if (at != nullptr) QWhatsThis::showText(help->globalPos(), at->toolTip(), at);
+    event->setAccepted(at != nullptr);
+    return at != nullptr;
+  }
+  return QMainWindow::event(event);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -45,6 +45,7 @@ class MainWindow : public QMainWindow {
   void restoreLayout();
 
  protected:
+  bool event(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;

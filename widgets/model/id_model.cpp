@@ -87,8 +87,12 @@ const IdModel::Words& IdModel::words(int row) const {
   if (words.isMade && words.frame == last) return words;
   const Frame& frame = m_view.document->frames[last];
   const Classified what = classifyAt(*m_view.document, last);
-  words = {last, true, frameTitle(frame, what), summaryText(frame, what), {}};
-  if (what.message != MessageId::Count) words.key = toQString(messageOf(what.message).key);
+  TraceRow at;
+  at.frame = frame;
+  at.what = what;
+  at.title = frameTitle(frame, what);
+  at.summary = summaryText(frame, what);
+  words = {last, true, at.title, at.summary, detailText(at)};
   return words;
 }
 
@@ -120,6 +124,13 @@ QString IdModel::text(int at, int column) const {
   }
 }
 
+QString IdModel::sentence(int row) const {
+  QStringList parts{text(row, ChannelName), tr("identifier %1").arg(text(row, Identifier))};
+  if (const QString& title = words(row).title; !title.isEmpty()) parts += title;
+  if (const QString& summary = words(row).summary; !summary.isEmpty()) parts += summary;
+  return parts.join(QStringLiteral(", "));
+}
+
 QVariant IdModel::sortKey(int at, int column) const {
   const IdRow& row = m_table->rows()[static_cast<std::size_t>(at)];
   const auto ns = [](std::optional<Duration> d) {
@@ -141,9 +152,11 @@ QVariant IdModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole: return text(index.row(), index.column());
     case Qt::ToolTipRole:
-      if (index.column() == Decoded) return text(index.row(), Decoded);
+      if (index.column() == Name || index.column() == Decoded) return words(index.row()).detail;
       return {};
+    case Qt::WhatsThisRole: return words(index.row()).detail;
     case Qt::AccessibleTextRole:
+      if (index.column() == 0) return sentence(index.row());
       if (index.column() == Data && changedBytes(row) != 0) {
         QStringList bytes;
         for (int i = 0; i < 8; ++i) {

@@ -50,11 +50,12 @@ class IdModel : public QAbstractTableModel {
   struct Words {
     std::uint64_t frame = 0;
     bool isMade = false;
-    QString title, summary, key;
+    QString title, summary, detail;
   };
   void begin();
   const Words& words(int row) const;
   QString text(int row, int column) const;
+  QString sentence(int row) const;
   QVariant sortKey(int row, int column) const;
   unsigned changedBytes(const IdRow& row) const;
 

@@ -298,6 +298,7 @@ QVariant TraceModel::data(const QModelIndex& index, int role) const {
       const QString tip = toolTip(row, index.column());
       return tip.isEmpty() ? QVariant() : tip;
     }
+    case Qt::WhatsThisRole: return detailText(row);
     case Qt::AccessibleTextRole: return index.column() == 0 ? sentence(row) : text(row, index.column());
     case Qt::TextAlignmentRole: {
       const bool toRight = index.column() == Time || index.column() == Delta || index.column() == Length;

@@ -27,6 +27,7 @@ void TraceSearch::find(Question question) {
   m_isSearching = true;
   {
     const std::lock_guard lock(m_lock);
+    m_fraction.store(0, std::memory_order_relaxed);
     ++m_serial;
     m_question = std::move(question);
   }
@@ -84,6 +85,7 @@ std::optional<TraceSearch::Answer> TraceSearch::look(Question& question, const s
   LogTimes times(frames);
   std::optional<LogWalk> walk;
   bool isGiven = false;
+  std::uint64_t looked = 0;
   // The first or last frame of [begin, end) that passes.
   const auto lookAt = [&](std::uint64_t begin, std::uint64_t end) -> std::optional<std::uint64_t> {
     std::optional<std::uint64_t> last;
@@ -107,6 +109,8 @@ std::optional<TraceSearch::Answer> TraceSearch::look(Question& question, const s
       const std::uint64_t some = std::min(kBlock, end - begin);
       const std::uint64_t first = question.isBackwards ? end - some : begin;
       if (const auto frame = lookAt(first, first + some)) return frame;
+      looked += some;
+      if (!isGiven) m_fraction.store(static_cast<double>(looked) / static_cast<double>(count));
       if (question.isBackwards) {
         end -= some;
       } else {

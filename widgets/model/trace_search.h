@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QObject>
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -37,6 +38,8 @@ class TraceSearch : public QObject {
   void find(Question question);
   void cancel();
   bool isSearching() const { return m_isSearching; }
+  // How much of the log the newest question has looked at, 0 … 1.
+  double fraction() const { return m_fraction.load(std::memory_order_relaxed); }
 
  Q_SIGNALS:
   // One of these for each question that is not given up. `wrapped`: beyond the end, or the begin.
@@ -59,7 +62,8 @@ class TraceSearch : public QObject {
   std::uint64_t m_serial = 0;   // of the newest question
   std::uint64_t m_looking = 0;  // of the one that is looked for
   bool m_isSearching = false;   // the window's
-  std::jthread m_thread;        // last: it uses all of the above
+  std::atomic<double> m_fraction = 0;
+  std::jthread m_thread;  // last: it uses all of the above
 };
 
 }  // namespace deckpipe

@@ -28,6 +28,10 @@ int firstAsRead(std::uint64_t bits) {
 PayloadBits::PayloadBits(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
   setObjectName(QStringLiteral("payloadBits"));
   setAccessibleName(tr("Data bytes"));
+  setWhatsThis(tr(
+      "The data of the frame bit by bit, bit 8 at the left, as in the manuals' tables; lines part the "
+      "fields. Click a bit, or go there by the arrow keys, to choose its field; the bits of the chosen field "
+      "are filled. Dashed are further bits that its value is read from."));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

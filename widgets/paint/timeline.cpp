@@ -1,36 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paint/timeline.h"
 
-#include <QHelpEvent>
-#include <QKeyEvent>
-#include <QLocale>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QToolTip>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-
-#include "paint/plain_tip.h"
 
 namespace deckpipe {
 namespace {
 
-constexpr Duration kStep = 1s;
-constexpr Duration kLargeStep = 10s;
 constexpr double kMarkHeight = 9;
-constexpr double kZoomStep = 1.3;  // a notch of the wheel
-constexpr double kLeastGap = 3;    // pixels
-constexpr double kNear = 5;        // pixels within which a mark is pointed at
+constexpr double kLeastGap = 3;  // pixels
 
 }  // namespace
 
 Timeline::Timeline(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Position in the log"));
+  setWhatsThis(tr(
+      "The log from begin to end: how dense it is, where nothing came, marks, and the cursor. Left and Right "
+      "move the cursor by a second, with Shift by ten, with Ctrl to the next mark; Home and End to either "
+      "end. + and − or the wheel look closer, 0 shows all. [ and ] select from, or to, the cursor, as does a "
+      "drag with Shift."));
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  grabGesture(Qt::PinchGesture);
 }
 
 void Timeline::setValues(const TimelineValues& values) {
@@ -91,146 +85,6 @@ QRectF Timeline::strip() const {
   return {left, kMarkHeight + 3, std::max(1.0, width() - 2 * left), height() - kMarkHeight - 7};
 }
 
-void Timeline::seekTo(Instant time) {
-  if (!m_values.isEmpty)
-    Q_EMIT seekRequested(std::clamp(time, m_values.begin, std::max(m_values.begin, m_values.end)));
-}
-
-void Timeline::selectTo(Instant time) {
-  select(TimelineSpan{std::min(*m_selectingFrom, time), std::max(*m_selectingFrom, time)});
-}
-
-void Timeline::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || m_values.isEmpty) return;
-  const Instant time = geometryNow().timeAt(event->position().x());
-  if (event->position().y() < strip().top() || (event->modifiers() & Qt::ShiftModifier)) {
-    m_selectingFrom = time;
-    select({});
-  } else {
-    seekTo(time);
-  }
-}
-
-void Timeline::mouseMoveEvent(QMouseEvent* event) {
-  if (!(event->buttons() & Qt::LeftButton)) return;
-  const Instant time = geometryNow().timeAt(event->position().x());
-  if (m_selectingFrom) {
-    selectTo(time);
-  } else {
-    seekTo(time);
-  }
-}
-
-void Timeline::mouseReleaseEvent(QMouseEvent*) { m_selectingFrom.reset(); }
-
-void Timeline::wheelEvent(QWheelEvent* event) {
-  const QPoint angle = event->angleDelta();
-  const bool isSideways = angle.x() != 0 || (event->modifiers() & Qt::ShiftModifier);
-  const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-  if (isSideways) {
-    showSpan(spanMoved(shown(), whole(), -notches * 0.1));
-  } else {
-    zoom(geometryNow().timeAt(event->position().x()), std::pow(kZoomStep, notches));
-  }
-  event->accept();
-}
-
-void Timeline::goToMark(bool isBack) {
-  const auto& marks = m_values.marks;  // by time
-  if (isBack) {
-    const auto at = std::find_if(marks.rbegin(), marks.rend(),
-                                 [this](const TimelineMark& mark) { return mark.time < m_values.cursor; });
-    if (at != marks.rend()) seekTo(at->time);
-  } else {
-    const auto at = std::find_if(marks.begin(), marks.end(),
-                                 [this](const TimelineMark& mark) { return mark.time > m_values.cursor; });
-    if (at != marks.end()) seekTo(at->time);
-  }
-}
-
-void Timeline::keyPressEvent(QKeyEvent* event) {
-  const Duration step = event->modifiers() & Qt::ShiftModifier ? kLargeStep : kStep;
-  const bool isToMark = (event->modifiers() & Qt::ControlModifier) != 0;
-  // The cursor may stand before all frames; stamps of hostile logs leave no room for sums.
-  const Instant begin = m_values.begin, end = m_values.end;
-  const Instant now = std::clamp(m_values.cursor, begin, std::max(begin, end));
-  switch (event->key()) {
-    case Qt::Key_Left:
-      if (isToMark) {
-        goToMark(true);
-      } else {
-        seekTo(begin + std::max(now - begin - step, Duration(0)));
-      }
-      break;
-    case Qt::Key_Right:
-      if (isToMark) {
-        goToMark(false);
-      } else {
-        seekTo(now + std::min(end - now, step));
-      }
-      break;
-    case Qt::Key_Home: seekTo(m_values.begin); break;
-    case Qt::Key_End:
-      if (!m_values.isEmpty) Q_EMIT endRequested();
-      break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal: zoom(now, 2); break;
-    case Qt::Key_Minus: zoom(now, 0.5); break;
-    case Qt::Key_0: fit(); break;
-    case Qt::Key_BracketLeft: select(TimelineSpan{now, m_selection ? m_selection->end : end}); break;
-    case Qt::Key_BracketRight: select(TimelineSpan{m_selection ? m_selection->begin : begin, now}); break;
-    case Qt::Key_Delete:
-    case Qt::Key_Escape:
-      if (!m_selection) {
-        QWidget::keyPressEvent(event);
-        break;
-      }
-      select({});
-      break;
-    default: QWidget::keyPressEvent(event);
-  }
-}
-
-bool Timeline::event(QEvent* event) {
-  if (event->type() == QEvent::NativeGesture) {
-    const auto* gesture = static_cast<QNativeGestureEvent*>(event);
-    if (gesture->gestureType() == Qt::ZoomNativeGesture) {
-      zoom(geometryNow().timeAt(gesture->position().x()), std::max(0.1, 1 + gesture->value()));
-      return true;
-    }
-  }
-  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-  const auto* help = static_cast<QHelpEvent*>(event);
-  showToolTip(help->pos(), help->globalPos());
-  return true;
-}
-
-void Timeline::showToolTip(const QPoint& at, const QPoint& global) {
-  const TimelineGeometry g = geometryNow();
-  QStringList lines;
-  for (const TimelineMark& mark : m_values.marks) {
-    if (shown().has(mark.time) && std::abs(g.xOf(mark.time) - at.x()) <= kNear && lines.size() < 8)
-      lines += mark.text;
-  }
-  lines.removeDuplicates();
-  const Instant time = g.timeAt(at.x());
-  for (const TimelineGap& gap : m_values.gaps) {
-    if (!gap.span.has(time)) continue;
-    const auto seconds =
-        static_cast<double>((std::min(gap.span.end, m_values.end) - gap.span.begin).count()) / 1e9;
-    const QString length = QLocale().toString(seconds, 'f', seconds < 100 ? 1 : 0);
-    lines += gap.kind == TimelineGap::Kind::Silence ? tr("No frames for %1 s").arg(length)
-                                                    : tr("Link lost for %1 s").arg(length);
-  }
-  if (m_selection && m_selection->has(time) && !m_values.selection.isEmpty())
-    lines += tr("Selected: %1").arg(m_values.selection);
-  if (lines.isEmpty()) {
-    QToolTip::hideText();
-  } else {
-    QToolTip::showText(global, plainTip(lines.join(QLatin1Char('\n'))), this);
-  }
-}
-
 void Timeline::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
@@ -249,6 +103,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     paintMarks(p, g, strip);
     paintSelection(p, g, strip);
     paintCursor(p, g, strip);
+    paintBeyond(p, strip);
   }
   if (hasFocus()) {
     p.setRenderHint(QPainter::Antialiasing, false);
@@ -366,6 +221,26 @@ void Timeline::paintSelection(QPainter& p, const TimelineGeometry& g, const QRec
   p.drawRect(box);
   p.setPen(c.text);
   p.drawText(box, Qt::AlignCenter, m_values.selection);
+}
+
+// While only a part is in sight: an arrow where the log goes on, filled where the cursor is that way.
+void Timeline::paintBeyond(QPainter& p, const QRectF& strip) const {
+  const Colours& c = m_colours;
+  const TimelineSpan inSight = shown();
+  const auto draw = [&](double x, double tip, bool isCursor) {
+    const double y = strip.center().y();
+    p.setPen(
+        QPen(isCursor ? c.accent.ink : c.text, 1.5 * c.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    p.setBrush(isCursor ? QBrush(c.accent.fill) : QBrush(Qt::NoBrush));
+    const QPolygonF arrow{{x, y - 6}, {x + tip, y}, {x, y + 6}};
+    if (isCursor) {
+      p.drawPolygon(arrow);
+    } else {
+      p.drawPolyline(arrow);
+    }
+  };
+  if (inSight.begin > m_values.begin) draw(strip.left() - 3, -5, m_values.cursor < inSight.begin);
+  if (inSight.end < m_values.end) draw(strip.right() + 3, 5, m_values.cursor > inSight.end);
 }
 
 void Timeline::paintCursor(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {

@@ -90,6 +90,7 @@ class Timeline : public QWidget {
   void paintGaps(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
   void paintSelection(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
   void paintCursor(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintBeyond(QPainter& p, const QRectF& strip) const;
   QRectF strip() const;
 
   TimelineSpan whole() const { return {m_values.begin, m_values.end}; }
@@ -103,6 +104,7 @@ class Timeline : public QWidget {
   std::optional<TimelineSpan> m_shown;  // nothing: the whole log
   std::optional<TimelineSpan> m_selection;
   std::optional<Instant> m_selectingFrom;  // while a span is dragged
+  bool m_isPinching = false;
   Colours m_colours;
 };
 

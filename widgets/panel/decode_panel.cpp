@@ -30,6 +30,7 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent), m_colours(coloursOf
   m_list = new QTableView(this);
   m_list->setObjectName(QStringLiteral("decodeFields"));
   m_list->setAccessibleName(tr("Fields of the frame"));
+  m_list->setWhatsThis(tr("The frame field by field, with the raw bits of each and where they stand."));
   m_list->setItemDelegate(m_delegate);
   m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_list->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -10,6 +10,7 @@
 
 #include "panel/label_ink.h"
 #include "panel/scrolled.h"
+#include "panel/trace_view.h"
 
 namespace deckpipe {
 namespace {
@@ -68,6 +69,8 @@ void HelpPanel::explain(QWidget* widget) {
       view != nullptr && view->selectionModel())
     m_rows = connect(view->selectionModel(), &QItemSelectionModel::currentChanged, this,
                      &HelpPanel::showExplanation);
+  if (const auto* trace = qobject_cast<TraceView*>(m_widget.data()))
+    m_rows = connect(trace, &TraceView::currentFrameChanged, this, &HelpPanel::showExplanation);
   showExplanation();
 }
 
@@ -87,7 +90,10 @@ void HelpPanel::showExplanation() {
     now = said.isEmpty() ? row.data().toString() : said;
     const QString tip = plain(view->currentIndex().data(Qt::ToolTipRole).toString());
     const QString rowTip = plain(row.data(Qt::ToolTipRole).toString());
-    if (!tip.isEmpty() || !rowTip.isEmpty()) story = tip.isEmpty() ? rowTip : tip;
+    const QString rowStory = plain(row.data(Qt::WhatsThisRole).toString());
+    for (const QString& better : {rowTip, tip, rowStory}) {
+      if (!better.isEmpty()) story = better;
+    }
   }
   setText(*m_title, title);
   setText(*m_now, now == story ? QString() : now);

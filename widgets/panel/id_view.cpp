@@ -94,6 +94,10 @@ IdView::IdView(QWidget* parent)
     : QTableView(parent), m_rows(new IdModel(this)), m_sorted(new QSortFilterProxyModel(this)) {
   setObjectName(QStringLiteral("traceById"));
   setAccessibleName(tr("Traffic by identifier"));
+  setWhatsThis(tr(
+      "One row for each identifier up to the cursor: how many frames, how regular, and the last of them; "
+      "bytes that changed are bold and underlined. With a filter only what passes it is counted. Enter or a "
+      "double click shows a row's frames in order. A right click on the titles chooses the columns."));
   m_sorted->setSourceModel(m_rows);
   m_sorted->setSortRole(IdModel::SortRole);
   m_sorted->setSortCaseSensitivity(Qt::CaseInsensitive);

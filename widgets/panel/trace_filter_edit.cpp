@@ -22,6 +22,7 @@ TraceFilterEdit::TraceFilterEdit(QWidget* parent)
   setObjectName(QStringLiteral("traceFilter"));
   setAccessibleName(tr("Filter of the trace"));
   setPlaceholderText(tr("Filter: pgn=EF00 and sa=80, name~\"soft limits\", rotation_deg>30"));
+  setWhatsThis(filterHelp());
   setClearButtonEnabled(true);
   m_completer->setWidget(this);
   m_completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);

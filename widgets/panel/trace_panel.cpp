@@ -2,6 +2,7 @@
 #include "panel/trace_panel.h"
 
 #include <QDataStream>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
@@ -323,6 +324,14 @@ bool TracePanel::restoreState(const QByteArray& state) {
   if (mode >= 0 && mode < TraceBar::kTimeModes) setTimeMode(mode);
   const bool hasIds = m_ids->restoreState(idColumns);
   return m_view->restoreState(columns) && hasIds;
+}
+
+void TracePanel::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && m_search->isVisible()) {
+    m_search->giveUpOrClose();
+  } else {
+    QWidget::keyPressEvent(event);
+  }
 }
 
 void TracePanel::paintEvent(QPaintEvent*) {

@@ -4,7 +4,7 @@
 // frame that is looked at (the decode panel shows it) and for the wish to put the cursor at one.
 //
 //   Ctrl+Shift+F   to the filter line    Ctrl+F        search; F3 and Shift+F3 on and back
-//   Escape   from the filter line back to the rows
+//   Escape   from the filter line back to the rows; gives a search up, then closes it
 #pragma once
 
 #include <QTimer>
@@ -70,6 +70,7 @@ class TracePanel : public QWidget {
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void layOut();

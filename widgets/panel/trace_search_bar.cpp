@@ -10,6 +10,11 @@
 #include "panel/label_ink.h"
 
 namespace deckpipe {
+namespace {
+
+constexpr int kTickMs = 100;
+
+}  // namespace
 
 TraceSearchBar::TraceSearchBar(Where where, QWidget* parent)
     : QWidget(parent), m_where(std::move(where)), m_colours(coloursOf(Theme::Light)) {
@@ -19,6 +24,9 @@ TraceSearchBar::TraceSearchBar(Where where, QWidget* parent)
   m_edit->setObjectName(QStringLiteral("traceSearch"));
   m_edit->setAccessibleName(tr("Search for"));
   m_edit->setPlaceholderText(tr("Find: text of a row, or an expression such as rotation_deg>30"));
+  m_edit->setWhatsThis(tr(
+      "Finds the next frame whose row shows this text, or that passes an expression of the filter language. "
+      "F3 goes on, Shift+F3 back; Escape gives a search up and then closes this line."));
   m_edit->setClearButtonEnabled(true);
   const auto button = [this](const char* name, const QString& text, const QString& tip) {
     auto* made = new QToolButton(this);
@@ -44,6 +52,8 @@ TraceSearchBar::TraceSearchBar(Where where, QWidget* parent)
   row->addSpacing(8);
   row->addWidget(m_said);
   row->addWidget(m_close);
+  m_tick.setInterval(kTickMs);
+  connect(&m_tick, &QTimer::timeout, this, &TraceSearchBar::sayProgress);
   connect(m_edit, &QLineEdit::textChanged, this, [this] { find(false, true); });
   connect(m_previous, &QToolButton::clicked, this, &TraceSearchBar::findPrevious);
   connect(m_next, &QToolButton::clicked, this, &TraceSearchBar::findNext);
@@ -99,13 +109,31 @@ void TraceSearchBar::find(bool isBackwards, bool isHereToo) {
                     : expression ? expression.value()
                                  : TraceFilter::containing(text);
   question.isBackwards = m_isBackwards = isBackwards;
-  say(tr("Searching…"));
   m_search.find(std::move(question));
+  m_tick.start();
+  sayProgress();
+}
+
+void TraceSearchBar::sayProgress() {
+  if (m_search.isSearching()) {
+    say(tr("Searching… %1 %").arg(static_cast<int>(m_search.fraction() * 100)));
+  } else {
+    m_tick.stop();
+  }
+}
+
+void TraceSearchBar::giveUpOrClose() {
+  if (m_search.isSearching()) {
+    m_search.cancel();
+    say(tr("Search given up"));
+  } else {
+    Q_EMIT closed();
+  }
 }
 
 void TraceSearchBar::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
-    case Qt::Key_Escape: Q_EMIT closed(); return;
+    case Qt::Key_Escape: giveUpOrClose(); return;
     case Qt::Key_Return:
     case Qt::Key_Enter: find((event->modifiers() & Qt::ShiftModifier) != 0, false); return;
     default: QWidget::keyPressEvent(event);

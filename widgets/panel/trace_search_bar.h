@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line that looks for a frame in the trace: text that a row shows, or an expression of the filter
-// language. Opened with Ctrl+F below the rows; looks on as one types, F3 and Shift+F3 go on and back, Escape
-// closes it. The trace panel gives it the log at each question.
+// language. Opened with Ctrl+F below the rows; looks on as one types, F3 and Shift+F3 go on and back. While
+// it searches it says how far it is; Escape gives that up, and otherwise closes it. The trace panel gives it
+// the log at each question.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <functional>
 
@@ -29,6 +31,8 @@ class TraceSearchBar : public QWidget {
   void setColours(const Colours& colours);
   void findNext() { find(false, false); }
   void findPrevious() { find(true, false); }
+  // What Escape does, here and in the rows.
+  void giveUpOrClose();
   // The log is another: what is under way is of no use.
   void forget();
   QLineEdit* edit() const { return m_edit; }
@@ -44,9 +48,11 @@ class TraceSearchBar : public QWidget {
  private:
   void find(bool isBackwards, bool isHereToo);
   void say(const QString& text, bool isAttend = false);
+  void sayProgress();
 
   const Where m_where;
   TraceSearch m_search;
+  QTimer m_tick;
   bool m_isBackwards = false;
   bool m_isAttend = false;  // what is said wants a look
   Colours m_colours;

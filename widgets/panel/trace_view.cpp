@@ -56,6 +56,7 @@ TraceView::TraceView(QWidget* parent)
   });
   connect(verticalScrollBar(), &QScrollBar::actionTriggered, this, &TraceView::barActed);
   updateFonts();
+  describe();
 }
 
 void TraceView::setModel(TraceModel* model) {

@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QScrollBar>
 #include <QToolTip>
+#include <QWhatsThis>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -227,15 +228,29 @@ void TraceView::copy() {
   Q_EMIT copied(std::min(selected, kMostCopied), selected);
 }
 
+// The current row, for those who hear it and for whoever asks what it means.
 void TraceView::describe() {
   const QModelIndex index = m_current ? indexOfFrame(*m_current, 0) : QModelIndex();
   setAccessibleDescription(index.data(Qt::AccessibleTextRole).toString());
+  const QString story = index.data(Qt::WhatsThisRole).toString();
+  setWhatsThis(story.isEmpty()
+                   ? tr("Every frame of the log as it came, with what it says. Up and Down choose "
+                        "a frame, which is then shown in detail; Enter or a double click puts the "
+                        "cursor there. A right click filters by what is pointed at.")
+                   : plainTip(story));
 }
 
 bool TraceView::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     showToolTip(help->pos(), help->globalPos());
+    return true;
+  }
+  if (event->type() == QEvent::WhatsThis) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const auto row = rowAt(help->pos());
+    const QString story = row ? indexOf(*row).data(Qt::WhatsThisRole).toString() : QString();
+    QWhatsThis::showText(help->globalPos(), story.isEmpty() ? whatsThis() : plainTip(story), viewport());
     return true;
   }
   return QAbstractScrollArea::viewportEvent(event);

@@ -3,13 +3,18 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHelpEvent>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
 #include <QSpinBox>
+#include <QWhatsThis>
+#include <algorithm>
 
 #include "app/console/window_test.h"
 #include "console/sending_actions.h"
+#include "model/field_text.h"
 #include "paint/density_style.h"
 #include "panel/help_panel.h"
 #include "panel/status_cell.h"
@@ -132,6 +137,46 @@ TEST_F(Looks, AboutSaysVersionLicenceAndPlaces) {
   EXPECT_TRUE(text("aboutPaths").contains(QSettings().fileName()));
   QTest::mouseClick(named<QPushButton>("aboutDone"), Qt::LeftButton);
   EXPECT_FALSE(named<QWidget>("aboutPage")->isVisible());
+}
+
+TEST_F(Looks, F1OnARowOfTheTraceExplainsItsMessage) {
+  openLog(kTruck);
+  TraceView* rows = only<TracePanel>()->view();
+  rows->setFocus();
+  trigger("explainAction");
+  const auto said = [this] { return only<HelpPanel>()->text(); };
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Trace\n"))) << qPrintable(said());
+  EXPECT_TRUE(said().contains(QStringLiteral("Every frame of the log"))) << "nothing is chosen yet";
+  QTest::keyClick(rows, Qt::Key_End);
+  EXPECT_TRUE(said().contains(QStringLiteral("Position / limit status"))) << qPrintable(said());
+  EXPECT_TRUE(said().contains(toQString(messageOf(MessageId::PositionLimitStatus).source)))
+      << qPrintable(said());
+  QTest::keyClick(rows, Qt::Key_Home);
+  EXPECT_TRUE(said().contains(toQString(messageOf(MessageId::AddressAnnouncement).source)))
+      << qPrintable(said());
+  EXPECT_FALSE(said().contains(QStringLiteral("Position / limit status")));
+  named<QWidget>("traceFilter")->setFocus();
+  EXPECT_TRUE(said().contains(QStringLiteral("parameter group, hex"))) << qPrintable(said());
+}
+
+// Whatever stands under the pointer says what it is, if only by its tool tip.
+TEST_F(Looks, WhatsThisExplainsWhatIsPointedAt) {
+  openLog(kTruck);
+  const auto ask = [](QWidget* widget, QPoint at) {
+    QHelpEvent event(QEvent::WhatsThis, at, widget->mapToGlobal(at));
+    QApplication::sendEvent(widget, &event);
+    const QWidgetList all = QApplication::topLevelWidgets();
+    const bool isSaid =
+        std::any_of(all.begin(), all.end(), [](const QWidget* w) { return w->inherits("QWhatsThat"); });
+    QWhatsThis::hideText();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return isSaid;
+  };
+  EXPECT_TRUE(ask(only<TracePanel>()->view()->viewport(), {200, 5})) << "a row";
+  auto* follow = named<QWidget>("traceFollow");
+  EXPECT_TRUE(follow->whatsThis().isEmpty());
+  EXPECT_TRUE(ask(follow, {4, 4})) << "by its tool tip";
+  EXPECT_FALSE(ask(m_window.menuBar(), {600, 4})) << "nothing is said of what says nothing";
 }
 
 TEST_F(Looks, F1ExplainsWhatHasTheFocus) {

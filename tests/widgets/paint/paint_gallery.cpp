@@ -10,6 +10,7 @@
 
 #include "paint/dial.h"
 #include "paint/status_lamp.h"
+#include "paint/timeline.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
@@ -91,6 +92,84 @@ QImage lamps(Theme theme) {
   return image;
 }
 
+struct TimelineSample {
+  const char* name;
+  TimelineValues values;
+  std::optional<TimelineSpan> shown{}, selection{};
+};
+
+// A minute of a log in the states that one comes upon.
+std::vector<TimelineSample> timelineSamples() {
+  const auto at = [](double seconds) { return Instant{static_cast<std::int64_t>(seconds * 1e9)}; };
+  TimelineValues usual;
+  usual.isEmpty = false;
+  usual.begin = at(0);
+  usual.end = at(60);
+  usual.cursor = at(24);
+  usual.atEnd = false;
+  for (int i = 0; i < 300; ++i)
+    usual.density.push_back(0.35F + 0.3F * static_cast<float>(i % 11 == 0) +
+                            0.1F * static_cast<float>(i % 7 == 0));
+  const auto thin = [](TimelineValues values, double from, double to) {
+    for (std::size_t i = 0; i < values.density.size(); ++i) {
+      const double second = 60.0 * static_cast<double>(i) / static_cast<double>(values.density.size());
+      if (second >= from && second < to) values.density[i] = 0;
+    }
+    return values;
+  };
+  TimelineValues live = usual;
+  live.atEnd = true;
+  live.cursor = live.end;
+  TimelineValues marked = usual;
+  marked.marks = {{TimelineMark::Kind::Note, at(8)},
+                  {TimelineMark::Kind::TimeJump, at(17)},
+                  {TimelineMark::Kind::Attend, at(31)},
+                  {TimelineMark::Kind::Note, at(49)}};
+  TimelineValues gap = thin(usual, 12, 20);
+  gap.gaps = {{TimelineGap::Kind::Silence, {at(12), at(20)}}};
+  TimelineValues lost = thin(usual, 36, 60);
+  lost.gaps = {{TimelineGap::Kind::LinkLost, {at(36), kNever}}};
+  TimelineValues selected = usual;
+  selected.selection = QStringLiteral("14.000 s, 4,512 frames, 322/s");
+  TimelineValues ended = usual;
+  ended.cursor = ended.end;
+  return {{"nothing open", {}},
+          {"live", live},
+          {"paused", usual},
+          {"the end of a log", ended},
+          {"zoomed", usual, TimelineSpan{at(18), at(30)}},
+          {"zoomed, the cursor elsewhere", usual, TimelineSpan{at(40), at(50)}},
+          {"selection", selected, {}, TimelineSpan{at(30), at(44)}},
+          {"small selection", selected, {}, TimelineSpan{at(57), at(58)}},
+          {"marks", marked},
+          {"gap", gap},
+          {"link lost", lost}};
+}
+
+QImage timelines(Theme theme, int width) {
+  const Colours colours = coloursOf(theme);
+  const std::vector<TimelineSample> samples = timelineSamples();
+  constexpr int kHeight = 48, kCaption = 24;
+  QImage image(width, static_cast<int>(samples.size()) * (kHeight + kCaption) + 8, QImage::Format_RGB32);
+  image.fill(colours.window);
+  QPainter painter(&image);
+  painter.setPen(colours.text);
+  int y = 0;
+  for (const TimelineSample& sample : samples) {
+    Timeline timeline;
+    timeline.setColours(colours);
+    timeline.setPalette(qtPalette(colours));
+    timeline.setValues(sample.values);
+    if (sample.shown) timeline.showSpan(*sample.shown);
+    timeline.select(sample.selection);
+    painter.drawText(QRect(10, y, width, kCaption), Qt::AlignLeft | Qt::AlignBottom,
+                     QString::fromLatin1(sample.name));
+    painter.drawImage(QPoint(0, y + kCaption), picture(timeline, {width, kHeight}, colours.window));
+    y += kHeight + kCaption;
+  }
+  return image;
+}
+
 int run(const QString& folder) {
   if (!QDir().mkpath(folder)) {
     std::fprintf(stderr, "cannot make the folder\n");
@@ -108,6 +187,7 @@ int run(const QString& folder) {
     for (size_t first = 0; first < dialSamples().size(); first += 6)
       save(sheet(theme, {640, 360}, 2, first, 6), prefix + QStringLiteral("_640x360_%1").arg(first / 6 + 1));
     save(lamps(theme), prefix + QStringLiteral("_lamps"));
+    save(timelines(theme, 900), prefix + QStringLiteral("_timelines"));
     for (const DialSample& sample : dialSamples())
       save(dialPicture(sample, theme, {1920, 1080}),
            prefix + QStringLiteral("_full_") + QString::fromStdString(sample.name));

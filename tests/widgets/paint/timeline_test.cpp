@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QPointingDevice>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -126,6 +127,50 @@ TEST_F(TimelineTest, LooksCloserWithWheelAndKeysAndFitsAgain) {
   timeline.grab();
 }
 
+TEST_F(TimelineTest, LooksCloserWithControlAndWheelAsElsewhere) {
+  const QPointF middle(510, 20);
+  QWheelEvent in(middle, timeline.mapToGlobal(middle), {}, {0, 240}, Qt::NoButton, Qt::ControlModifier,
+                 Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&timeline, &in);
+  EXPECT_TRUE(in.isAccepted());
+  EXPECT_NEAR(timeline.shown().ns(), 100e9 / (1.3 * 1.3), 1e6);
+  EXPECT_NEAR(timeline.geometryNow().xOf(at(150)), 510, 0.001);
+}
+
+TEST_F(TimelineTest, LooksCloserWhereTwoFingersPartOnATouchpad) {
+  const QPointF left(260, 20);
+  QNativeGestureEvent part(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2, left, left,
+                           timeline.mapToGlobal(left), 1.0, {});
+  QApplication::sendEvent(&timeline, &part);
+  EXPECT_EQ(timeline.shown().ns(), 50e9);
+  EXPECT_NEAR(timeline.geometryNow().xOf(at(125)), 260, 0.5);
+}
+
+TEST_F(TimelineTest, LooksCloserWhereTwoFingersPartOnTheScreen) {
+  QPointingDevice* screen = QTest::createTouchDevice();
+  const auto touch = [&](int left, int right) {
+    QTest::touchEvent(&timeline, screen).move(0, {left, 20}).move(1, {right, 20});
+  };
+  QTest::touchEvent(&timeline, screen).press(0, {460, 20}).press(1, {560, 20});
+  for (int far = 60; far <= 200; far += 10) touch(510 - far, 510 + far);
+  QTest::touchEvent(&timeline, screen).release(0, {310, 20}).release(1, {710, 20});
+  EXPECT_TRUE(timeline.isZoomed());
+  EXPECT_LT(timeline.shown().ns(), 60e9);
+  EXPECT_NEAR(timeline.geometryNow().xOf(at(150)), 510, 20) << "what is between the fingers stays there";
+  EXPECT_EQ(seek.count(), 0) << "the cursor is left alone";
+}
+
+TEST_F(TimelineTest, SeeksWhereAFingerTapsOrDrags) {
+  QPointingDevice* screen = QTest::createTouchDevice();
+  QTest::touchEvent(&timeline, screen).press(0, {260, 20});
+  QTest::touchEvent(&timeline, screen).release(0, {260, 20});
+  EXPECT_EQ(last(), at(125));
+  QTest::touchEvent(&timeline, screen).press(0, {260, 20});
+  QTest::touchEvent(&timeline, screen).move(0, {510, 20});
+  EXPECT_EQ(last(), at(150));
+  QTest::touchEvent(&timeline, screen).release(0, {510, 20});
+}
+
 TEST_F(TimelineTest, KeepsTheCursorInSight) {
   timeline.showSpan({at(140), at(160)});
   TimelineValues values = timeline.values();
@@ -136,6 +181,23 @@ TEST_F(TimelineTest, KeepsTheCursorInSight) {
   timeline.setValues(values);
   EXPECT_TRUE(timeline.shown().has(at(110)));
   EXPECT_EQ(timeline.shown().ns(), 20e9);
+}
+
+// The log goes on where there is an arrow beside the strip; that of the side where the cursor is differs.
+TEST_F(TimelineTest, ShowsWhereTheLogGoesOnOutOfSight) {
+  const auto side = [this](int x) { return timeline.grab({x, 0, 8, 48}).toImage(); };
+  constexpr int kLeft = 0, kRight = 1'012;
+  const QImage nothingLeft = side(kLeft), nothingRight = side(kRight);
+  timeline.showSpan({at(140), at(160)});
+  const QImage left = side(kLeft), right = side(kRight);
+  EXPECT_NE(left, nothingLeft);
+  EXPECT_NE(right, nothingRight);
+  timeline.showSpan({at(160), at(200)});
+  EXPECT_NE(side(kLeft), nothingLeft);
+  EXPECT_NE(side(kLeft), left) << "the cursor is on this side";
+  timeline.showSpan({at(100), at(120)});
+  EXPECT_EQ(side(kLeft), nothingLeft);
+  EXPECT_NE(side(kRight), right);
 }
 
 TEST_F(TimelineTest, SelectsAboveTheStripWithShiftAndByKeys) {
