@@ -37,6 +37,20 @@
             <numerusform>Connected, but nothing heard for %Ln seconds. Check in this order: is the truck&apos;s CAN powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H and CAN-L; CAN-H and CAN-L not swapped.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The clock of this log jumps at %Ln places: ages, rates and load around them are not to be trusted. They are marked in the trace.</source>
+        <translation>
+            <numerusform>The clock of this log jumps at %Ln place: ages, rates and load around it are not to be trusted. It is marked in the trace.</numerusform>
+            <numerusform>The clock of this log jumps at %Ln places: ages, rates and load around them are not to be trusted. They are marked in the trace.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames of this log are missing here: CAN FD and CAN XL frames are not held.</source>
+        <translation>
+            <numerusform>%Ln frame of this log is missing here: CAN FD and CAN XL frames are not held.</numerusform>
+            <numerusform>%Ln frames of this log are missing here: CAN FD and CAN XL frames are not held.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>StatusText</name>
@@ -109,6 +123,16 @@ Other devices in the list: %n.</numerusform>
         <translation>
             <numerusform>%Ln answer too many</numerusform>
             <numerusform>%Ln answers too many</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::SaveBar</name>
+    <message numerus="yes">
+        <source>Saved %1 to %2; %Ln marks are not in it, for candump text has no place for them</source>
+        <translation>
+            <numerusform>Saved %1 to %2; %Ln mark is not in it, for candump text has no place for it</numerusform>
+            <numerusform>Saved %1 to %2; %Ln marks are not in it, for candump text has no place for them</numerusform>
         </translation>
     </message>
 </context>

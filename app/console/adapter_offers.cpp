@@ -2,6 +2,7 @@
 #include "adapter_offers.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include "link/plugins.h"
@@ -24,6 +25,16 @@ QString makerLine(const Adapter& adapter) {
     if (!part.isEmpty() && !parts.contains(part)) parts += part;
   }
   return parts.join(QStringLiteral(" · "));
+}
+
+// The loader names every place where it looked.
+QString reasonOf(const QString& error) {
+  static const QRegularExpression kNoLibrary(QStringLiteral("^Cannot load library ([^:\\s]+)"));
+  const QRegularExpressionMatch match = kNoLibrary.match(error);
+  return match.hasMatch()
+             ? Offers::tr("its driver library (%1) is not installed; the adapter's maker offers it.")
+                   .arg(match.captured(1))
+             : error.simplified();
 }
 
 void describeInterface(AdapterOffer& offer, const Adapter& adapter, int bitRate, bool isHeard) {
@@ -105,7 +116,7 @@ AdapterOffers offersOf(const AdapterList& list, int bitRate, bool isSearching,
   bool hasInterface = false;
   for (const AdapterPlugin& plugin : list.plugins) {
     hasSocketCan = hasSocketCan || plugin.plugin == kSocketCan;
-    if (!plugin.error.isEmpty()) missing += Offers::tr("%1: %2").arg(plugin.title, plugin.error.simplified());
+    if (!plugin.error.isEmpty()) missing += Offers::tr("%1: %2").arg(plugin.title, reasonOf(plugin.error));
   }
   for (const Adapter& adapter : list.adapters) hasInterface = hasInterface || adapter.plugin == kSocketCan;
   if (list.plugins.isEmpty() && !isSearching)
@@ -117,7 +128,7 @@ AdapterOffers offersOf(const AdapterList& list, int bitRate, bool isSearching,
     offers.command = QStringLiteral("ip -details link show type can");
     missing.prepend(
         Offers::tr("SocketCAN: no CAN interface. Plug the adapter in; if it does not appear, its driver "
-                   "is not loaded (sudo modprobe can_raw, then look at dmesg)."));
+                   "is not loaded: look at the end of sudo dmesg."));
   }
   if (!missing.isEmpty()) {
     missing.prepend(Offers::tr("Not usable on this computer now:"));

@@ -24,6 +24,10 @@ void grabLater(deckpipe::MainWindow& window, const deckpipe::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Qt would take --plugin for an option of its own.
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments += QString::fromLocal8Bit(argv[i]);
+  argc = 1;
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("Deckpipe"));
   QApplication::setApplicationName(QStringLiteral("deckpipe"));
@@ -32,7 +36,7 @@ int main(int argc, char** argv) {
   // Qt tells on standard error what its adapters do; what matters of it comes back as reasons.
   QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
   deckpipe::Options options;
-  if (const auto status = deckpipe::parseOptions(QApplication::arguments(), options)) return *status;
+  if (const auto status = deckpipe::parseOptions(arguments, options)) return *status;
 
   deckpipe::Session session;
   deckpipe::MainWindow window(session);

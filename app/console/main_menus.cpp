@@ -79,9 +79,9 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   menu->addActions(m_workspace->dockActions());
   menu->addSeparator();
-  named(menu->addAction(tr("&Dial over the whole window"), QKeySequence(Qt::Key_F11), m_workspace,
-                        &Workspace::toggleFullDial),
-        "fullDialAction");
+  named(
+      menu->addAction(tr("Large &dial"), QKeySequence(Qt::Key_F11), m_workspace, &Workspace::toggleFullDial),
+      "fullDialAction");
   named(menu->addAction(tr("Only &this device in the trace"), QKeySequence(Qt::CTRL | Qt::Key_T), m_workspace,
                         &Workspace::traceDevice),
         "traceDeviceAction");

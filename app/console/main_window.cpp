@@ -4,6 +4,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -205,6 +206,8 @@ QFileDialog* MainWindow::saveDialog(const QString& title) {
   QFileDialog* dialog = fileDialog(title);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("log"));
+  dialog->selectFile(
+      QDateTime::currentDateTime().toString(QStringLiteral("'deckpipe' yyyy-MM-dd HHmm'.log'")));
   return dialog;
 }
 

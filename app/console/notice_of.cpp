@@ -5,8 +5,10 @@
 #include <QFileInfo>
 #include <QStringList>
 #include <algorithm>
+#include <climits>
 #include <limits>
 
+#include "log/reading.h"
 #include "model/device_rows.h"
 #include "status_text.h"
 #include "text/elapsed_text.h"
@@ -64,16 +66,40 @@ Notice unreadable(const Snapshot& snapshot) {
   return notice;
 }
 
+// Where a log's clock does not run, ages, rates and load are no measure.
+Notice clockNotice(const LogDocument& log) {
+  if (!log.frames[0].hasStamp()) {
+    return {StatusTone::Attend, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
+                                               "rates, load and silence means nothing.")};
+  }
+  if (const std::size_t jumps = log.frames.jumps().size(); jumps > 0) {
+    return {StatusTone::Attend,
+            NoticeText::tr("The clock of this log jumps at %Ln places: ages, rates and load around them are "
+                           "not to be trusted. They are marked in the trace.",
+                           nullptr, static_cast<int>(jumps))};
+  }
+  return {};
+}
+
 Notice fileNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (source.progress == Progress::Failed) {
-    return {StatusTone::Fault,
-            NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason)};
+    QString text =
+        NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason);
+    if (source.reason.startsWith(QLatin1String(readErrorText(ReadError::Kind::NotThisFormat))))
+      text = NoticeText::tr("%1. Deckpipe reads what candump writes or prints.", "after a reason").arg(text);
+    return {StatusTone::Fault, text};
   }
   if (source.progress != Progress::Done) return {};
   if (source.unreadable > 0) return unreadable(snapshot);
   if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};
-  return {};
+  if (source.notKept > 0) {
+    return {StatusTone::Attend,
+            NoticeText::tr("%Ln frames of this log are missing here: CAN FD and CAN XL "
+                           "frames are not held.",
+                           nullptr, static_cast<int>(std::min<std::uint64_t>(source.notKept, INT_MAX)))};
+  }
+  return clockNotice(*snapshot.view.document);
 }
 
 // When the link of a live log came up last.
@@ -217,17 +243,25 @@ Notice pastNotice(const Snapshot& snapshot) {
   return notice;
 }
 
-// A question that was answered too late came to nothing.
-Notice unsentNotice(const Snapshot& snapshot) {
-  if (snapshot.notSent == Refusal::NotLive) {
-    return {
-        .tone = StatusTone::Attend,
-        .text = NoticeText::tr("Nothing was sent: the view stands in the past, where nothing can be begun. "
-                               "Go to the end and ask again."),
-        .action = Notice::Action::GoToEnd};
+// What was wanted, confirmed perhaps, came to nothing.
+Notice unsentNotice(Refusal why) {
+  Notice notice{StatusTone::Attend};
+  switch (why) {
+    case Refusal::None: return {};
+    case Refusal::NotLive:
+      notice.text = NoticeText::tr(
+          "Nothing was sent: the view stands in the past, where nothing can be begun. "
+          "Go to the end and ask again.");
+      notice.action = Notice::Action::GoToEnd;
+      break;
+    case Refusal::LogFull:
+      notice.text = NoticeText::tr(
+          "Nothing was sent: there is no room for more frames, neither in memory nor "
+          "on disk, and what is not recorded is not sent.");
+      break;
+    default: notice.text = NoticeText::tr("Nothing was sent: there is no link any more."); break;
   }
-  if (snapshot.notSent == Refusal::None) return {};
-  return {StatusTone::Attend, NoticeText::tr("Nothing was sent: there is no link any more.")};
+  return notice;
 }
 
 }  // namespace
@@ -241,7 +275,7 @@ QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnl
 }
 
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
-  if (Notice unsent = unsentNotice(snapshot); !unsent.text.isEmpty()) return unsent;
+  if (Notice unsent = unsentNotice(snapshot.notSent); !unsent.text.isEmpty()) return unsent;
   if (!snapshot.view.document) return {};
   if (snapshot.source.kind == From::File) return fileNotice(snapshot);
   Notice notice = linkNotice(snapshot, rates);

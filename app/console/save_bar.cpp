@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
+#include <algorithm>
 
 #include "panel/elided_label.h"
 #include "status_text.h"
@@ -39,6 +40,8 @@ SaveBar::SaveBar(QWidget* parent)
 SaveBar::~SaveBar() = default;
 
 void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part) {
+  const std::vector<Note> notes = document->notes.all();
+  m_marks = static_cast<int>(std::ranges::count(notes, NoteKind::Mark, &Note::kind));
   m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
   const auto frames = m_saving->frames();
@@ -66,7 +69,11 @@ void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   m_button->setAccessibleName(tr("Close this line"));
   switch (outcome) {
     case LogSaving::Outcome::Saved:
-      m_text->setText(tr("Saved %1 to %2").arg(frames, path));
+      m_text->setText(
+          m_marks == 0 ? tr("Saved %1 to %2").arg(frames, path)
+                       : tr("Saved %1 to %2; %Ln marks are not in it, for candump text has no place for them",
+                            nullptr, m_marks)
+                             .arg(frames, path));
       Q_EMIT saved(path);
       break;
     case LogSaving::Outcome::Cancelled: m_text->setText(tr("Cancelled: nothing was saved.")); break;

@@ -34,6 +34,7 @@ class SaveBar : public QWidget {
   void cancelOrClose();
 
   std::unique_ptr<LogSaving> m_saving;
+  int m_marks = 0;  // of the log that is saved
   QTimer m_tick;
   QLabel* m_text;
   QProgressBar* m_progress;

@@ -45,7 +45,7 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
   const bool isLive = snapshot.source.kind == SourceStatus::Kind::Link;
   m_isLocked = services.locked;
   m_lock->setText(m_isLocked ? tr("&Unlock sending…") : tr("&Lock sending"));
-  m_lock->setEnabled(isLive && (!m_isLocked || snapshot.view.atEnd));
+  m_lock->setEnabled(isLive && (!m_isLocked || (snapshot.view.atEnd && services.linkUp)));
   m_names->setEnabled(isLive && snapshot.view.atEnd && !m_isLocked && services.linkUp);
   m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canAsk());
   m_stop->setEnabled(isLive && services.canAsk());

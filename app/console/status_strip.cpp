@@ -13,6 +13,8 @@ namespace {
 
 // Figures that change more often cannot be read.
 constexpr Duration kCalm = 250ms;
+constexpr int kLeastSource = 220;  // "can0 · 250 kbit/s"
+constexpr int kMargins = 24;
 
 void tell(StatusCell* cell, const StatusFact& fact) {
   cell->setStatus(fact.tone, fact.text, fact.story, fact.glyph);
@@ -73,9 +75,8 @@ void StatusStrip::setSnapshot(const Snapshot& snapshot) {
   // Of what never came up nothing is complete and nothing is recorded.
   const auto progress = snapshot.source.progress;
   const bool isUp = progress == SourceStatus::Progress::Running || progress == SourceStatus::Progress::Done;
-  const bool hasFacts = isOpen && (isUp || view.frameCount > 0);
-  for (StatusCell* cell : {m_load, m_rate, m_errors, m_recording, m_completeness}) cell->setVisible(hasFacts);
-  if (!isOpen) return;
+  m_hasFacts = isOpen && (isUp || view.frameCount > 0);
+  if (!isOpen) return fit();
   if (ratesAreDue(view)) {
     m_rates = ratesAt(view);
     tell(m_load, loadFact(snapshot, m_rates));
@@ -86,9 +87,25 @@ void StatusStrip::setSnapshot(const Snapshot& snapshot) {
   tell(m_errors, errorFact(snapshot));
   tell(m_recording, recordingFact(snapshot));
   tell(m_completeness, completenessFact(snapshot));
+  fit();
 }
 
-// Only where there is a bus to send on. Locking is always possible, unlocking at the live edge.
+// Where the window is narrow, numbers go before what link, lock and losses say.
+void StatusStrip::fit() {
+  int room = width() - kLeastSource - m_lock->sizeHint().width() -
+             (m_lockButton->isHidden() ? 0 : m_lockButton->sizeHint().width()) - kMargins;
+  bool hasRoom = m_hasFacts;
+  for (StatusCell* cell : {m_completeness, m_errors, m_recording, m_load, m_rate}) {
+    room -= cell->sizeHint().width() + layout()->spacing();
+    hasRoom = hasRoom && room >= 0;
+    cell->setVisible(hasRoom);
+  }
+}
+
+void StatusStrip::resizeEvent(QResizeEvent*) { fit(); }
+
+// Only where there is a bus to send on. Locking is always possible, unlocking at the live edge of a link that
+// is up.
 void StatusStrip::showLockButton(const Snapshot& snapshot) {
   const bool isLocked = snapshot.services->locked;
   const QString text = isLocked ? tr("Unlock…") : tr("Lock");
@@ -97,7 +114,7 @@ void StatusStrip::showLockButton(const Snapshot& snapshot) {
     m_lockButton->setAccessibleName(isLocked ? tr("Unlock sending") : tr("Lock sending"));
   }
   m_lockButton->setVisible(snapshot.source.kind == SourceStatus::Kind::Link);
-  m_lockButton->setEnabled(!isLocked || snapshot.view.atEnd);
+  m_lockButton->setEnabled(!isLocked || (snapshot.view.atEnd && snapshot.services->linkUp));
 }
 
 void StatusStrip::paintEvent(QPaintEvent*) {

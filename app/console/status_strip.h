@@ -33,13 +33,16 @@ class StatusStrip : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   StatusCell* addCell(const char* name, const QString& label, const QString& widest);
   bool ratesAreDue(const LogView& view) const;
+  void fit();
   void showLockButton(const Snapshot& snapshot);
 
   Colours m_colours;
+  bool m_hasFacts = false;  // of an open log or a link that is up
   StatusCell* m_source;
   StatusCell* m_load;
   StatusCell* m_rate;

@@ -34,8 +34,8 @@ namespace {
 constexpr int kLayoutVersion = 3;
 // A look at so many frames a tick takes about two milliseconds.
 constexpr std::uint64_t kFramesAtOnce = 100'000;
-constexpr int kDevicesLetters = 56;
-constexpr int kDetailWidth = 420, kTraceHeight = 208;
+constexpr int kDevicesLetters = 60;
+constexpr int kDetailWidth = 520, kTraceHeight = 208;
 
 }  // namespace
 
@@ -54,6 +54,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
 
   m_devices = new DevicePanel(this);
   m_page = new MonitorPage(this);
+  m_page->setStage(this);  // what tells past from present and locked from unlocked stays in sight
   m_overview = new OverviewPanel(this);
   m_trace = new TracePanel(this);
   m_decode = new DecodePanel(this);
@@ -88,7 +89,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   });
   // Only a person closes a dock; that it is hidden while there is nothing to show is no wish of theirs.
   m_decodeDock->installEventFilter(this);
-  connect(m_decodeDock->toggleViewAction(), &QAction::triggered, this,
+  connect(m_actions.value(m_decodeDock), &QAction::triggered, this,
           [this](bool isOn) { m_decodeWanted = isOn; });
   connect(m_devices, &DevicePanel::deviceSelected, m_page, &MonitorPage::setDevice);
   connect(m_devices, &DevicePanel::deviceSelected, m_overview, &OverviewPanel::setDevice);
@@ -131,7 +132,20 @@ QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
   m_titles.append(new DockTitle(dock));
-  dock->toggleViewAction()->setObjectName(QLatin1String(name) + QStringLiteral("Action"));
+  // Checked while it is seen: Qt's own action hides what lies behind another's tab.
+  auto* action = new QAction(title, dock);
+  action->setObjectName(QLatin1String(name) + QStringLiteral("Action"));
+  action->setCheckable(true);
+  connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
+  connect(action, &QAction::triggered, dock, [dock](bool isOn) {
+    if (!isOn) {
+      dock->close();
+      return;
+    }
+    dock->show();
+    dock->raise();
+  });
+  m_actions.insert(dock, action);
   return dock;
 }
 
@@ -194,6 +208,7 @@ void Workspace::showRequests() {
 }
 
 void Workspace::showHelp() {
+  if (m_page->full() != nullptr) m_page->toggleFull();
   m_help->explain(QApplication::focusWidget());
   m_helpDock->show();
   m_helpDock->raise();
@@ -237,7 +252,7 @@ void Workspace::setTalk(const Snapshot& snapshot) {
   m_requests->setView(view, *m_talk, *snapshot.services, isLive);
   m_terminal->setDevice(device, nameOf(device));
   m_terminal->setView(view, *m_talk, *snapshot.services, isLive);
-  m_twinDock->toggleViewAction()->setVisible(snapshot.source.simulated);
+  m_actions.value(m_twinDock)->setVisible(snapshot.source.simulated);
   if (!snapshot.source.simulated) m_twinDock->hide();
 }
 
@@ -281,15 +296,24 @@ QList<QDockWidget*> Workspace::docks() const {
 
 QList<QAction*> Workspace::dockActions() const {
   QList<QAction*> actions;
-  for (const QDockWidget* dock : docks()) actions.append(dock->toggleViewAction());
+  for (QDockWidget* dock : docks()) actions.append(m_actions.value(dock));
   return actions;
+}
+
+QMenu* Workspace::createPopupMenu() {
+  auto* menu = new QMenu(this);
+  menu->addActions(dockActions());
+  return menu;
 }
 
 QList<QWidget*> Workspace::panes() const {
   QList<QWidget*> panes{m_devicesDock, m_centre,     m_requestsDock, m_twinDock,  m_helpDock,
                         m_traceDock,   m_eventsDock, m_terminalDock, m_decodeDock};
   // A dock behind another's tab is not hidden, but shows nothing.
-  panes.removeIf([](const QWidget* pane) { return !pane->isVisible() || pane->visibleRegion().isEmpty(); });
+  panes.removeIf([this](const QWidget* pane) {
+    const QAction* action = m_actions.value(pane);
+    return !pane->isVisible() || (action != nullptr && !action->isChecked());
+  });
   return panes;
 }
 

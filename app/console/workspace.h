@@ -4,6 +4,7 @@
 // theirs: saved as a versioned state, and put back to the first arrangement by resetLayout().
 #pragma once
 
+#include <QHash>
 #include <QMainWindow>
 #include <memory>
 #include <optional>
@@ -48,6 +49,7 @@ class Workspace : public QMainWindow {
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
   TracePanel* trace() const { return m_trace; }
+  QMenu* createPopupMenu() override;
   void resetLayout();
   // The chosen device's dial over the whole window, and back.
   void toggleFullDial();
@@ -116,7 +118,8 @@ class Workspace : public QMainWindow {
   QDockWidget* m_eventsDock;
   QDockWidget* m_decodeDock;
   QDockWidget* m_helpDock;
-  QList<DockTitle*> m_titles;  // one a dock
+  QList<DockTitle*> m_titles;                 // one a dock
+  QHash<const QWidget*, QAction*> m_actions;  // checked while the dock is seen
   double m_fontSize = 0;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it

@@ -41,6 +41,7 @@ constexpr std::string_view refusalWord(Refusal refusal) {
     case Refusal::Busy: return "busy";
     case Refusal::TooMuch: return "too_much";
     case Refusal::NotLive: return "not_live";
+    case Refusal::LogFull: return "log_full";
   }
   return "none";
 }

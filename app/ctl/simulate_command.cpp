@@ -20,6 +20,7 @@ namespace {
 
 // Logs start at a fixed wall-clock time, so that the same seed gives the same bytes.
 constexpr std::int64_t kLogStart = 1'700'000'000'000'000'000;
+constexpr int kMostLoad = static_cast<int>(simulator::Background::kMost * 100);
 
 // Hands over pieces of candump text; false from `write` ends it.
 bool simulateInto(simulator::StandardBench& bench, double seconds,
@@ -124,7 +125,12 @@ int simulateCommand(const QStringList& arguments) {
           "So many 6032 monitors instead of one, up to %1; about 40 fill a real bus of 250 kbit/s.")
           .arg(simulator::kMostMonitors),
       QStringLiteral("N"), QStringLiteral("1"));
-  parser.addOptions({plugin, interfaceName, bitRate, log, seconds, seed, monitors, misbehave});
+  const QCommandLineOption load(
+      QStringLiteral("load"),
+      QStringLiteral("Other traffic that fills so much of the bus, up to %1 per cent; none by default.")
+          .arg(kMostLoad),
+      QStringLiteral("PERCENT"), QStringLiteral("0"));
+  parser.addOptions({plugin, interfaceName, bitRate, log, seconds, seed, monitors, load, misbehave});
   if (const auto status = parse(parser, arguments)) return *status;
   if (!parser.positionalArguments().isEmpty())
     return badUsage(QStringLiteral("simulate: takes options only"));
@@ -149,6 +155,10 @@ int simulateCommand(const QStringList& arguments) {
         QStringLiteral("simulate: --monitors wants a number from 1 to %1").arg(simulator::kMostMonitors));
   }
   if (!rateOk || rate < 0) return badUsage(QStringLiteral("simulate: --bitrate wants bits a second"));
+  bool loadOk = false;
+  const double percent = parser.value(load).toDouble(&loadOk);
+  if (!loadOk || !(percent >= 0) || percent > kMostLoad)
+    return badUsage(QStringLiteral("simulate: --load wants per cent, 0 to %1").arg(kMostLoad));
   const bool toLog = parser.isSet(log);
   if (toLog == (parser.isSet(plugin) || parser.isSet(interfaceName))) {
     return badUsage(QStringLiteral("simulate: either --log, or --plugin and --interface"));
@@ -166,6 +176,7 @@ int simulateCommand(const QStringList& arguments) {
               .arg(text));
   }
   plan.apply(runner.bench());
+  runner.bench().bench.fill({}, percent / 100, rate > 0 ? rate : 250'000);
   if (toLog) return writeLog(runner.bench(), secondsValue, parser.value(log));
   return runOnInterface(runner, {parser.value(plugin), parser.value(interfaceName), rate, {}});
 }

@@ -54,6 +54,7 @@ void LiveBus::start() {
 }
 
 void LiveBus::apply(const Intent& intent) {
+  if (m_storeFull && !onlyStops(intent.value)) return;
   m_services.apply(bootTime(), m_state, intent);
   serve();
   publish();

@@ -45,7 +45,8 @@ class LiveBus : public QObject, private PortListener {
 
  public Q_SLOTS:
   void start();
-  // Carried out or refused at once; a refusal is in the next Published.
+  // Carried out or refused at once; a refusal is in the next Published. Where the log takes no more nothing
+  // is begun.
   void apply(const deckpipe::Intent& intent);
   // By the person: only a drive's own manual tells.
   void sayDrive(deckpipe::Address address, bool isDrive);

@@ -120,9 +120,12 @@ void Session::openDemo() {
 }
 
 std::uint64_t Session::want(Wish wish) {
-  const Refusal refusal = m_live == nullptr                            ? Refusal::NoLink
-                          : !m_snapshot.view.atEnd && !onlyStops(wish) ? Refusal::NotLive
-                                                                       : Refusal::None;
+  const auto refusal = [&] {
+    if (m_live == nullptr) return Refusal::NoLink;
+    if (onlyStops(wish)) return Refusal::None;
+    if (!m_snapshot.view.atEnd) return Refusal::NotLive;
+    return m_live->latest().storeFull ? Refusal::LogFull : Refusal::None;
+  }();
   if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
   if (refusal != Refusal::None) return 0;
   const Intent intent{std::move(wish), bootTime(), ++m_serial};

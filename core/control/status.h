@@ -26,6 +26,7 @@ enum class Refusal : std::uint8_t {
   Busy,       // the same is under way already
   TooMuch,    // more characters than may wait
   NotLive,    // the view stood in the past; nothing is begun from there
+  LogFull,    // what would be sent could not be recorded
 };
 
 struct ClaimStatus {

@@ -53,6 +53,7 @@ void Bench::apply(Instant now, const Planned& planned) {
 
 Instant Bench::nextTime() const {
   Instant next = m_plan.empty() ? kNever : m_plan.front().when;
+  next = std::min(next, m_background.nextTime());
   forEach([&](const Device& device) { next = std::min(next, device.nextTime()); });
   return next;
 }
@@ -79,6 +80,7 @@ void Bench::step(Instant now) {
     apply(now, due);
   }
   for (Member& member : m_members) placeIntruder(now, member);
+  m_background.takeDue(now, m_out);  // nothing that a device listens to
   forEach([&](Device& device) { device.timeCame(now); });
   exchange(now);
 }

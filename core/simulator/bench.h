@@ -21,6 +21,7 @@
 #include <variant>
 #include <vector>
 
+#include "simulator/background.h"
 #include "simulator/device.h"
 
 namespace deckpipe::simulator {
@@ -37,6 +38,8 @@ class Bench {
     return kept;
   }
   void powerOn(Instant now);
+  // Other traffic from then on, so much of the bus: 0 to Background::kMost.
+  void fill(Instant from, double share, int bitRate = 250'000) { m_background.set(from, share, bitRate); }
 
   void received(Instant now, const Frame& frame);
   void timeCame(Instant now);
@@ -75,6 +78,7 @@ class Bench {
 
   std::vector<Member> m_members;
   std::vector<Planned> m_plan;  // by time
+  Background m_background;
   std::vector<DueFrame> m_out;
   std::vector<std::pair<const Device*, DueFrame>> m_onBus;
   std::vector<DueFrame> m_fresh;

@@ -15,6 +15,8 @@ namespace deckpipe {
 
 // Held by shared pointer, so that it outlives the source that filled it.
 struct LogDocument {
+  explicit LogDocument(const StoreLimits& limits = {}) : frames(limits) {}
+
   FrameStore frames;
   NoteStore notes;
   UnkeptList unkept;

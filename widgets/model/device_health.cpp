@@ -2,6 +2,7 @@
 #include "model/device_health.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace deckpipe {
 namespace {
@@ -56,6 +57,12 @@ bool sendsByItself(const ChannelState& channel, const Device& d) {
   return type == 1032 || type == 1033 || type == 1040 || type == 1042 || type == 1052;
 }
 
+bool hasStopError(const PositionLimitStatus& position) {
+  return std::ranges::count(position.plusStop, Status2::Error) +
+             std::ranges::count(position.minusStop, Status2::Error) >
+         0;
+}
+
 }  // namespace
 
 DeviceHealth healthOf(const State& state, const Device& d) {
@@ -75,6 +82,9 @@ DeviceHealth healthOf(const State& state, const Device& d) {
   f.add(HealthReason::DeviceFaulted,
         d.miniOutputs.isKnown() && !d.isStale(Periodic::MiniOutputs) && d.miniOutputs.value().deviceFaulted);
   f.add(HealthReason::OperationalError, hasPosition && position.operationalError == Status2::On);
+  f.add(HealthReason::StopError, hasPosition && hasStopError(position));
+  f.add(HealthReason::PositionInvalid, hasPosition && (position.rotation.state == PositionState::Invalid ||
+                                                       position.elevation.state == PositionState::Invalid));
   f.add(HealthReason::PositionOverdue, d.isStale(Periodic::Position));
   f.add(HealthReason::LimitsOverdue,
         d.isStale(Periodic::RotationLimits) || d.isStale(Periodic::ElevationLimits));
@@ -127,6 +137,8 @@ QStringList healthReasons(const DeviceHealth& health) {
       QT_TRANSLATE_NOOP("Health", "Elevation sensor error."),
       QT_TRANSLATE_NOOP("Health", "It says that it is faulted."),
       QT_TRANSLATE_NOOP("Health", "It reports an operational error; ask for its faults."),
+      QT_TRANSLATE_NOOP("Health", "A hard stop reports an error."),
+      QT_TRANSLATE_NOOP("Health", "Its position is not valid."),
       QT_TRANSLATE_NOOP("Health", "Its position status is overdue."),
       QT_TRANSLATE_NOOP("Health", "Its soft limits are overdue."),
       QT_TRANSLATE_NOOP("Health", "Its outputs are overdue."),

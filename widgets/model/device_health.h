@@ -24,6 +24,8 @@ enum class HealthReason : std::uint8_t {
   DeviceFaulted,
   // attend
   OperationalError,
+  StopError,
+  PositionInvalid,
   PositionOverdue,
   LimitsOverdue,
   OutputsOverdue,

@@ -196,7 +196,7 @@ QString typeText(const DeviceRow& row) {
     case From::Drive: return Row::tr("Copley drive");
     case From::Own: return Row::tr("This console");
     case From::GatewayNode: return Row::tr("6051 CAN Gateway, by its default node");
-    case From::MonitorNode: return Row::tr("Monitor, type not known");
+    case From::MonitorNode: return Row::tr("Monitor, by its messages");
     case From::CanopenNode: return Row::tr("Type not known");
     case From::OtherName:
     case From::NoName: break;

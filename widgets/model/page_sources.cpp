@@ -15,6 +15,9 @@ struct GroupSource {
 };
 
 const GroupSource kSources[] = {
+    {"dial",
+     {MessageId::PositionLimitStatus, MessageId::RotationSoftLimits, MessageId::ElevationSoftLimits,
+      MessageId::DigitalOutputs, MessageId::BasicJoystick}},
     {"stops", {MessageId::PositionLimitStatus}},
     {"status", {MessageId::PositionLimitStatus}},
     {"outputs", {MessageId::DigitalOutputs}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paint/density_style.h"
 
+#include <QPainter>
 #include <QStyleOption>
 #include <QWidget>
 #include <algorithm>
@@ -31,6 +32,18 @@ int DensityStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, co
     case PM_ExclusiveIndicatorHeight: return isField ? 24 : 18;
     default: return plain;
   }
+}
+
+// Fusion's own is hard to see in the sun.
+void DensityStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                                 const QWidget* widget) const {
+  if (element != PE_FrameFocusRect) return QProxyStyle::drawPrimitive(element, option, painter, widget);
+  if ((option->state & State_KeyboardFocusChange) == 0) return;
+  painter->save();
+  painter->setPen(QPen(option->palette.color(QPalette::Highlight), 2));
+  painter->setBrush(Qt::NoBrush);
+  painter->drawRect(option->rect.adjusted(1, 1, -1, -1));
+  painter->restore();
 }
 
 QSize DensityStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,

@@ -150,7 +150,9 @@ AdapterRow* ConnectionPage::makeRow() {
 void ConnectionPage::setOffers(const AdapterOffers& offers) {
   m_offers = offers;
   // Rows are used again, so that the focus stays where it is while counters run.
+  const bool isNew = m_adapters.size() < offers.adapters.size();
   while (m_adapters.size() < offers.adapters.size()) m_adapters.push_back(makeRow());
+  if (isNew) orderTabs();
   while (m_adapters.size() > offers.adapters.size()) {
     m_adapters.back()->deleteLater();
     m_adapters.back()->hide();
@@ -173,6 +175,17 @@ void ConnectionPage::setOffers(const AdapterOffers& offers) {
   }
   setText(*m_missing, offers.missing);
   m_missing->setVisible(!offers.missing.isEmpty());
+}
+
+// Rows are made late; the keys come to them where they are seen.
+void ConnectionPage::orderTabs() {
+  QWidget* before = m_bitRate;
+  for (const AdapterRow* row : m_adapters) {
+    for (auto* next : row->findChildren<QPushButton*>()) {
+      setTabOrder(before, next);
+      before = next;
+    }
+  }
 }
 
 void ConnectionPage::setRecentLogs(const std::vector<RecentLog>& logs) {

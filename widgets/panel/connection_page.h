@@ -49,6 +49,7 @@ class ConnectionPage : public QWidget {
   QWidget* makeBusSide();
   QWidget* makeOtherSide();
   AdapterRow* makeRow();
+  void orderTabs();
 
   Colours m_colours;
   AdapterOffers m_offers;

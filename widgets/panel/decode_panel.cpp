@@ -15,7 +15,8 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kWide = 820;  // from here on bits and fields stand side by side
+constexpr int kWide = 820;  // from here on, or up to this height, bits and fields stand side by side
+constexpr int kTall = 320;
 constexpr int kRow = 24;
 constexpr int kLeastValue = 120, kMostValue = 320;
 
@@ -153,7 +154,8 @@ void DecodePanel::shareWidth() {
 }
 
 void DecodePanel::resizeEvent(QResizeEvent* event) {
-  m_layout->setDirection(width() >= kWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  m_layout->setDirection(width() >= kWide || height() < kTall ? QBoxLayout::LeftToRight
+                                                              : QBoxLayout::TopToBottom);
   QWidget::resizeEvent(event);
 }
 

@@ -27,8 +27,7 @@ EventPanel::EventPanel(QWidget* parent)
       m_delegate(new EventDelegate(this)),
       m_list(new QTreeView(this)),
       m_header(new FlatHeader(m_list)),
-      m_empty(new QLabel(tr("Nothing happened so far: no device appeared, nothing was lost, nothing marked."),
-                         this)),
+      m_empty(new QLabel(tr("Nothing happened so far."), this)),
       m_pages(new QStackedLayout(this)) {
   setObjectName(QStringLiteral("eventPanel"));
   setAccessibleName(tr("Events"));

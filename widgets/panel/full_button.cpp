@@ -14,8 +14,8 @@ FullButton::FullButton(QWidget* parent) : QAbstractButton(parent), m_colours(col
 
 void FullButton::setFull(bool isFull) {
   m_isFull = isFull;
-  setAccessibleName(isFull ? tr("Back to the page") : tr("Dial over the whole window"));
-  setToolTip(isFull ? tr("Back to the page (Esc)") : tr("Dial over the whole window (F11)"));
+  setAccessibleName(isFull ? tr("Back to the page") : tr("Large dial"));
+  setToolTip(isFull ? tr("Back to the page (Esc)") : tr("Large dial (F11)"));
   update();
 }
 

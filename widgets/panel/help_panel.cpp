@@ -15,6 +15,8 @@
 namespace deckpipe {
 namespace {
 
+constexpr int kAgainMs = 500;
+
 QString plain(const QString& tip) {
   return Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText() : tip;
 }
@@ -55,6 +57,8 @@ HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
   for (QLabel* label : {m_title, m_now, m_story}) column->addWidget(label);
   column->addStretch(1);
   fillScrolled(this, inside, QStringLiteral("helpScroll"));
+  m_again.setInterval(kAgainMs);
+  connect(&m_again, &QTimer::timeout, this, &HelpPanel::showExplanation);
   explain(nullptr);
 }
 
@@ -109,7 +113,12 @@ void HelpPanel::setColours(const Colours& colours) {
 
 // What was explained may have changed while this was closed.
 bool HelpPanel::event(QEvent* event) {
-  if (event->type() == QEvent::Show) showExplanation();
+  if (event->type() == QEvent::Show) {
+    showExplanation();
+    m_again.start();
+  } else if (event->type() == QEvent::Hide) {
+    m_again.stop();
+  }
   return QWidget::event(event);
 }
 

@@ -6,6 +6,7 @@
 
 #include <QPersistentModelIndex>
 #include <QPointer>
+#include <QTimer>
 #include <QWidget>
 
 #include "paint/palette.h"
@@ -36,6 +37,7 @@ class HelpPanel : public QWidget {
 
   QPointer<QWidget> m_widget;
   QMetaObject::Connection m_rows;
+  QTimer m_again;  // what is explained goes on changing
   QLabel* m_title;
   QLabel* m_now;
   QLabel* m_story;

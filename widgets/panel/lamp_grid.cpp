@@ -37,9 +37,10 @@ StatusLamp::WhenOn whenOnOf(LampTone tone) {
 
 }  // namespace
 
-void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale) {
+void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale, const QString& groupKey) {
   lamp.setLabel(values.label, values.spoken);
-  lamp.setToolTip(values.spoken);
+  const QString source = pageSourceText(groupKey);
+  lamp.setToolTip(values.spoken.isEmpty() ? source : values.spoken + QStringLiteral("\n\n") + source);
   lamp.setWhenOn(whenOnOf(values.whenOn));
   lamp.setState(stateOf(values.state), isStale);
 }
@@ -72,7 +73,7 @@ void LampGrid::setGroup(const PageLampGroup& group) {
     if (!isOther && i < m_group.lamps.size() && m_group.lamps[i] == group.lamps[i] &&
         m_group.isStale == group.isStale)
       continue;
-    setLamp(*m_lamps[i], group.lamps[i], group.isStale);
+    setLamp(*m_lamps[i], group.lamps[i], group.isStale, group.key);
     m_lamps[i]->setObjectName(QStringLiteral("%1Lamp%2").arg(group.key).arg(i + 1));
   }
   m_group = group;

@@ -43,6 +43,6 @@ class LampGrid : public QWidget {
 };
 
 // What a page says of a lamp, for the widget.
-void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale);
+void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale, const QString& groupKey);
 
 }  // namespace deckpipe

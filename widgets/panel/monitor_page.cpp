@@ -7,6 +7,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include "model/page_sources.h"
 #include "paint/dial.h"
 #include "panel/dial_adapter.h"
 #include "panel/fact_list.h"
@@ -58,7 +59,8 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_scroll->viewport()->installEventFilter(this);
   m_scroll->installEventFilter(this);
   m_dial->installEventFilter(this);
-  m_dial->setToolTip(tr("Double click or F11: fill the window"));
+  m_dial->setToolTip(tr("Double click or F11: large dial") + QStringLiteral("\n\n") +
+                     pageSourceText(QStringLiteral("dial")));
   connect(m_header, &PageHeader::fullRequested, this, &MonitorPage::toggleFull);
   connect(m_header, &PageHeader::traceRequested, this, &MonitorPage::traceRequested);
 
@@ -104,6 +106,7 @@ void MonitorPage::showValues() {
   if (isFound) {
     m_header->setPage(m_values);
     showParts();
+    explain();
   } else {
     setText(*m_message, missingText());
   }
@@ -113,6 +116,21 @@ void MonitorPage::showValues() {
   m_message->setVisible(!isFound);
   m_header->setVisible(isFound);
   m_scroll->setVisible(isFound);
+}
+
+// For F1 on the page as a whole.
+void MonitorPage::explain() {
+  if (m_explained == m_values.key) return;
+  m_explained = m_values.key;
+  QStringList keys;
+  if (m_values.dial) keys += QStringLiteral("dial");
+  for (const PageLampGroup& group : m_values.lamps) keys += group.key;
+  for (const PageFactGroup& group : m_values.facts) keys += group.key;
+  QStringList lines;
+  for (const QString& key : keys) lines += pageSourceText(key).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  lines.removeDuplicates();
+  m_scroll->setWhatsThis(tr("What this page shows is taken from these messages:") + QLatin1Char('\n') +
+                         lines.join(QLatin1Char('\n')));
 }
 
 QString MonitorPage::missingText() const {
@@ -196,7 +214,7 @@ void MonitorPage::toggleFull() {
     return;
   }
   if (!m_values.isFound || !m_values.dial) return;
-  m_full = new FullDial(window());
+  m_full = new FullDial(m_stage != nullptr ? m_stage : window());
   m_full->setColours(m_colours);
   m_full->setAnimated(m_isAnimated);
   m_full->setPage(m_values);

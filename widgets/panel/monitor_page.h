@@ -44,7 +44,9 @@ class MonitorPage : public QWidget {
   // The expression that lets only the device's frames through; empty without a device or address.
   QString traceFilter() const { return m_values.isFound ? m_values.traceFilter : QString(); }
 
-  // The dial over the whole window, until Esc, a second double click or this again. Nothing without a dial.
+  // Over what the dial spreads, instead of the window: what else is there must be seen with it.
+  void setStage(QWidget* stage) { m_stage = stage; }
+  // The dial over the whole stage, until Esc, a second double click or this again. Nothing without a dial.
   void toggleFull();
   FullDial* full() const;
 
@@ -62,6 +64,7 @@ class MonitorPage : public QWidget {
   void refresh();
   void showValues();
   void showParts();
+  void explain();
   QString missingText() const;
 
   LogView m_view;
@@ -74,6 +77,8 @@ class MonitorPage : public QWidget {
   PageHeader* m_header;
   QLabel* m_message;  // instead of a page
   QScrollArea* m_scroll;
+  QWidget* m_stage = nullptr;
+  DeviceKey m_explained;
   QPointer<FullDial> m_full;  // the window owns it, and may end before this page does
   PageContent* m_content;
   Dial* m_dial;

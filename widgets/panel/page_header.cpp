@@ -68,13 +68,13 @@ PageHeader::PageHeader(QWidget* parent)
   names->addWidget(m_type, 1, Qt::AlignBottom);
   auto* health = new QHBoxLayout;
   health->setSpacing(8);
-  health->addStretch(1);
   health->addWidget(m_sign);
   health->addWidget(m_word);
   auto* places = new QHBoxLayout;
   places->setSpacing(16);
   places->addWidget(m_place);
-  places->addWidget(m_age, 1);
+  places->addWidget(m_age);
+  places->addWidget(m_reason, 1);
   m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   m_type->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -86,8 +86,7 @@ PageHeader::PageHeader(QWidget* parent)
   grid->setVerticalSpacing(4);
   grid->addLayout(names, 0, 0);
   grid->addLayout(health, 0, 1);
-  grid->addLayout(places, 1, 0);
-  grid->addWidget(m_reason, 1, 1);
+  grid->addLayout(places, 1, 0, 1, 2);
   grid->addWidget(m_trace, 0, 2, 2, 1);
   grid->addWidget(m_full, 0, 3, 2, 1);
   m_trace->setObjectName(QStringLiteral("traceButton"));
@@ -98,8 +97,7 @@ PageHeader::PageHeader(QWidget* parent)
   connect(m_trace, &QAbstractButton::clicked, this, &PageHeader::traceRequested);
   m_full->hide();
   connect(m_full, &QAbstractButton::clicked, this, &PageHeader::fullRequested);
-  grid->setColumnStretch(0, 3);
-  grid->setColumnStretch(1, 2);
+  grid->setColumnStretch(0, 1);
 }
 
 void PageHeader::setPage(const MonitorPageValues& page) {

@@ -57,8 +57,8 @@ void StopsGrid::setStops(const PageStops& stops) {
     const PageStop& stop = stops.axes[i];
     m_lines[i].axis->setText(stop.axis);
     m_lines[i].axis->setToolTip(stop.remark);
-    setLamp(*m_lines[i].minus, stop.minus, stops.isStale);
-    setLamp(*m_lines[i].plus, stop.plus, stops.isStale);
+    setLamp(*m_lines[i].minus, stop.minus, stops.isStale, QStringLiteral("stops"));
+    setLamp(*m_lines[i].plus, stop.plus, stops.isStale, QStringLiteral("stops"));
   }
 }
 

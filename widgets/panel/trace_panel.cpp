@@ -83,7 +83,7 @@ void TracePanel::makeShortcuts() {
     m_search->open();
   };
   shortcut(QKeySequence::Find, search);
-  shortcut(QKeySequence(QStringLiteral("Ctrl+L")), [this] {
+  shortcut(QKeySequence(QStringLiteral("Ctrl+Shift+F")), [this] {
     m_bar->filter()->setFocus(Qt::ShortcutFocusReason);
     m_bar->filter()->selectAll();
   });

@@ -3,7 +3,7 @@
 // columns, and the same traffic by identifier. The console hands it each view of the log, listens for the
 // frame that is looked at (the decode panel shows it) and for the wish to put the cursor at one.
 //
-//   Ctrl+L   to the filter line          Ctrl+F        search; F3 and Shift+F3 on and back
+//   Ctrl+Shift+F   to the filter line    Ctrl+F        search; F3 and Shift+F3 on and back
 //   Escape   from the filter line back to the rows; gives a search up, then closes it
 #pragma once
 

@@ -284,6 +284,7 @@ void TraceView::paintEvent(QPaintEvent*) {
                  .hasFocus = hasFocus() && m_current == frame});
   }
   p.fillRect(QRect(0, y, TracePainter::kGutter, viewport()->height() - y), m_colours.surfaceAlternate);
+  if (hasFocus()) p.fillRect(QRect(0, 0, width, 2), m_colours.accent.ink);
 }
 
 QString TraceView::copyText() const {

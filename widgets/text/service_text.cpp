@@ -53,6 +53,7 @@ QString refusalText(Refusal refusal) {
     case Refusal::Busy: return ServiceText::tr("It is under way already.");
     case Refusal::TooMuch: return ServiceText::tr("That is more than may wait to be sent.");
     case Refusal::NotLive: return ServiceText::tr("The view stands in the past, where nothing can be begun.");
+    case Refusal::LogFull: return ServiceText::tr("The log takes no more; what is not recorded is not sent.");
   }
   return {};
 }

@@ -8,6 +8,7 @@
 
 #include "app/console/window_test.h"
 #include "console/settings_labels.h"
+#include "console/workspace.h"
 #include "panel/device_panel.h"
 #include "panel/full_dial.h"
 #include "panel/monitor_page.h"
@@ -54,13 +55,13 @@ TEST_F(WindowDevices, ShowsAllMonitorsAndGoesToThePageOfOne) {
   EXPECT_EQ(only<MonitorPage>()->values().key, DeviceKey::at(Channel{0}, Address{0x81}));
 }
 
-TEST_F(WindowDevices, SpreadsTheDialOverTheWholeWindow) {
+TEST_F(WindowDevices, SpreadsTheDialOverTheWorkspace) {
   openLog(kTruck);
   QTest::mouseDClick(named<QWidget>("dial"), Qt::LeftButton);
   auto* full = only<FullDial>();
   ASSERT_NE(full, nullptr);
-  EXPECT_EQ(full->parentWidget(), &m_window);
-  EXPECT_EQ(full->size(), m_window.size());
+  EXPECT_EQ(full->parentWidget(), only<Workspace>());
+  EXPECT_EQ(full->size(), only<Workspace>()->size());
   QTest::keyClick(full, Qt::Key_Escape);
   EXPECT_EQ(only<MonitorPage>()->full(), nullptr);
 }

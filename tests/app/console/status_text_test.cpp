@@ -63,6 +63,8 @@ TEST(NoticeText, SaysThatNothingWasSentAndWhy) {
   snapshot.notSent = Refusal::NotLive;
   EXPECT_TRUE(says(notice(snapshot), "Nothing was sent: the view stands in the past"));
   EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::GoToEnd);
+  snapshot.notSent = Refusal::LogFull;
+  EXPECT_TRUE(says(notice(snapshot), "what is not recorded is not sent"));
   snapshot = {};
   snapshot.notSent = Refusal::NoLink;
   EXPECT_TRUE(says(noticeOf(snapshot, {}).text.toStdString(), "Nothing was sent: there is no link"));

@@ -60,6 +60,16 @@ inline Snapshot snapshotOf(const std::string& text, SourceStatus::Kind kind,
   return snapshot;
 }
 
+// So much later, with nothing heard since.
+inline Snapshot later(Snapshot snapshot, Duration time) {
+  snapshot.view.cursor.time = snapshot.view.cursor.time + time;
+  snapshot.view.end = snapshot.view.cursor.time;
+  auto state = std::make_shared<State>(*snapshot.view.state);
+  advance(*state, snapshot.view.document->frames, snapshot.view.document->notes, snapshot.view.cursor);
+  snapshot.view.state = state;
+  return snapshot;
+}
+
 // Unlocked on the truck: polls asked and answered or not, and a file that stalled in the data pipe.
 inline Snapshot askingSnapshot() {
   const std::string talk =
@@ -144,9 +154,7 @@ inline std::vector<Scene> windowScenes() {
   paused.view.atEnd = false;
   paused.view.cursor = cursorAfter(paused.view.document->frames, 60);
   add("live_paused", paused);
-  Snapshot silent = live;
-  silent.view.cursor.time = silent.view.cursor.time + 12s;
-  add("live_silent", silent);
+  add("live_silent", later(live, 12s));
   add("live_canopen", snapshotOf("(1.0) can0 123#11\n(1.3) can0 1A4#0102\n", Kind::Link, Progress::Running));
   add("live_foreign",
       snapshotOf("(1.0) can0 18FEF100#11\n(1.3) can0 0CF00400#11\n", Kind::Link, Progress::Running));
@@ -154,15 +162,18 @@ inline std::vector<Scene> windowScenes() {
   lossy.source.notKept = 1'234;
   lossy.source.controller = ControllerState::ErrorPassive;
   add("live_lossy", lossy);
-  Snapshot off = live;
+  Snapshot off = later(live, 4s);
   off.source.controller = ControllerState::BusOff;
   add("live_bus_off", off);
-  Snapshot lost = snapshotOf(truck, Kind::Link, Progress::Lost);
+  Snapshot lost = later(snapshotOf(truck, Kind::Link, Progress::Lost), 4s);
   lost.source.reason = QStringLiteral("Network is down");
   add("link_lost", lost);
   Snapshot down = snapshotOf("", Kind::Link, Progress::Failed);
   down.source.fault = LinkFault::InterfaceDown;
   add("link_down", down);
+  Snapshot unsent = paused;
+  unsent.notSent = Refusal::NotLive;
+  add("live_nothing_sent", unsent);
   return scenes;
 }
 

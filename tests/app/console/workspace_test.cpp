@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QSettings>
+#include <QShortcut>
 
 #include "app/console/window_test.h"
 #include "panel/decode_panel.h"
@@ -62,8 +63,8 @@ TEST_F(Docks, HaveATitleOnlyWhereNoTabNamesThem) {
   const auto titleHeight = [this] { return named<QWidget>("traceDockTitle")->height(); };
   QApplication::sendPostedEvents();
   EXPECT_EQ(titleHeight(), 0);
-  trigger("eventsDockAction");
-  trigger("terminalDockAction");
+  named<QDockWidget>("eventsDock")->close();
+  named<QDockWidget>("terminalDock")->close();
   (void)QTest::qWaitFor([&] { return titleHeight() > 0; });
   EXPECT_GE(titleHeight(), 32) << "alone";
   trigger("eventsDockAction");
@@ -130,8 +131,34 @@ TEST_F(Docks, LeaveTheWindowToTheDialAtF11WhateverHasTheFocus) {
   auto* full = only<FullDial>();
   ASSERT_NE(full, nullptr);
   EXPECT_EQ(full->width(), m_window.width());
+  EXPECT_TRUE(named<QWidget>("statusStrip")->isVisible()) << "link and lock stay in sight";
+  const QRect covered(full->mapTo(&m_window, QPoint()), full->size());
+  const auto* strip = named<QWidget>("statusStrip");
+  EXPECT_FALSE(covered.intersects(QRect(strip->mapTo(&m_window, QPoint()), strip->size())));
   QTest::keyClick(full, Qt::Key_F11);
   EXPECT_TRUE(QTest::qWaitFor([this] { return only<FullDial>() == nullptr; }));
+}
+
+TEST_F(Docks, ComeForwardFromBehindATabByTheViewMenu) {
+  EXPECT_FALSE(named<QAction>("eventsDockAction")->isChecked()) << "behind the trace";
+  trigger("eventsDockAction");
+  // What lies behind a tab is put out of the window's sight.
+  const auto left = [this](const char* dock) { return named<QWidget>(dock)->mapTo(&m_window, QPoint()).x(); };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left("eventsDock") >= 0; }));
+  EXPECT_LT(left("traceDock"), 0);
+  EXPECT_TRUE(only<Workspace>()->panes().contains(named<QWidget>("eventsDock")));
+  EXPECT_TRUE(named<QAction>("eventsDockAction")->isChecked());
+  EXPECT_FALSE(named<QAction>("traceDockAction")->isChecked());
+}
+
+// Two of them on one key are none.
+TEST_F(Docks, ShareNoKeyWithWhatIsInThem) {
+  QStringList keys;
+  for (const QAction* action : m_window.findChildren<QAction*>())
+    for (const QKeySequence& key : action->shortcuts()) keys += key.toString();
+  for (const QShortcut* shortcut : m_window.findChildren<QShortcut*>())
+    EXPECT_FALSE(keys.contains(shortcut->key().toString())) << qPrintable(shortcut->key().toString());
+  EXPECT_FALSE(keys.isEmpty());
 }
 
 TEST_F(Docks, ShowWhereTheChosenDeviceIsAsked) {

@@ -158,6 +158,8 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{"SimulateNoSuchFaultBit", words("simulate --log - --misbehave io:fault=32")},
         UsageCase{"SimulateNoSuchMonitor", words("simulate --log - --misbehave monitor-2:silent")},
         UsageCase{"SimulateTooManyMonitors", words("simulate --log - --monitors 61")},
+        UsageCase{"SimulateTooMuchLoad", words("simulate --log - --load 96")},
+        UsageCase{"SimulateNoLoad", words("simulate --log - --load much")},
         UsageCase{"NodesNoInterface", words("nodes")},
         UsageCase{"NodesFormat", words("nodes --interface x --format xml")},
         UsageCase{"WatchSeconds", words("watch --interface x --seconds -1")},

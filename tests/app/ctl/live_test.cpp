@@ -213,6 +213,16 @@ TEST_F(Live, ResetIsDoneOnceTheDeviceAnnouncesItselfAnew) {
   EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("answered"));
 }
 
+TEST_F(Live, ResetOfADeviceThatNeverReturnsIsNotDone) {
+  wish(0, TwinFault::ResetNever);
+  const Outcome r = run("command reset --unlock --yes --pin 1032AE100801035");
+  EXPECT_EQ(r.status, 1) << r.err.constData();
+  ASSERT_EQ(r.lines().size(), 1);
+  EXPECT_EQ(text(r.objects()[0], "ask"), QStringLiteral("reset"));
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("no_answer"));
+  EXPECT_EQ(r.objects()[0][QLatin1String("tries")].toInt(), 1) << "never sent again";
+}
+
 TEST_F(Live, CommandThatIsNotAcknowledgedIsNotDone) {
   wish(0, TwinFault::AnswersWrongSource);
   const Outcome r = run("command setup-mode --unlock --yes --pin 1032AE100801035");
@@ -281,6 +291,33 @@ TEST_F(Live, PipeEndsPolitelyByCtrlC) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return process.bytesAvailable() > 0; }, kPatience));
   ::kill(static_cast<pid_t>(process.processId()), SIGINT);
   EXPECT_EQ(end(process).status, 0);
+}
+
+// The packet in flight is waited for, no other is sent, and it is told how far it came.
+TEST_F(Live, PipeEndsAFileByCtrlCAfterThePacketInFlight) {
+  QTemporaryDir dir;
+  QFile file(dir.filePath(QStringLiteral("content")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(70'000, 'x')) == 70'000);
+  file.close();
+  wish(0, TwinFault::AcksLate);  // so that one is in flight
+  QProcess process;
+  start(
+      process, "pipe --unlock --pin 1032AE100801035",
+      {QStringLiteral("--before"), QStringLiteral("FILE 70000"), QStringLiteral("--file"), file.fileName()});
+  const auto packets = [&](std::uint32_t from, std::size_t least) {
+    return std::ranges::count_if(m_witness.frames, [=](const Frame& frame) {
+      return (frame.identifier() & 0xFF'FF'FF) == from && frame.data[0] == 0xFE && frame.length >= least;
+    });
+  };
+  const auto sent = [&] { return packets(0xEF80F9, 2); };
+  const auto acks = [&] { return packets(0xEFF980, 1) - packets(0xEFF980, 2); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sent() >= 4 && sent() > acks(); }, kPatience));
+  ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+  const Outcome r = end(process);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains("stopped; ")) << r.err.constData();
+  EXPECT_TRUE(r.err.contains(" of 70000 bytes were acknowledged")) << r.err.constData();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return acks() == sent(); }, kPatience));
 }
 
 TEST_F(Live, WatchTellsDevicesValuesAndSilence) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "control/pipe_event.h"
+#include "simulator/crc32.h"
+#include "simulator/random.h"
 #include "support/pair.h"
 
 namespace deckpipe::test {
@@ -95,6 +97,38 @@ TEST_F(Pipe, AFileGoesWholeAndInOrder) {
   EXPECT_EQ(status().fileSent, 1000u);
   EXPECT_EQ(status().acks, 143u);
   EXPECT_GT(status().fileEnded - status().fileBegan, 0ns);
+}
+
+// Other traffic takes 80 % of the bus, and every frame waits its turn. What arrived is told by the device.
+TEST_F(Pipe, AHundredKilobytesArriveWholeOnABusyBus) {
+  simulator::Random random(80);
+  std::string content(100'000, '\0');
+  simulator::Crc32 crc;
+  for (char& c : content) {
+    c = static_cast<char>(random.next());
+    crc.add(static_cast<std::uint8_t>(c));
+  }
+  pair.bench.fill(pair.now(), 0.8);
+  pair.wire = [&random](const Frame&) { return Pair::Fate{1, random.between(0, 1500) * Duration(1us)}; };
+  type("FILE 100000\r");
+  pair.run(1s);
+  EXPECT_GT(pair.console().status(pair.now()).busLoad, 0.8);
+  ASSERT_EQ(send(content), Refusal::None);
+  for (int i = 0; i < 300 && status().fileEnd == FileEnd::None; ++i) {
+    pair.run(1s);
+    ASSERT_NE(status().progress, Progress::Stalled);
+  }
+  EXPECT_EQ(status().fileEnd, FileEnd::Done);
+  EXPECT_EQ(status().acks, 100'000u / 7 + 1 + 2) << "and the line before";
+  pair.run(1s);
+  std::string said;
+  for (const Pair::Seen& seen : pair.sent(kPipe, nullptr)) {
+    if (seen.frame.length > 1)
+      said.append(seen.frame.data.begin() + 1, seen.frame.data.begin() + seen.frame.length);
+  }
+  char expected[64];
+  std::snprintf(expected, sizeof expected, "OK 100000 CRC32 %08X", static_cast<unsigned>(crc.value()));
+  EXPECT_NE(said.find(expected), std::string::npos) << said;
 }
 
 TEST_F(Pipe, AnEmptyFileIsDoneAtOnce) {
@@ -286,6 +320,64 @@ TEST_F(Pipe, ADeviceThatIsElsewhereByThenStopsIt) {
   pair.run(3s);
   EXPECT_EQ(sentText(before), "0123456789");
   EXPECT_EQ(pair.sent(kPipe, &pair.console(), before)[0].id().destination, Address{address()});
+}
+
+// What looks like the ack and is not: the next packet waits, and in the end the person is asked.
+struct HostileAck {
+  const char* name;
+  void (*spoil)(Frame& ack, std::uint8_t monitor);
+};
+void setId(Frame& f, Address from, Address to) { f.id = J1939Id{6, pgn::kProprietaryA, from, to}.frameId(); }
+constexpr Address kUs{0xF9};
+constexpr HostileAck kHostileAcks[] = {
+    {"OfNoLength", [](Frame& f, std::uint8_t) { f.length = 0; }},
+    {"OfAnotherType", [](Frame& f, std::uint8_t) { f.data[0] = 0xFD; }},
+    {"OfAnotherDevice",
+     [](Frame& f, std::uint8_t m) { setId(f, {m == 0x81 ? std::uint8_t{0x80} : std::uint8_t{0x81}}, kUs); }},
+    {"OfNobodyKnown", [](Frame& f, std::uint8_t) { setId(f, {0xB7}, kUs); }},
+    {"OfTheNullAddress", [](Frame& f, std::uint8_t) { setId(f, kNullAddress, kUs); }},
+    {"OfOurselves", [](Frame& f, std::uint8_t) { setId(f, kUs, kUs); }},
+    {"ToAnother", [](Frame& f, std::uint8_t m) { setId(f, {m}, {0xFA}); }},
+    {"ToEveryone", [](Frame& f, std::uint8_t m) { setId(f, {m}, kGlobalAddress); }},
+    {"Remote", [](Frame& f, std::uint8_t) { f.id |= kRemoteBit; }},
+    {"AnErrorFrame", [](Frame& f, std::uint8_t) { f.id |= kErrorBit; }},
+    {"OfElevenBits", [](Frame& f, std::uint8_t) { f.id &= 0x7FF; }},
+};
+
+struct NoAck : Pipe, ::testing::WithParamInterface<HostileAck> {};
+
+TEST_P(NoAck, LetsNothingPassAndStopsInTime) {
+  acks([](int) { return Pair::Fate{0, 0ns}; });
+  type("0123456789");
+  pair.run(2 * Pair::kFlight);
+  Frame ack = fromDevice("FE", address());
+  GetParam().spoil(ack, address());
+  pair.wire = [](const Frame& f) { return Pair::Fate{isAck(f) && isOfDevice(f) ? 0 : 1, 0ns}; };
+  pair.console().state.apply(ack, pair.now());
+  pair.console().services.received(pair.now(), pair.console().state, {&ack, 1});
+  pair.run(900ms);
+  EXPECT_EQ(packets().size(), 1u);
+  EXPECT_EQ(status().progress, Progress::Sending);
+  pair.run(1s);
+  EXPECT_EQ(packets().size(), 1u);
+  EXPECT_EQ(status().stall, Stall::NoAck);
+  EXPECT_EQ(status().sent, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pipe, NoAck, ::testing::ValuesIn(kHostileAcks),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_F(Pipe, AnAckTwiceOrTooManyNeverLetsAPacketPassThatIsNotOnTheBus) {
+  acks([](int) { return Pair::Fate{0, 0ns}; });
+  type("0123456789abcdefghijk");
+  pair.run(2 * Pair::kFlight);
+  for (int i = 0; i < 5; ++i) {
+    const Frame ack = fromDevice("FE", address());
+    pair.console().services.received(pair.now(), pair.console().state, {&ack, 1});
+  }
+  pair.run(Pair::kFlight / 2);
+  EXPECT_EQ(packets().size(), 2u);
+  EXPECT_EQ(status().strayAcks, 4u);
 }
 
 // A device that moved where nobody heard it say its PIN: known at 90, and an Akron address at 91.

@@ -333,6 +333,117 @@ TEST_F(Request, ARefusalIsForgottenWithTheNextWishThatIsCarriedOut) {
   EXPECT_EQ(pair.console().status(pair.now()).refusal, Refusal::None);
 }
 
+// Answers as they should not come, to everything that is answered at all.
+struct HostileAnswer : Request, ::testing::WithParamInterface<Ask> {
+  HostileAnswer() {
+    deafen(static_cast<std::uint8_t>(messageOf(rule.request).firstByte));
+    ask(GetParam());
+    pair.run(Pair::kFlight);
+  }
+  const AskRule& rule = ruleOf(GetParam());
+
+  std::vector<MessageId> parts() const {
+    return rule.answers[1] == kNoAnswer ? std::vector{rule.answers[0]}
+                                        : std::vector{rule.answers[0], rule.answers[1]};
+  }
+  static std::string bytes(MessageId part, unsigned length) {
+    char type[3];
+    std::snprintf(type, sizeof type, "%02X", static_cast<unsigned>(messageOf(part).firstByte));
+    return length == 0 ? std::string() : type + std::string(2 * (length - 1), '0');
+  }
+  // The whole answer as it should be, from there.
+  void answerFrom(std::uint8_t source, Address destination = Address{0xF9}) {
+    for (const MessageId part : parts()) {
+      Frame f = answer(bytes(part, messageOf(part).maxLength()), source);
+      f.id = J1939Id{6, pgn::kProprietaryA, Address{source}, destination}.frameId();
+      pair.inject(f);
+    }
+    pair.run(Pair::kFlight);
+  }
+  void expectUnanswered(const char* after) {
+    EXPECT_EQ(status(GetParam()).progress, Progress::Waiting) << after;
+  }
+};
+
+TEST_P(HostileAnswer, OfAWrongLengthIsNone) {
+  std::uint32_t wrong = 0;
+  for (const MessageId part : parts()) {
+    for (unsigned length = 1; length <= 8; ++length) {
+      if (allows(messageOf(part).lengths, length)) continue;
+      pair.inject(answer(bytes(part, length), monitorAddress()));
+      ++wrong;
+    }
+  }
+  pair.run(Pair::kFlight);
+  expectUnanswered("wrong lengths");
+  EXPECT_EQ(status(GetParam()).wrong, wrong);
+  pair.run(2s);
+  EXPECT_EQ(end(GetParam()), RequestEnd::WrongAnswer);
+}
+
+TEST_P(HostileAnswer, OfAnotherOrToAnotherIsNone) {
+  answerFrom(pair.addressOf(TruckPair::riser()).value);
+  expectUnanswered("of another device");
+  answerFrom(0xB7);
+  expectUnanswered("of nobody known");
+  answerFrom(0xFE);
+  expectUnanswered("of the null address");
+  answerFrom(0xF9);
+  expectUnanswered("of ourselves");
+  answerFrom(monitorAddress(), Address{0xFA});
+  expectUnanswered("to another");
+  answerFrom(monitorAddress(), kGlobalAddress);
+  expectUnanswered("to everyone");
+}
+
+TEST_P(HostileAnswer, AsNoDataFrameIsNone) {
+  for (const MessageId part : parts()) {
+    Frame remote = answer(bytes(part, messageOf(part).maxLength()), monitorAddress());
+    remote.id |= kRemoteBit;
+    pair.inject(remote);
+    Frame error = answer(bytes(part, messageOf(part).maxLength()), monitorAddress());
+    error.id |= kErrorBit;
+    pair.inject(error);
+    Frame standard = answer(bytes(part, messageOf(part).maxLength()), monitorAddress());
+    standard.id = standard.id & 0x7FF;
+    pair.inject(standard);
+  }
+  pair.run(Pair::kFlight);
+  expectUnanswered("no data frame");
+}
+
+TEST_P(HostileAnswer, TwiceIsOne) {
+  answerFrom(monitorAddress());
+  answerFrom(monitorAddress());
+  EXPECT_EQ(end(GetParam()), RequestEnd::Answered);
+  EXPECT_EQ(status(GetParam()).answered, 1u);
+  EXPECT_EQ(status(GetParam()).unasked, parts().size());
+  pair.run(5s);
+  EXPECT_EQ(sent(static_cast<unsigned>(messageOf(rule.request).firstByte)), 1u);
+}
+
+TEST_P(HostileAnswer, LateIsSaidSoAndMuchLaterIsNobodysAnswer) {
+  pair.run(2s);
+  ASSERT_EQ(end(GetParam()), RequestEnd::NoAnswer);
+  pair.run(RequestService::kLate);
+  answerFrom(monitorAddress());
+  EXPECT_EQ(end(GetParam()), RequestEnd::NoAnswer);
+  EXPECT_EQ(status(GetParam()).unasked, parts().size());
+  ask(GetParam());
+  pair.run(2s);
+  answerFrom(monitorAddress());
+  EXPECT_EQ(end(GetParam()), RequestEnd::AnsweredLate);
+  EXPECT_EQ(status(GetParam()).answered, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Asks, HostileAnswer,
+                         ::testing::Values(Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config, Ask::Vista,
+                                           Ask::ZeroAxes, Ask::SetupMode),
+                         [](const auto& row) {
+                           const auto key = messageOf(ruleOf(row.param).request).key;
+                           return std::string(key.substr(0, key.find('_')));
+                         });
+
 // Thirty monitors that all answer, and thirty that do not: what polling everyone takes of the bus.
 struct Crowd : ::testing::Test {
   Crowd() {
@@ -346,6 +457,16 @@ struct Crowd : ::testing::Test {
     pair.bench.powerOn(pair.now());
     pair.run(10s);
     pair.unlock();
+  }
+  // What all took of the bus for so long from now on.
+  double loadOf(Duration d) {
+    const Instant from = pair.now();
+    pair.run(d);
+    double bits = 0;
+    for (const Pair::Seen& seen : pair.log) {
+      if (seen.time >= from) bits += estimatedBits(seen.frame);
+    }
+    return bits / (250'000 * std::chrono::duration<double>(d).count());
   }
   // Of the bus, what is between us and others, in the busiest second.
   double worstShare(Instant from) {
@@ -389,6 +510,33 @@ TEST_F(Crowd, RepeatedFasterThanTheBudgetAllowsEveryoneStillHasHisTurn) {
   }
   EXPECT_GT(least, 0u);
   EXPECT_LE(most - least, 1u);
+}
+
+// Thirty monitors fill half of a bus by themselves; the rest up to the load is others' traffic.
+TEST_F(Crowd, OnABusyBusPollingEveryoneEndsAndLeavesTheBusToOthers) {
+  const double own = loadOf(5s);
+  ASSERT_GT(own, 0.3);
+  for (const double load : {0.8, 0.95}) {
+    pair.bench.fill(pair.now(), load - own);
+    EXPECT_NEAR(loadOf(5s), load, 0.01);
+    const Instant from = pair.now();
+    pair.want(wish::AskDevice{{}, kPolls});
+    const auto isOver = [&] {
+      const ServiceStatus status = pair.console().status(pair.now());
+      return std::ranges::all_of(status.devices, [](const DeviceServices& device) {
+        return std::ranges::all_of(device.requests, [](const RequestStatus& request) {
+          return request.progress == Progress::Idle || request.progress == Progress::Ended;
+        });
+      });
+    };
+    for (int i = 0; i < 60 && !isOver(); ++i) pair.run(1s);
+    EXPECT_TRUE(isOver()) << load;
+    EXPECT_LE(worstShare(from), (load < BusBudget::kFull ? BusBudget::kShare : BusBudget::kLeast) * 1.2);
+  }
+  for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
+    for (const Ask poll : {Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config, Ask::Vista})
+      EXPECT_EQ(device.of(poll).answered, 2u);
+  }
 }
 
 TEST_F(Crowd, OfSilentOnesTheRetriesStayWithinTheBudgetToo) {

@@ -21,6 +21,27 @@ std::vector<DueFrame> standardRun(std::uint64_t seed, Duration d) {
   return frames;
 }
 
+TEST(OtherTraffic, FillsItsShareOfTheBusInOrderAndChangesNothingElse) {
+  const std::vector<DueFrame> quiet = standardRun(1, 10s);
+  for (const double share : {0.1, 0.8, 2.0}) {
+    StandardBench s = standardBench(1);
+    s.bench.powerOn({});
+    s.bench.fill({}, share);
+    s.bench.timeCame(Instant{} + 10s);
+    std::vector<DueFrame> all;
+    s.bench.takeFrames(all);
+    EXPECT_TRUE(std::ranges::is_sorted(all, {}, [](const DueFrame& f) { return f.time.ns; }));
+    double bits = 0;
+    std::erase_if(all, [&](const DueFrame& f) {
+      const bool isOther = J1939Id::of(f.frame.identifier()).source == Background::kSource;
+      if (isOther) bits += estimatedBits(f.frame);
+      return isOther;
+    });
+    EXPECT_NEAR(bits / 2'500'000, std::min(share, Background::kMost), 0.001);
+    EXPECT_EQ(all, quiet) << share;
+  }
+}
+
 TEST(Misbehaviour, SilentSendsNothingAndHearsOn) {
   MonitorRig rig;
   rig.monitor.misbehave({.silent = true});

@@ -119,6 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         HealthCase{"NoFaultAnswered", [](Heard& b) { b.monitor().hear("18EF0580", "02000000000000"); },
                    "fine", ""},
         HealthCase{"SensorError", [](Heard& b) { b.monitor(kSensorError); }, "fault", "Rotation sensor"},
+        HealthCase{"StopError", [](Heard& b) { b.monitor("011D940371020001"); }, "attend",
+                   "A hard stop reports an error."},
         HealthCase{"OperationalError", [](Heard& b) { b.monitor("011D940371000045"); }, "attend",
                    "operational error"},
         HealthCase{"Stale", [](Heard& b) { b.monitor().pass(1s).hear("18EFFF80", kOutputs); }, "attend",

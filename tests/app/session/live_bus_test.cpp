@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bus thread's object on a virtual bus of this process: what it does where the log takes no more.
+#include "session/live_bus.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "link/virtual_bus.h"
+#include "support/frames.h"
+#include "support/recording_listener.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
+
+TEST(LiveBus, LocksWhereTheLogTakesNoMoreAndAnswersNothingFromThenOn) {
+  VirtualBus bus;
+  ASSERT_TRUE(bus.start());
+  const LinkSettings settings{QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}};
+  const auto full =
+      std::make_shared<LogDocument>(StoreLimits{.memoryBytes = 0, .spillFolder = "/nonexistent"});
+  LiveBus live(full, settings);
+  RecordingListener peer;
+  CanLink peerLink(settings);
+  peerLink.open(peer);
+  live.start();
+  const auto waitFor = [](auto condition) { return QTest::qWaitFor(condition, kPatience); };
+  ASSERT_TRUE(waitFor([&] { return live.latest().link.state == LinkState::Up; }));
+  ASSERT_TRUE(waitFor([&] { return peer.state() == LinkState::Up; }));
+  live.apply({wish::Unlock{}, bootTime(), 1});
+  ASSERT_FALSE(live.latest().services->locked);
+  ASSERT_TRUE(waitFor([&] { return live.latest().storeFull; })) << "its own first frame finds no room";
+  EXPECT_TRUE(live.latest().services->locked);
+  const auto ours = [&] {
+    return std::ranges::count_if(peer.frames, [](const Frame& f) { return (f.flags & Frame::kSent) == 0; });
+  };
+  ASSERT_TRUE(waitFor([&] { return ours() > 0; }));
+  const auto before = ours();
+  // Who is there: a console that holds an address would answer.
+  ASSERT_EQ(peerLink.write(test::frame("18EAFF80", "00EE00")), WriteResult::Accepted);
+  ASSERT_TRUE(waitFor([&] { return ours() < static_cast<std::ptrdiff_t>(peer.frames.size()); }));
+  EXPECT_EQ(live.latest().services->claim.progress, ClaimStatus::Progress::Off);
+  EXPECT_EQ(ours(), before);
+  live.apply({wish::Unlock{}, bootTime(), 2});
+  EXPECT_TRUE(live.latest().services->locked) << "nothing is sent on a picture that stands still";
+}
+
+}  // namespace
+}  // namespace deckpipe
