@@ -34,7 +34,7 @@ namespace {
 constexpr int kLayoutVersion = 3;
 // A look at so many frames a tick takes about two milliseconds.
 constexpr std::uint64_t kFramesAtOnce = 100'000;
-constexpr int kDevicesLetters = 60;
+constexpr int kDevicesLetters = 56;
 constexpr int kDetailWidth = 520, kTraceHeight = 208;
 
 }  // namespace
@@ -276,6 +276,9 @@ void Workspace::setColours(const Colours& colours) {
 void Workspace::showFrame(std::optional<std::uint64_t> frame) {
   m_decodeModel->setFrame(frame);
   m_decodeDock->setVisible(m_decodeWanted && frame.has_value());
+  // A dock that was never seen has no size to come back with.
+  if (m_decodeDock->isVisible() && !std::exchange(m_hasDetailRoom, true))
+    resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
 }
 
 // Until a person chooses, the first monitor that is heard is looked at.
@@ -326,7 +329,7 @@ void Workspace::saveTo(QSettings& settings) const {
 void Workspace::restoreFrom(const QSettings& settings) {
   m_decodeWanted = settings.value(QStringLiteral("window/frameDetail"), true).toBool();
   if (restoreState(settings.value(QStringLiteral("window/docks")).toByteArray(), kLayoutVersion))
-    m_hasShared = true;
+    m_hasShared = m_hasDetailRoom = true;
   m_trace->restoreState(settings.value(QStringLiteral("window/trace")).toByteArray());
   showFrame(m_decodeModel->frame());
 }

@@ -123,6 +123,7 @@ class Workspace : public QMainWindow {
   double m_fontSize = 0;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it
+  bool m_hasDetailRoom = false;          // it was given its width, or a person gave it one
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it
   const LogDocument* m_shown = nullptr;  // whose devices were chosen from
 };

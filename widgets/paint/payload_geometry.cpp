@@ -8,7 +8,7 @@ namespace deckpipe {
 namespace {
 
 constexpr double kLeastWidth = 18, kMostWidth = 44;
-constexpr double kLeastHeight = 18, kMostHeight = 32;
+constexpr double kLeastHeight = 17, kMostHeight = 32;
 
 }  // namespace
 

@@ -49,7 +49,7 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent), m_colours(coloursOf
   m_header->setObjectName(QStringLiteral("decodeHeader"));
   m_header->setMinimumSectionSize(48);
   m_list->setHorizontalHeader(m_header);
-  m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
+  m_layout = new QBoxLayout(QBoxLayout::LeftToRight, this);  // the less height
   m_layout->setContentsMargins(0, 0, 0, 0);
   m_layout->setSpacing(0);
   auto* around = new QVBoxLayout;

@@ -148,6 +148,9 @@ inline std::vector<Scene> windowScenes() {
   add("log_reading", reading);
   add("connecting", snapshotOf("", Kind::Link, Progress::Opening));
   Snapshot live = snapshotOf(truck, Kind::Link, Progress::Running);
+  ServiceStatus up;
+  up.linkUp = true;
+  live.services = std::make_shared<const ServiceStatus>(up);
   live.source.isListenOnly = true;
   add("live", live);
   Snapshot paused = live;
