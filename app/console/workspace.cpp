@@ -275,10 +275,17 @@ void Workspace::setColours(const Colours& colours) {
 // The detail takes room from the trace only while there is a frame to show.
 void Workspace::showFrame(std::optional<std::uint64_t> frame) {
   m_decodeModel->setFrame(frame);
+  const int height = m_traceDock->height();
   m_decodeDock->setVisible(m_decodeWanted && frame.has_value());
-  // A dock that was never seen has no size to come back with.
-  if (m_decodeDock->isVisible() && !std::exchange(m_hasDetailRoom, true))
-    resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
+  // A dock that was never seen would come as large as it likes; its sizes count once it is laid out.
+  if (!m_decodeDock->isVisible() || std::exchange(m_hasDetailRoom, true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this, height] {
+        resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
+        resizeDocks({m_traceDock}, {height}, Qt::Vertical);
+      },
+      Qt::QueuedConnection);
 }
 
 // Until a person chooses, the first monitor that is heard is looked at.
