@@ -67,7 +67,7 @@ void SendingActions::askToUnlock() {
   DangerDialog::ask(
       m_window,
       {tr("Unlock sending?"),
-       tr("Until now this program only listened. Unlocked, it claims an address of its own on %1, "
+       tr("While locked, this program only listens. Unlocked, it claims an address of its own on %1, "
           "answers requests for its NAME, acknowledges data-pipe packets, and sends what you ask "
           "for. It stays unlocked until you lock it or close the link.")
            .arg(where),

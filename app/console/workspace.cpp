@@ -252,6 +252,11 @@ void Workspace::setTalk(const Snapshot& snapshot) {
   m_requests->setView(view, *m_talk, *snapshot.services, isLive);
   m_terminal->setDevice(device, nameOf(device));
   m_terminal->setView(view, *m_talk, *snapshot.services, isLive);
+  const bool isWaiting = std::ranges::any_of(snapshot.services->devices, [](const DeviceServices& at) {
+    return at.pipe && at.pipe->progress == PipeStatus::Progress::Stalled;
+  });
+  const QString title = isWaiting ? tr("Data pipe – waits for you") : tr("Data pipe");
+  if (m_terminalDock->windowTitle() != title) m_terminalDock->setWindowTitle(title);
   m_actions.value(m_twinDock)->setVisible(snapshot.source.simulated);
   if (!snapshot.source.simulated) m_twinDock->hide();
 }

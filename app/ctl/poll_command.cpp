@@ -8,6 +8,7 @@
 #include "ask_words.h"
 #include "asker.h"
 #include "command.h"
+#include "control/intent.h"
 #include "device_finder.h"
 
 namespace deckpipe::ctl {
@@ -121,6 +122,8 @@ int pollCommand(const QStringList& arguments) {
   if (parser.isSet(every)) {
     const auto seconds = parseSeconds(parser.value(every));
     if (!seconds) return badUsage(QStringLiteral("poll: --every wants a number of seconds above 0"));
+    if (std::chrono::duration<double>(*seconds) < wish::Repeat::kShortestPeriod)
+      return badUsage(QStringLiteral("poll: --every takes 0.5 s or more: devices have other work to do"));
     plan.every = *seconds;
     plan.rounds = 0;
   }

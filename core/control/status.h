@@ -51,6 +51,7 @@ struct RequestStatus {
   Progress progress = Progress::Idle;
   RequestEnd end = RequestEnd::None;  // of the last one that ended
   std::uint8_t tries = 0;             // sent so often for the present request
+  Instant firstSent = kNotYet;        // the first try
   Instant sent = kNotYet;             // the last try
   Instant ended = kNotYet;
   Duration latency{0};      // from the last try to the whole answer
@@ -89,7 +90,9 @@ struct PipeStatus {
   std::uint64_t fileSize = 0, fileSent = 0;
   FileEnd fileEnd = FileEnd::None;
   Instant fileBegan = kNotYet, fileEnded = kNotYet;
-  Duration filePaused{0};  // of that time it was paused or stalled
+  Duration filePaused{0};                         // of that time it was paused or stalled
+  std::uint32_t fileSkipped = 0, fileResent = 0;  // packets of it: whether all arrived is not known then
+  bool isPaused = false;                          // by the person, also while it is stalled
 
   // Of the acks of this pipe, from a packet's being written to its ack.
   std::uint32_t acks = 0;

@@ -66,6 +66,7 @@ Refusal PipeService::sendFile(Instant now, const Live& live, const wish::PipeFil
   to.status.fileBegan = now;
   to.status.fileEnded = kNotYet;
   to.status.filePaused = 0ns;
+  to.status.fileSkipped = to.status.fileResent = 0;
   note(live, to.device, *address, PipeEvent::FileBegan, wish.name, out);
   if (to.status.fileSize == 0) endFile(now, live, to, FileEnd::Done, out);
   sendNext(now, live, to, out);
@@ -75,7 +76,7 @@ Refusal PipeService::sendFile(Instant now, const Live& live, const wish::PipeFil
 // The next packet, if one may go.
 void PipeService::sendNext(Instant now, const Live& live, Pipe& pipe, Outgoing& out) {
   if (pipe.flying || pipe.status.progress == Progress::Settling) return;
-  if (pipe.isPaused) return hold(now, pipe, Progress::Paused);
+  if (pipe.status.isPaused) return hold(now, pipe, Progress::Paused);
   Packet packet;
   if (pipe.waiting() > 0) {
     packet.bytes = pipe.typed.substr(pipe.typedFrom, kPacket);
@@ -152,7 +153,7 @@ void PipeService::endFile(Instant now, const Live& live, Pipe& pipe, FileEnd how
   if (!pipe.status.isSendingFile()) return;
   // Still stalled: what is in flight is no part of the file, and the doubt about it stays.
   if (pipe.status.progress != Progress::Stalled || !pipe.flying) release(now, pipe);
-  pipe.isPaused = false;
+  pipe.status.isPaused = false;
   pipe.status.fileEnd = how;
   pipe.status.fileEnded = now;
   pipe.content.reset();
@@ -184,14 +185,19 @@ void PipeService::stall(Instant now, const Live& live, Pipe& pipe, Stall why, Ou
   note(live, pipe.device, pipe.flying->to, PipeEvent::Stalled, {}, out);
 }
 
+PipeStatus::Stall PipeService::whyNoAck(const Live& live, const Pipe& pipe) {
+  const auto address = live.addressOf(pipe.device);
+  return !address ? Stall::Gone : *address != pipe.flying->to ? Stall::Moved : Stall::NoAck;
+}
+
 Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& wish, Outgoing& out) {
   Pipe* at = find(live.canonical(wish.device));
   if (at == nullptr) return Refusal::NoDevice;
   const bool isStalled = at->status.progress == Progress::Stalled;
   switch (wish.what) {
-    case What::Pause: at->isPaused = true; break;
+    case What::Pause: at->status.isPaused = true; break;
     case What::Resume:
-      at->isPaused = false;
+      at->status.isPaused = false;
       if (at->status.progress == Progress::Paused) release(now, *at);
       break;
     case What::Cancel: cancelFile(now, live, *at, out); break;
@@ -199,6 +205,7 @@ Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& 
       if (!isStalled) return Refusal::Busy;
       release(now, *at);
       ++at->status.resent;
+      if (at->flying->isOfFile) ++at->status.fileResent;
       at->flying->wasResent = true;
       note(live, at->device, at->flying->to, PipeEvent::Resent, {}, out);
       fly(now, live, *at, out);
@@ -207,6 +214,7 @@ Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& 
       if (!isStalled) return Refusal::Busy;
       release(now, *at);
       ++at->status.skipped;
+      if (at->flying->isOfFile) ++at->status.fileSkipped;
       note(live, at->device, at->flying->to, PipeEvent::Skipped, {}, out);
       passed(now, live, *at, out);
       settle(now, *at);
@@ -231,7 +239,7 @@ void PipeService::drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out)
   const bool had = wasFlying || pipe.waiting() > 0;
   pipe.flying.reset();
   if (pipe.status.progress != Progress::Settling) pipe.deadline = kNever;
-  pipe.isPaused = false;
+  pipe.status.isPaused = false;
   pipe.typed.clear();
   pipe.typedFrom = 0;
   pipe.status.waiting = 0;
@@ -249,6 +257,10 @@ void PipeService::endAll(Instant now, const Live& live, Outgoing& out) {
 }
 
 void PipeService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
+  // While a person decides, the device may go, or come back elsewhere.
+  for (Pipe& pipe : m_pipes) {
+    if (pipe.status.progress == Progress::Stalled && pipe.flying) pipe.status.stall = whyNoAck(live, pipe);
+  }
   if (!frame.isExtended() || frame.isRemote() || frame.isError() || frame.length == 0) return;
   const J1939Id id = J1939Id::of(frame.identifier());
   if (id.pgn != pgn::kProprietaryA || frame.data[0] != kType || live.own == kNullAddress) return;
@@ -330,12 +342,7 @@ void PipeService::timeCame(Instant now, const Live& live, Outgoing& out) {
       pipe.status.progress = Progress::Idle;
       sendNext(now, live, pipe, out);
     } else if (pipe.flying) {
-      const auto address = live.addressOf(pipe.device);
-      stall(now, live, pipe,
-            !address                      ? Stall::Gone
-            : *address != pipe.flying->to ? Stall::Moved
-                                          : Stall::NoAck,
-            out);
+      stall(now, live, pipe, whyNoAck(live, pipe), out);
     }
   }
 }

@@ -69,7 +69,6 @@ class PipeService {
     std::size_t typedFrom = 0;
     std::shared_ptr<const std::string> content;
     std::optional<Packet> flying;
-    bool isPaused = false;
     Instant deadline = kNever;      // of the ack, or of settling
     Instant pausedSince = kNotYet;  // paused or stalled
 
@@ -86,6 +85,7 @@ class PipeService {
   void fly(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   void acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   void passed(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
+  static PipeStatus::Stall whyNoAck(const Live& live, const Pipe& pipe);
   void stall(Instant now, const Live& live, Pipe& pipe, PipeStatus::Stall why, Outgoing& out);
   void join(Instant now, const Live& live, Pipe& from, Pipe& into, Outgoing& out);
   void endFile(Instant now, const Live& live, Pipe& pipe, PipeStatus::FileEnd how, Outgoing& out);

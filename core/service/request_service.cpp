@@ -2,6 +2,7 @@
 #include "service/request_service.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "bus/j1939.h"
 
@@ -153,6 +154,7 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   status.progress = Progress::Waiting;
   ++status.tries;
   status.sent = now;
+  if (status.tries == 1) status.firstSent = now;
   timing.to = *to;
   timing.answers = 0;
   timing.deadline = now + rule.patience;
@@ -182,7 +184,10 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
     out.note(NoteKind::AskEnded, live.channel, timing.to,
              static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(how) << 8,
              std::string(at.device.pin.text()));
-  timing = {.to = timing.to};
+  // Each try may still be answered.
+  const int tries = how == RequestEnd::Answered ? status.tries - 1 : 0;
+  timing = {.to = timing.to,
+            .spare = static_cast<std::uint8_t>(tries * std::popcount(wholeAnswer(ruleOf(ask))))};
   if (status.period == 0ns) return;
   // Without an address nothing was sent: it is looked for again a period from now, never at once.
   const bool wasSent = status.sent != kNotYet && how != RequestEnd::Gone;
@@ -273,7 +278,11 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
   }
   const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer;
   if (!wasGivenUp || now - status.ended > kLate) {
-    ++status.unasked;
+    if (timing.spare > 0) {
+      --timing.spare;
+    } else {
+      ++status.unasked;
+    }
     return;
   }
   status.end = RequestEnd::AnsweredLate;

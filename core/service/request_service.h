@@ -57,6 +57,7 @@ class RequestService {
     Instant lastStatus = kNotYet;  // from there since it was sent
     std::uint8_t answers = 0;      // bit n: the rule's n-th answer came
     bool wrong = false;            // an answer of a wrong length came
+    std::uint8_t spare = 0;        // answers that may yet come to tries before the one that was answered
   };
   struct Asked {
     DeviceKey device;

@@ -27,6 +27,14 @@ double bytesPerSecond(const PipeStatus& pipe, Instant now) {
   return pipe.fileSent == 0 || seconds <= 0 ? 0 : static_cast<double>(pipe.fileSent) / seconds;
 }
 
+// What was skipped or sent again may be missing, or be there twice.
+QString doneText(const PipeStatus& pipe) {
+  if (pipe.fileSkipped == 0 && pipe.fileResent == 0) return FileSendBar::tr("Sent");
+  return FileSendBar::tr("Gone through, but %1 packets skipped and %2 sent again: what arrived is not known")
+      .arg(pipe.fileSkipped)
+      .arg(pipe.fileResent);
+}
+
 }  // namespace
 
 QString rateText(const PipeStatus& pipe, Instant now) {
@@ -91,15 +99,17 @@ void FileSendBar::setStatus(const PipeStatus& pipe, Instant now, bool isLive) {
                              locale.toString(static_cast<qulonglong>(pipe.fileSize)))};
   switch (pipe.fileEnd) {
     case PipeStatus::FileEnd::None: break;
-    case PipeStatus::FileEnd::Done: parts.prepend(tr("Sent")); break;
+    case PipeStatus::FileEnd::Done: parts.prepend(doneText(pipe)); break;
     case PipeStatus::FileEnd::Cancelled: parts.prepend(tr("Cancelled")); break;
     case PipeStatus::FileEnd::Aborted: parts.prepend(tr("Given up")); break;
   }
-  m_isPaused = pipe.progress == PipeStatus::Progress::Paused;
+  m_isPaused = pipe.isPaused && pipe.isSendingFile();
   if (m_isPaused) parts.prepend(tr("Paused"));
-  const bool isGoing = !m_isPaused && pipe.progress != PipeStatus::Progress::Stalled;
-  for (const QString& part : {rateText(pipe, now), isGoing ? timeLeftText(pipe, now) : QString()}) {
-    if (!part.isEmpty()) parts.append(part);
+  // Neither is known while it waits.
+  if (!m_isPaused && pipe.progress != PipeStatus::Progress::Stalled) {
+    for (const QString& part : {rateText(pipe, now), timeLeftText(pipe, now)}) {
+      if (!part.isEmpty()) parts.append(part);
+    }
   }
   if (pipe.acks > 0)
     parts.append(tr("acks %1, worst %2").arg(periodText(pipe.ackSum / pipe.acks), periodText(pipe.ackWorst)));

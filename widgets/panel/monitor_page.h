@@ -51,7 +51,7 @@ class MonitorPage : public QWidget {
   FullDial* full() const;
 
   QSize sizeHint() const override { return {1032, 560}; }
-  QSize minimumSizeHint() const override { return {320, 200}; }
+  QSize minimumSizeHint() const override { return {320, 120}; }
 
  Q_SIGNALS:
   // Its frames are wanted in the trace.

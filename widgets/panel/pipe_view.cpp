@@ -32,6 +32,13 @@ PipeView::PipeView(QWidget* parent)
   m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   m_text->installEventFilter(this);
+  // At the end it stays there, also when it gets less room.
+  QScrollBar* bar = m_text->verticalScrollBar();
+  connect(bar, &QScrollBar::valueChanged, this,
+          [this, bar](int value) { m_isFollowing = value >= bar->maximum(); });
+  connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int most) {
+    if (m_isFollowing) bar->setValue(most);
+  });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
@@ -124,8 +131,6 @@ void PipeView::rebuild() {
 void PipeView::append(std::size_t from) {
   const std::vector<PipePacket>& packets = m_transcript.packets();
   if (from >= packets.size()) return;
-  QScrollBar* bar = m_text->verticalScrollBar();
-  const bool isAtEnd = bar->value() == bar->maximum();
   QTextCursor cursor(m_text->document());
   cursor.movePosition(QTextCursor::End);
   QTextCharFormat format;
@@ -149,7 +154,7 @@ void PipeView::append(std::size_t from) {
     cursor.insertText(out, format);
   }
   m_shown = packets.size();
-  if (isAtEnd) bar->setValue(bar->maximum());
+  if (m_isFollowing) m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
 }
 
 bool PipeView::eventFilter(QObject* watched, QEvent* event) {

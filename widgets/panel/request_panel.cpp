@@ -130,7 +130,8 @@ QWidget* RequestPanel::makeAsks() {
   m_askAll = makeButton("askAll", tr("Ask it all"), content);
   m_askAll->setToolTip(tr("Every poll that this device takes, once"));
   m_askEveryone = makeButton("askEveryone", tr("Ask every device"), content);
-  m_askEveryone->setToolTip(tr("Every poll of every device, within a small share of the bus"));
+  m_askEveryone->setToolTip(
+      tr("Every poll of every device, once or as often as chosen above, within a small share of the bus"));
   m_repeat = new CalmCombo(content);
   m_repeat->setObjectName(QStringLiteral("askRepeat"));
   m_repeat->setAccessibleName(tr("Repeat the polls of this device"));
@@ -163,7 +164,10 @@ QWidget* RequestPanel::makeAsks() {
   connect(m_askAll, &QPushButton::clicked, this, [this] {
     Q_EMIT wished(wish::AskDevice{m_device, kPolls});
   });
-  connect(m_askEveryone, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::AskDevice{{}, kPolls}); });
+  connect(m_askEveryone, &QPushButton::clicked, this, [this] {
+    const Duration period = kPeriods.at(static_cast<std::size_t>(std::max(0, m_repeat->currentIndex())));
+    Q_EMIT wished(period > 0ns ? Wish(wish::Repeat{{}, kPolls, period}) : Wish(wish::AskDevice{{}, kPolls}));
+  });
   connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_device}); });
   connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
 
@@ -268,6 +272,9 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
         ask == Ask::Reset && isFine ? tr("seen again after %1").arg(periodText(request.latency))
         : ask == Ask::Reset && request.end == RequestEnd::NoAnswer ? tr("not seen again within 10 s")
         : isCommand(ask) && isFine                                 ? tr("acknowledged")
+        : isFine && request.tries > 1 ? tr("answered at try %1, %2 after the first")
+                                            .arg(request.tries)
+                                            .arg(periodText(request.ended - request.firstSent))
         : isFine ? tr("answered in %1").arg(periodText(request.latency))
                  : requestEndText(request.end);
     parts.append(tr("%1, %2").arg(end, agoText(std::max(m_view.cursor.time, m_view.end) - request.ended)));
@@ -293,9 +300,12 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
   if (device != nullptr) {
     const RequestStatus& request = device->of(card.ask());
     bool isFine = false;
-    const QString state = stateText(card.ask(), request, isFine);
+    // How a request ended is of now; the past knows its answers alone.
+    const bool isOpen = request.progress == RequestStatus::Progress::Waiting || request.period > 0ns;
+    const QString state = m_view.atEnd || isOpen ? stateText(card.ask(), request, isFine) : QString();
     if (!state.isEmpty()) {
-      values.state = state;
+      const bool isOlder = !values.state.isEmpty() && !isFine && request.end != RequestEnd::None;
+      values.state = isOlder ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
       values.tone = request.progress == RequestStatus::Progress::Waiting ? AskCard::Tone::Waiting
                     : request.end == RequestEnd::None                    ? AskCard::Tone::Plain
                     : isFine                                             ? AskCard::Tone::Fine

@@ -162,14 +162,14 @@ TEST_F(Live, AnswersOfAWrongLengthAreShownAndAreNone) {
 }
 
 TEST_F(Live, PollGoesOnForAsManyRoundsAsWereAskedFor) {
-  const Outcome r = run("poll --unlock --address 80 --kinds firmware --every 0.3 --count 3");
+  const Outcome r = run("poll --unlock --address 80 --kinds firmware --every 0.5 --count 3");
   EXPECT_EQ(r.status, 0) << r.err.constData();
   EXPECT_EQ(r.lines().size(), 3);
 }
 
 TEST_F(Live, PollUntilStoppedEndsByCtrlC) {
   QProcess process;
-  start(process, "poll --unlock --pin 1032AE100801035 --kinds fault --every 0.2");
+  start(process, "poll --unlock --pin 1032AE100801035 --kinds fault --every 0.5");
   ASSERT_TRUE(QTest::qWaitFor([&] { return process.bytesAvailable() > 0; }, kPatience));
   ::kill(static_cast<pid_t>(process.processId()), SIGINT);
   EXPECT_EQ(end(process).status, 0);

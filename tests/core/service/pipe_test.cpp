@@ -175,6 +175,24 @@ TEST_F(Stalled, ResendSendsThatPacketAgainAndGoesOnAfterASecond) {
   EXPECT_EQ(status().fileEnd, FileEnd::Done);
   EXPECT_EQ(packets().size(), 4u);
   EXPECT_EQ(status().resent, 1u);
+  EXPECT_EQ(status().fileResent, 1u);
+}
+
+TEST_F(Stalled, SaysWhenTheDeviceGoesElsewhereMeanwhile) {
+  ASSERT_EQ(status().stall, Stall::NoAck);
+  pair.inject(
+      frame(address() == 0x80 ? "18EEFF80" : "18EEFF81", "0100000000000000"));  // its address is taken
+  pair.run(2s);
+  EXPECT_EQ(status().progress, Progress::Stalled);
+  EXPECT_EQ(status().stall, Stall::Moved);
+}
+
+TEST_F(Stalled, APauseIsSeenAndTakenBackBeforeThePersonDecides) {
+  EXPECT_EQ(act(What::Pause), Refusal::None);
+  EXPECT_TRUE(status().isPaused);
+  EXPECT_EQ(status().progress, Progress::Stalled);
+  EXPECT_EQ(act(What::Resume), Refusal::None);
+  EXPECT_FALSE(status().isPaused);
 }
 
 TEST_F(Stalled, SkipGoesOnBehindIt) {
@@ -184,6 +202,7 @@ TEST_F(Stalled, SkipGoesOnBehindIt) {
   EXPECT_EQ(packets().size(), 3u);
   EXPECT_EQ(status().fileEnd, FileEnd::Done);
   EXPECT_EQ(status().skipped, 1u);
+  EXPECT_EQ(status().fileSkipped, 1u);
 }
 
 TEST_F(Stalled, AbortSendsNothingMore) {

@@ -140,6 +140,20 @@ TEST_F(Request, AnAnswerThatComesTwiceIsOneAnswer) {
   EXPECT_EQ(status(Ask::Fault).unasked, 1u);
 }
 
+// Slower than our patience: what it answers to each of our tries is not an answer too many.
+TEST_F(Request, EachTryOfASlowDeviceMayBeAnswered) {
+  pair.wire = [](const Frame& f) {
+    const bool isAnswer = f.data[0] == 0x02 && f.length == 7;
+    return Pair::Fate{1, isAnswer ? Duration(800ms) : Duration(0ns)};
+  };
+  ask(Ask::Fault);
+  pair.run(5s);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
+  EXPECT_EQ(status(Ask::Fault).tries, 2);
+  EXPECT_GE(status(Ask::Fault).ended - status(Ask::Fault).firstSent, 800ms);
+  EXPECT_EQ(status(Ask::Fault).unasked, 0u);
+}
+
 TEST_F(Request, AnAnswerAfterItWasGivenUpIsSaidToBeLate) {
   deafen(0x02);
   ask(Ask::Fault);
