@@ -132,6 +132,52 @@ TEST_F(AskedDevice, NoAnswerIsSaidAsClearly) {
   EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("no answer")));
 }
 
+TEST_F(AskedDevice, AnAnswerToALaterTryIsSaidToBeOne) {
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
+                         .end = RequestEnd::Answered,
+                         .tries = 2,
+                         .firstSent = view.cursor.time - 800ms,
+                         .sent = view.cursor.time - 300ms,
+                         .ended = view.cursor.time,
+                         .latency = 300ms};
+  show();
+  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("at try 2, 800 ms after the first")))
+      << card(Ask::Fault)->values().state.toStdString();
+}
+
+TEST_F(AskedDevice, AnOlderAnswerKeepsItsAgeBesideAQuestionWithoutOne) {
+  add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200200000000B", 0, 2 * kSecond)});
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
+                         .end = RequestEnd::NoAnswer,
+                         .tries = 3,
+                         .sent = view.cursor.time,
+                         .ended = view.cursor.time};
+  show();
+  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("no answer")));
+  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("heard")));
+}
+
+// How it ended is of now.
+TEST_F(AskedDevice, ThePastKnowsNothingOfHowALaterRequestEnded) {
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended, .end = RequestEnd::NoAnswer, .tries = 3};
+  view.atEnd = false;
+  isLive = false;
+  show();
+  EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("never asked"));
+}
+
+TEST_F(AskedDevice, EveryDeviceIsAskedAsOftenAsChosen) {
+  button("askEveryone")->click();
+  auto* period = child<QComboBox>("askRepeat");
+  period->setFocus();
+  QTest::keyClick(period, Qt::Key_Down);
+  button("askEveryone")->click();
+  ASSERT_EQ(wishes.size(), 3u);
+  EXPECT_TRUE(std::get<wish::AskDevice>(wishes[0]).device.isNull());
+  EXPECT_TRUE(std::get<wish::Repeat>(wishes[2]).device.isNull());
+  EXPECT_EQ(std::get<wish::Repeat>(wishes[2]).period, 500ms);
+}
+
 TEST_F(AskedDevice, WhileOneWaitsItIsNotOfferedAgain) {
   request(Ask::Fault) = {.progress = RequestStatus::Progress::Waiting, .tries = 2, .sent = view.cursor.time};
   show();

@@ -2,12 +2,14 @@
 #include "panel/terminal_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QWheelEvent>
 
 #include "model/pipe_transcript.h"
@@ -202,6 +204,7 @@ TEST_F(Terminal, AFileShowsItsProgressAndCanBePausedAndCancelled) {
   EXPECT_EQ(timeLeftText(pipe(), view.cursor.time), QStringLiteral("about 30 s left"));
   click("filePause");
   pipe().progress = PipeStatus::Progress::Paused;
+  pipe().isPaused = true;
   show();
   click("filePause");
   click("fileCancel");
@@ -210,12 +213,36 @@ TEST_F(Terminal, AFileShowsItsProgressAndCanBePausedAndCancelled) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).what, expected[i]);
 }
 
+TEST_F(Terminal, AFileWithSkippedPacketsIsNotSaidToBeSent) {
+  pipe() = {.file = "menu.txt", .fileSize = 1000, .fileSent = 1000, .fileEnd = PipeStatus::FileEnd::Done};
+  show();
+  EXPECT_TRUE(child<QLabel>("fileFigures")->text().startsWith(QStringLiteral("Sent ·")));
+  pipe().fileSkipped = 2;
+  show();
+  EXPECT_TRUE(child<QLabel>("fileFigures")->text().contains(QStringLiteral("2 packets skipped")));
+  EXPECT_TRUE(child<QLabel>("fileFigures")->text().contains(QStringLiteral("what arrived is not known")));
+}
+
+TEST_F(Terminal, StaysAtTheEndWhenItGetsLessRoom) {
+  for (int i = 0; i < 60; ++i) add({frame("18EFF980", "FE410D0A")});
+  const auto* bar = child<QPlainTextEdit>("pipeText")->verticalScrollBar();
+  ASSERT_GT(bar->maximum(), 0);
+  EXPECT_EQ(bar->value(), bar->maximum());
+  panel.resize(900, 300);
+  QApplication::sendPostedEvents();
+  EXPECT_EQ(bar->value(), bar->maximum());
+  child<QPlainTextEdit>("pipeText")->verticalScrollBar()->setValue(0);
+  add({frame("18EFF980", "FE420D0A")});
+  EXPECT_EQ(bar->value(), 0) << "a person looks at the begin";
+}
+
 TEST_F(Terminal, OffTheLiveEdgeAFileCanBePausedAndCancelledButDoesNotGoOn) {
   pipe() = {.progress = PipeStatus::Progress::Sending, .file = "menu.txt", .fileSize = 1000};
   isLive = false;
   show();
   click("filePause");
   pipe().progress = PipeStatus::Progress::Paused;
+  pipe().isPaused = true;
   show();
   EXPECT_FALSE(child<QPushButton>("filePause")->isEnabled());
   click("fileCancel");
