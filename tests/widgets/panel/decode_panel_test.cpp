@@ -31,6 +31,7 @@ struct DecodePanelTest : testing::Test {
     panel.setModel(&model);
     panel.resize(520, 600);
     panel.show();
+    QCoreApplication::sendPostedEvents();  // bits and fields take their places
     model.setView(test::viewOf(log));
   }
   void selectField(const char* name) {
