@@ -52,7 +52,13 @@ bool PipeTranscript::take(const LogView& view, const Conversations& talk, const 
       const Frame& frame = m_log->frames[said.frame];
       std::string bytes(frame.data.begin() + 1, frame.data.begin() + frame.length);
       m_open[said.isFromDevice ? 1 : 0] = m_packets.size();
-      m_packets.push_back({said.frame, said.time, said.isFromDevice, std::move(bytes), {}});
+      m_packets.push_back({said.frame,
+                           said.time,
+                           said.isFromDevice,
+                           std::move(bytes),
+                           {},
+                           J1939Id::of(frame.identifier()).source,
+                           (frame.flags & Frame::kSent) != 0});
     } else if (said.message == MessageId::PipeAck) {
       // An ack answers the packet of the other direction.
       auto& open = m_open[said.isFromDevice ? 0 : 1];
@@ -65,17 +71,20 @@ bool PipeTranscript::take(const LogView& view, const Conversations& talk, const 
 
 QString PipeTranscript::text() const {
   QString text;
-  bool wasFromDevice = false, isLineOpen = false;
+  Address last;
+  bool isLineOpen = false;
   for (const PipePacket& packet : m_packets) {
-    if (isLineOpen && packet.isFromDevice != wasFromDevice) {
+    if (isLineOpen && packet.sender != last) {
       text += QLatin1Char('\n');
       isLineOpen = false;
     }
-    wasFromDevice = packet.isFromDevice;
+    last = packet.sender;
     for (const QChar c : pipeText(packet.bytes)) {
       if (!isLineOpen) {
         text += elapsedText(packet.time - m_begin) +
-                (packet.isFromDevice ? QStringLiteral("  < ") : QStringLiteral("  > "));
+                (packet.isFromDevice ? QStringLiteral("  < ")
+                 : packet.isOurs     ? QStringLiteral("  > ")
+                                     : QStringLiteral("  %1> ").arg(hexText(packet.sender.value, 2)));
         isLineOpen = true;
       }
       text += c;

@@ -19,6 +19,8 @@ struct PipePacket {
   bool isFromDevice = false;
   std::string bytes;
   std::optional<Instant> acknowledged;  // by the other end
+  Address sender;
+  bool isOurs = false;  // sent by this console, as its log knows; no log of another program does
 };
 
 class PipeTranscript {

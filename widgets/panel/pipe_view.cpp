@@ -13,6 +13,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include "model/field_text.h"
+
 namespace deckpipe {
 namespace {
 
@@ -122,12 +124,13 @@ void PipeView::beginSearch() {
 void PipeView::rebuild() {
   m_text->clear();
   m_shown = 0;
-  m_wasFromDevice = true;
+  m_lastSender = {};
   m_isLineOpen = false;
   append(0);
 }
 
-// What a device says and what we sent stand on lines of their own; ours begin with ›, in the accent's colour.
+// What a device says and what is sent to it stand on lines of their own; ours begin with ›, in the accent's
+// colour, those of another console with its address before it.
 void PipeView::append(std::size_t from) {
   const std::vector<PipePacket>& packets = m_transcript.packets();
   if (from >= packets.size()) return;
@@ -137,17 +140,23 @@ void PipeView::append(std::size_t from) {
   for (; from < packets.size(); ++from) {
     const PipePacket& packet = packets[from];
     if (!packet.isFromDevice && !m_echo->isChecked()) continue;
-    format.setForeground(packet.isFromDevice ? m_colours.text : m_colours.accent.ink);
-    if (packet.isFromDevice != m_wasFromDevice && m_isLineOpen) {
+    format.setForeground(packet.isFromDevice ? m_colours.text
+                         : packet.isOurs     ? m_colours.accent.ink
+                                             : m_colours.textSecondary);
+    if (packet.sender != m_lastSender && m_isLineOpen) {
       cursor.insertText(QStringLiteral("\n"), format);
       m_isLineOpen = false;
     }
-    m_wasFromDevice = packet.isFromDevice;
+    m_lastSender = packet.sender;
     const QString text =
         m_hex->isChecked() ? pipeHex(packet.bytes) + QLatin1Char(' ') : pipeText(packet.bytes);
     QString out;
     for (const QChar c : text) {
-      if (!m_isLineOpen) out += packet.isFromDevice ? QStringLiteral("  ") : QStringLiteral("› ");
+      if (!m_isLineOpen) {
+        out += packet.isFromDevice ? QStringLiteral("  ")
+               : packet.isOurs     ? QStringLiteral("› ")
+                                   : QStringLiteral("%1› ").arg(hexText(packet.sender.value, 2));
+      }
       out += c;
       m_isLineOpen = c != QLatin1Char('\n');
     }

@@ -48,7 +48,7 @@ class PipeView : public QWidget {
   Colours m_colours;
   PipeTranscript m_transcript;
   std::size_t m_shown = 0;  // packets in the text
-  bool m_wasFromDevice = true;
+  Address m_lastSender;
   bool m_isFollowing = true;  // the end, until a person scrolls away from it
   bool m_isLineOpen = false;
   QPlainTextEdit* m_text;

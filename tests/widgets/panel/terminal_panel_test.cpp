@@ -145,12 +145,19 @@ TEST_F(Terminal, TheWheelChangesNothingThatIsSent) {
 }
 
 TEST_F(Terminal, ShowsBothDirectionsOnLinesOfTheirOwnAndOddBytesAsBytes) {
-  add({frame("18EF80F9", "FE413F0D0A"), frame("18EFF980", "FE"), frame("18EFF980", "FE4F4B1B0D0A")});
+  Frame ours = frame("18EF80F9", "FE413F0D0A");
+  ours.flags |= Frame::kSent;
+  add({ours, frame("18EFF980", "FE"), frame("18EFF980", "FE4F4B1B0D0A")});
   EXPECT_EQ(text(), QStringLiteral("› A?\n  OK⟨1B⟩\n"));
   child<QCheckBox>("pipeEcho")->click();
   EXPECT_EQ(text(), QStringLiteral("  OK⟨1B⟩\n"));
   child<QCheckBox>("pipeHex")->click();
   EXPECT_EQ(text(), QStringLiteral("  4F 4B 1B 0D 0A "));
+}
+
+TEST_F(Terminal, WhatAnotherConsoleSendsIsNotTakenForOurs) {
+  add({frame("18EF80F8", "FE413F0D0A")});
+  EXPECT_EQ(text(), QStringLiteral("F8› A?\n"));
 }
 
 TEST_F(Terminal, AppendsWhatIsNewAndGoesBackWithTheCursor) {
@@ -315,10 +322,11 @@ TEST_F(Terminal, TheManualsCautionIsAlwaysThere) {
 
 TEST(PipeTranscript, KnowsTheAckOfEachPacketAndSavesThem) {
   auto document = std::make_shared<LogDocument>();
+  Frame ours = frame("18EF80F9", "FE43", 0, 30 * kMilli);
+  ours.flags |= Frame::kSent;
   ASSERT_TRUE(document->frames.append(
-      std::array{frame("18EFFF80", "FF83150206021A0B", 0, 0), frame("18EF80F9", "FE410A", 0, 10 * kMilli),
-                 frame("18EFF980", "FE", 0, 14 * kMilli), frame("18EFF980", "FE42", 0, 20 * kMilli),
-                 frame("18EF80F9", "FE43", 0, 30 * kMilli)}));
+      std::array{frame("18EFFF80", "FF83150206021A0B", 0, 0), frame("18EF80F8", "FE410A", 0, 10 * kMilli),
+                 frame("18EFF880", "FE", 0, 14 * kMilli), frame("18EFF980", "FE42", 0, 20 * kMilli), ours}));
   while (document->roles.build(100)) {
   }
   Conversations talk;
@@ -334,7 +342,7 @@ TEST(PipeTranscript, KnowsTheAckOfEachPacketAndSavesThem) {
   EXPECT_FALSE(transcript.packets()[1].acknowledged);
   EXPECT_EQ(transcript.ledger(), QStringLiteral("time_s,direction,bytes,ack_ms\n0.010000,out,2,4.0\n"
                                                 "0.020000,in,1,\n0.030000,out,1,\n"));
-  EXPECT_EQ(transcript.text(), QStringLiteral("0:00:00.010  > A\n0:00:00.020  < B\n0:00:00.030  > C\n"));
+  EXPECT_EQ(transcript.text(), QStringLiteral("0:00:00.010  F8> A\n0:00:00.020  < B\n0:00:00.030  > C\n"));
 }
 
 }  // namespace
