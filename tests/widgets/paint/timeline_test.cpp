@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
+#include <memory>
 
 #include "base/time.h"
 
@@ -147,7 +148,8 @@ TEST_F(TimelineTest, LooksCloserWhereTwoFingersPartOnATouchpad) {
 }
 
 TEST_F(TimelineTest, LooksCloserWhereTwoFingersPartOnTheScreen) {
-  QPointingDevice* screen = QTest::createTouchDevice();
+  const std::unique_ptr<QPointingDevice> device(QTest::createTouchDevice());
+  QPointingDevice* screen = device.get();
   const auto touch = [&](int left, int right) {
     QTest::touchEvent(&timeline, screen).move(0, {left, 20}).move(1, {right, 20});
   };
@@ -161,7 +163,8 @@ TEST_F(TimelineTest, LooksCloserWhereTwoFingersPartOnTheScreen) {
 }
 
 TEST_F(TimelineTest, SeeksWhereAFingerTapsOrDrags) {
-  QPointingDevice* screen = QTest::createTouchDevice();
+  const std::unique_ptr<QPointingDevice> device(QTest::createTouchDevice());
+  QPointingDevice* screen = device.get();
   QTest::touchEvent(&timeline, screen).press(0, {260, 20});
   QTest::touchEvent(&timeline, screen).release(0, {260, 20});
   EXPECT_EQ(last(), at(125));
