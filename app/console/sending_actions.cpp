@@ -14,7 +14,6 @@ namespace {
 
 const QString kIdentityKey = QStringLiteral("bus/identityNumber");
 const QString kAddressKey = QStringLiteral("bus/preferredAddress");
-constexpr std::uint32_t kLargestIdentity = 0x1F'FFFF;  // 21 bits of a NAME
 constexpr uint kLastAddress = 0xFD;
 
 }  // namespace

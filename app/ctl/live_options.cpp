@@ -8,8 +8,6 @@
 namespace deckpipe::ctl {
 namespace {
 
-constexpr std::uint32_t kLargestIdentity = 0x1F'FFFF;
-
 // The same on every run of this machine, and most likely another on the next one: two consoles of one NAME
 // cannot be on one bus.
 std::uint32_t identityOfMachine() {
