@@ -38,13 +38,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The clock of this log jumps at %Ln places: ages, rates and load around them are not to be trusted. They are marked in the trace.</source>
-        <translation>
-            <numerusform>The clock of this log jumps at %Ln place: ages, rates and load around it are not to be trusted. It is marked in the trace.</numerusform>
-            <numerusform>The clock of this log jumps at %Ln places: ages, rates and load around them are not to be trusted. They are marked in the trace.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln frames of this log are missing here: CAN FD and CAN XL frames are not held.</source>
         <translation>
             <numerusform>%Ln frame of this log is missing here: CAN FD and CAN XL frames are not held.</numerusform>

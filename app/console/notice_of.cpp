@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <climits>
@@ -25,6 +26,7 @@ using Progress = SourceStatus::Progress;
 
 // Shorter silences are no riddle: devices start, people plug in.
 constexpr Duration kSilence = 3s;
+constexpr Duration kClockBack = 1s;
 constexpr std::size_t kPlacesShown = 5;
 constexpr int kJ1939BitRate = 250'000;
 
@@ -72,11 +74,16 @@ Notice clockNotice(const LogDocument& log) {
     return {StatusTone::Attend, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
                                                "rates, load and silence means nothing.")};
   }
-  if (const std::size_t jumps = log.frames.jumps().size(); jumps > 0) {
+  // Small steps back are usual where a log has several interfaces, and a leap ahead is a pause.
+  const auto& jumps = log.frames.jumps();
+  for (std::size_t i = 0; i < jumps.size(); ++i) {
+    const std::uint64_t at = jumps[i];
+    if (at >= log.frames.count() || !log.frames[at].hasStamp()) continue;
+    if (log.frames.timeAt(at) - Instant{log.frames[at].stamp} < kClockBack) continue;
     return {StatusTone::Attend,
-            NoticeText::tr("The clock of this log jumps at %Ln places: ages, rates and load around them are "
-                           "not to be trusted. They are marked in the trace.",
-                           nullptr, static_cast<int>(jumps))};
+            NoticeText::tr("The clock of this log goes back at frame %1: ages, rates and load from there on "
+                           "are not to be trusted. The places are marked in the trace.")
+                .arg(QLocale().toString(static_cast<qulonglong>(at + 1)))};
   }
   return {};
 }

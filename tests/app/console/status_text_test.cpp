@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/console/window_scenes.h"
 #include "console/notice_of.h"
 #include "support/logs.h"
 
@@ -173,6 +174,16 @@ TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {
   Snapshot snapshot = file("", Progress::Failed);
   snapshot.source.reason = QStringLiteral("No such file or directory");
   EXPECT_EQ(notice(snapshot), "truck.log cannot be read: No such file or directory");
+}
+
+TEST(ClockNotice, IsForAClockThatGoesBackAndNotForTheUsualSmallSteps) {
+  const auto noticeOfLog = [](const std::string& text) {
+    const Snapshot snapshot = test::snapshotOf(text, SourceStatus::Kind::File, SourceStatus::Progress::Done);
+    return noticeOf(snapshot, ratesAt(snapshot.view)).text;
+  };
+  EXPECT_EQ(noticeOfLog("(10.000) can0 123#11\n(9.999) can1 123#11\n(900.0) can0 123#11\n"), QString());
+  EXPECT_TRUE(
+      noticeOfLog("(10.0) can0 123#11\n(5.0) can0 123#11\n").contains(QStringLiteral("back at frame 2")));
 }
 
 }  // namespace
