@@ -13,6 +13,7 @@
 
 #include "base/time.h"
 #include "bus/j1939.h"
+#include "protocol/address_use.h"
 #include "protocol/typed.h"
 #include "simulator/outbox.h"
 #include "simulator/random.h"
@@ -34,7 +35,7 @@ class AddressClaim {
   };
   // Addresses that may be claimed, the first one first. Akron's devices start at 80 hex.
   struct Range {
-    Address first{0x80}, last{0xF7};
+    Address first = kFirstDynamic, last = kLastDynamic;
   };
 
   AddressClaim(Name name, Range range, std::uint64_t seed) : m_name(name), m_range(range), m_random(seed) {}

@@ -12,7 +12,7 @@ namespace deckpipe::simulator {
 
 class Joystick6035 : public Device {
  public:
-  // `source` is one of JoystickInputs::kFirst..kLast.
+  // `source` is one of kFirstJoystick..kLastJoystick.
   Joystick6035(std::string_view pin, Address source, std::uint64_t seed);
 
   // Whether the scripted hand holds it (at first it does).

@@ -30,8 +30,8 @@ std::optional<int> JoystickInputs::aimOf(const StickAxis& grip) const {
 }
 
 void JoystickInputs::received(Instant now, const J1939Id& id, const Frame& frame) {
-  if (id.source < kFirst || id.source > kLast || frame.length != 8) return;
-  Source& source = m_sources[static_cast<std::size_t>(id.source.value - kFirst.value)];
+  if (!isJoystickAddress(id.source) || frame.length != 8) return;
+  Source& source = m_sources[static_cast<std::size_t>(id.source.value - kFirstJoystick.value)];
   if (id.pgn == pgn::kBasicJoystick) {
     const BasicJoystick stick = BasicJoystick::of(frame);
     source.heard = now;

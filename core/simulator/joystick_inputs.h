@@ -15,6 +15,7 @@
 
 #include "base/time.h"
 #include "bus/j1939.h"
+#include "protocol/address_use.h"
 #include "protocol/typed.h"
 
 namespace deckpipe::simulator {
@@ -46,7 +47,6 @@ struct Demand {
 
 class JoystickInputs {
  public:
-  static constexpr Address kFirst{0x33}, kLast{0x38};
   static constexpr Duration kTimeout = 200ms;
 
   // `aimAtNeutral`: a grip at zero without a direction is the target 0 as well. The manual does not say; off,
@@ -70,7 +70,8 @@ class JoystickInputs {
   std::optional<int> aimOf(const StickAxis& grip) const;
 
   bool m_aimAtNeutral;
-  std::array<Source, kLast.value - kFirst.value + 1> m_sources{};  // by address: highest priority first
+  // By address: the highest priority first.
+  std::array<Source, kLastJoystick.value - kFirstJoystick.value + 1> m_sources{};
 };
 
 }  // namespace deckpipe::simulator

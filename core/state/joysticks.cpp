@@ -19,7 +19,7 @@ Joystick* Joysticks::at(Address source) {
     found->source = source;
     return &*found;
   }
-  if (source < kFirstJoystick || source > kLastJoystick) return nullptr;
+  if (!isJoystickAddress(source)) return nullptr;
   const auto other = std::ranges::find_if(m_sticks, [](const Joystick& j) { return !j.priority(); });
   if (other == m_sticks.end()) return nullptr;
   *other = {};

@@ -8,13 +8,12 @@
 #include <span>
 
 #include "bus/frame.h"
+#include "protocol/address_use.h"
 #include "protocol/typed.h"
 #include "state/timed.h"
 
 namespace deckpipe {
 
-inline constexpr Address kFirstJoystick{0x33};  // the highest priority
-inline constexpr Address kLastJoystick{0x38};
 inline constexpr Duration kInputTimeout = 200ms;
 
 struct Joystick {
@@ -30,7 +29,7 @@ struct Joystick {
   static constexpr Duration kSilence = 2s;
   // 0 for 33 hex .. 5 for 38 hex; nothing where controllers do not listen to this source by default.
   std::optional<int> priority() const {
-    if (source < kFirstJoystick || source > kLastJoystick) return {};
+    if (!isJoystickAddress(source)) return {};
     return source.value - kFirstJoystick.value;
   }
   // Whether the source sends now: controllers hold its input.
