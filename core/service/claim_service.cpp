@@ -7,20 +7,19 @@ namespace deckpipe {
 namespace {
 
 constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
-constexpr std::uint8_t kFirstDynamic = 0x80, kLastDynamic = 0xF7;
-constexpr Address kServiceTool2{0xFA};
 
 Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8}; }
 
 }  // namespace
 
 Name consoleName(std::uint32_t identityNumber) {
-  constexpr std::uint64_t kNoManufacturer = 0x7FF, kServiceTool = 129;
-  return {(identityNumber & 0x1F'FFFFu) | kNoManufacturer << 21 | kServiceTool << 40 | 1ull << 63};
+  constexpr std::uint64_t kNoManufacturer = 0x7FF, kFunction = kServiceToolFunction;
+  return {(identityNumber & 0x1F'FFFFu) | kNoManufacturer << 21 | kFunction << 40 | 1ull << 63};
 }
 
 ClaimService::ClaimService(const ClaimSettings& settings)
     : m_settings(settings), m_spread(settings.identityNumber) {
+  if (addressUse(m_settings.preferred) == AddressUse::Refused) m_settings.preferred = kServiceTool1;
   m_status.name = consoleName(settings.identityNumber).value;
 }
 
@@ -54,23 +53,24 @@ void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const
   out.send(sender, MessageId::Name, kGlobalAddress, encodedName({m_status.name}));
 }
 
-// Taken by a NAME, or in use without one.
+// Neither taken by another NAME nor in use without one.
 bool ClaimService::isFree(const Live& live, Address address) const {
   const Node& node = live.bus().claims[address];
   if (m_lost[address.value]) return false;
-  if (node.name.value == m_status.name) return true;
-  if (node.name.value != 0 && node.claim != ClaimState::CannotClaim) return false;
-  return m_ours[address.value] || !node.isHeard();
+  const bool isOthers = node.name.value != 0 && node.name.value != m_status.name;
+  if (isOthers && node.claim != ClaimState::CannotClaim) return false;
+  if (!node.isHeard()) return true;
+  // Rule 7: others may have sent from a monitor's address that was ours, while we did not listen.
+  return m_ours[address.value] && !isDynamicAddress(address);
 }
 
 void ClaimService::claimNext(Instant now, const Live& live, Outgoing& out) {
-  for (const Address candidate : {m_settings.preferred, kServiceTool2}) {
+  for (const Address candidate : {m_settings.preferred, kServiceTool1, kServiceTool2}) {
     if (isFree(live, candidate)) return claim(now, live, candidate, out);
   }
   // From the top: Akron's devices claim theirs from 80 hex up.
-  for (unsigned a = kLastDynamic; a >= kFirstDynamic; --a) {
-    const Address candidate{static_cast<std::uint8_t>(a)};
-    if (isFree(live, candidate)) return claim(now, live, candidate, out);
+  for (Address a = kLastDynamic; isDynamicAddress(a); --a.value) {
+    if (isFree(live, a)) return claim(now, live, a, out);
   }
   cannotClaim(now, live, out);
 }
@@ -113,8 +113,11 @@ void ClaimService::received(Instant now, const Live& live, const Frame& frame, O
   if (m_status.progress == Progress::Off || m_status.progress == Progress::SameName) return;
   if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
   const J1939Id id = J1939Id::of(frame.identifier());
-  if (id.pgn == pgn::kAddressClaimed && frame.length == 8)
-    return claimHeard(now, live, id.source, Name::of(frame), out);
+  const bool isClaim = id.pgn == pgn::kAddressClaimed && frame.length == 8;
+  const bool isSameName = isClaim && Name::of(frame).value == m_status.name;
+  if (id.source == m_status.address && isDynamicAddress(id.source) && !isSameName)
+    return addressLost(now, live, out);
+  if (isClaim) return claimHeard(now, live, id.source, Name::of(frame), out);
   if (id.pgn != pgn::kRequest || frame.length != 3 ||
       readBits(frame.data, kRequested) != pgn::kAddressClaimed)
     return;
@@ -139,8 +142,12 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
     // Who has the address already keeps using it while it defends it.
     return sendName(live, m_status.address, out);
   }
+  addressLost(now, live, out);
+}
+
+void ClaimService::addressLost(Instant now, const Live& live, Outgoing& out) {
   ++m_status.lost;
-  m_lost.set(source.value);
+  m_lost.set(m_status.address.value);
   out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "lost");
   claimNext(now, live, out);
 }

@@ -4,15 +4,19 @@
 //
 // 1. First it asks who is there, from the null address, and listens kListen, so as to disturb nobody.
 // 2. An address may be used kClaimTime after it was claimed, unless a numerically lower NAME claimed it too.
-// 3. The loser claims the next address that nobody is known to use; where there is none it says 'cannot
-//    claim' from the null address, 0-153 ms later, and whenever it is asked.
+// 3. The loser claims the next address that nobody is known to use, F9 and FA first; where there is none it
+//    says 'cannot claim' from the null address, 0-153 ms later, and whenever it is asked.
 // 4. Every request for the NAME, to all or to our address, is answered.
 // 5. Another node with our very NAME cannot be contested: it is reported, and nothing more is sent.
+// 6. A joystick's or a monitor's address is never preferred, whatever the settings say: F9 replaces it.
+// 7. A monitor's address (80..F7 hex) is claimed only where F9 and FA are taken, from the top, and only if no
+//    frame was ever heard from it. It is given up at once when anybody else claims it or sends from it.
 #pragma once
 
 #include <bitset>
 
 #include "control/status.h"
+#include "protocol/address_use.h"
 #include "service/live.h"
 
 namespace deckpipe {
@@ -21,7 +25,7 @@ inline constexpr std::uint32_t kLargestIdentity = 0x1F'FFFF;  // 21 bits of a NA
 
 struct ClaimSettings {
   std::uint32_t identityNumber = 1;  // 21 bits, this installation's own
-  Address preferred{0xF9};           // off-board service tool 1
+  Address preferred = kServiceTool1;
 };
 
 // Our NAME: function 129 (off-board service tool), industry group 0, may take any address. Manufacturer code
@@ -56,6 +60,7 @@ class ClaimService {
   void cannotClaim(Instant now, const Live& live, Outgoing& out);
   void sendName(const Live& live, Address from, Outgoing& out) const;
   void claimHeard(Instant now, const Live& live, Address source, Name name, Outgoing& out);
+  void addressLost(Instant now, const Live& live, Outgoing& out);
   bool isFree(const Live& live, Address address) const;
 
   ClaimSettings m_settings;

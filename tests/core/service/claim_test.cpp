@@ -205,6 +205,115 @@ TEST_F(Claim, ALinkThatComesBackIsClaimedOnAnew) {
   EXPECT_EQ(status().progress, Progress::Claimed);
 }
 
+// Its NAME is lower than a joystick's or a monitor's: it would win such an address.
+TEST(ClaimPreferring, AJoysticksOrAMonitorsAddressClaimsTheServiceToolsInstead) {
+  constexpr Address kRefused[] = {{0x33}, {0x38}, {0x80}, {0xF7}, kNullAddress, kGlobalAddress};
+  for (const Address refused : kRefused) {
+    Pair pair;
+    ServiceSettings settings;
+    settings.claim.preferred = refused;
+    pair.addConsole(settings);
+    pair.unlock();
+    EXPECT_EQ(pair.console().status(pair.now()).claim.address, kServiceTool1) << unsigned{refused.value};
+    for (const Pair::Seen& seen : pair.sentBy(&pair.console()))
+      EXPECT_TRUE(seen.id().source == kServiceTool1 || seen.id().source == kNullAddress)
+          << "not for a moment";
+  }
+}
+
+TEST(ClaimPreferring, AFixedAddressBelowThemIsTakenAtItsWord) {
+  Pair pair;
+  ServiceSettings settings;
+  settings.claim.preferred = Address{0x42};
+  pair.addConsole(settings);
+  pair.unlock();
+  EXPECT_EQ(pair.console().status(pair.now()).claim.address, Address{0x42});
+}
+
+TEST(ClaimPreferring, AnAddressThatIsTakenClaimsTheServiceToolsBeforeAMonitors) {
+  Pair pair;
+  ServiceSettings settings;
+  settings.claim.preferred = Address{0xFB};
+  pair.addConsole(settings);
+  pair.inject(claimFrame(5, 0xFB));
+  pair.unlock();
+  EXPECT_EQ(pair.console().status(pair.now()).claim.address, kServiceTool1);
+}
+
+// F9 and FA are taken: it has the topmost of the monitors' addresses.
+struct ClaimAmongMonitors : Claim {
+  ClaimAmongMonitors() {
+    pair.inject(claimFrame(5, 0xF9));
+    pair.inject(claimFrame(6, 0xFA));
+  }
+  void expectMovedOn(Instant since) {
+    pair.run(1ms);
+    EXPECT_EQ(status().progress, Progress::Claiming);
+    EXPECT_EQ(status().address, Address{0xF6});
+    EXPECT_EQ(status().lost, 1);
+    pair.run(10s);
+    EXPECT_EQ(status().progress, Progress::Claimed);
+    for (const Pair::Seen& seen : pair.sentBy(&pair.console(), since))
+      EXPECT_EQ(seen.id().source, Address{0xF6});
+  }
+};
+
+TEST_F(ClaimAmongMonitors, ALowerNameTakesItAtOnce) {
+  pair.unlock();
+  ASSERT_EQ(status().address, Address{0xF7});
+  const Instant before = pair.now();
+  pair.inject(claimFrame(1, 0xF7));
+  expectMovedOn(before);
+}
+
+TEST_F(ClaimAmongMonitors, AHigherNameTakesItAtOnceAndIsNotAnswered) {
+  pair.unlock();
+  const Instant before = pair.now();
+  pair.inject(claimFrame(~0ull, 0xF7));
+  expectMovedOn(before);
+}
+
+TEST_F(ClaimAmongMonitors, AnyFrameOfSomebodyElseTakesItAtOnce) {
+  pair.unlock();
+  ASSERT_EQ(status().address, Address{0xF7});
+  const Instant before = pair.now();
+  pair.inject(frame("18EFFFF7", "0100000000000000"));
+  expectMovedOn(before);
+}
+
+TEST_F(ClaimAmongMonitors, AClaimThatIsNoneTakesItToo) {
+  pair.unlock();
+  const Instant before = pair.now();
+  pair.inject(claimFrame(0, 0xF7));
+  expectMovedOn(before);
+}
+
+TEST_F(ClaimAmongMonitors, WhileClaimingItIsGivenUpAsWell) {
+  pair.want(wish::Unlock{});
+  pair.run(ClaimService::kListen + 100ms);
+  ASSERT_EQ(status().progress, Progress::Claiming);
+  const Instant before = pair.now();
+  pair.inject(frame("18EFFFF7", "0100000000000000"));
+  expectMovedOn(before);
+}
+
+TEST_F(ClaimAmongMonitors, OurVeryNameIsStillReported) {
+  pair.unlock();
+  pair.inject(claimFrame(ours(), 0xF7));
+  pair.run(1ms);
+  EXPECT_EQ(status().progress, Progress::SameName);
+}
+
+TEST_F(ClaimAmongMonitors, WhereSomebodyMayHaveSpokenWhileItWasLockedItIsNotTakenAgain) {
+  pair.unlock();
+  ASSERT_EQ(status().address, Address{0xF7});
+  pair.want(wish::Lock{});
+  pair.run(1ms);
+  pair.inject(frame("18EFFFF7", "0100000000000000"));
+  pair.unlock();
+  EXPECT_EQ(status().address, Address{0xF6});
+}
+
 TEST_F(Claim, TwoConsolesOnOneBusShareTheServiceTools) {
   ServiceSettings other;
   other.claim.identityNumber = 2;
