@@ -18,6 +18,10 @@ std::optional<ChannelAddress> parseChannelAddress(const QString& text) {
                         {static_cast<std::uint8_t>(address)}};
 }
 
+QString addressText(Address address) {
+  return QString::number(address.value, 16).toUpper().rightJustified(2, QLatin1Char('0'));
+}
+
 std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments) {
   const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
                                 QStringLiteral("Show this help."));

@@ -18,6 +18,9 @@ struct ChannelAddress {
 };
 std::optional<ChannelAddress> parseChannelAddress(const QString& text);
 
+// Two hex digits, in upper case: "F9".
+QString addressText(Address address);
+
 // Parses what main() hands over, the first argument being "deckpipectl SUBCOMMAND"; where that fails, or
 // where help was asked for, says so and returns the exit status.
 std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device_finder.h"
 
+#include "arguments.h"
 #include "command.h"
 #include "protocol/device_types.h"
 
@@ -53,9 +54,7 @@ bool DeviceFinder::hasFound() {
 }
 
 QString deviceText(const DeviceServices& device) {
-  const QString address =
-      QStringLiteral("address %1")
-          .arg(QString::number(device.address.value, 16).toUpper().rightJustified(2, QLatin1Char('0')));
+  const QString address = QStringLiteral("address ") + addressText(device.address);
   if (device.device.pin.isNull()) return QStringLiteral("the device at ") + address;
   const std::string_view type = deviceTypeName(device.device.pin.deviceType());
   return QStringLiteral("%1 (%2) at %3")

@@ -2,8 +2,10 @@
 #include "live_options.h"
 
 #include <QSysInfo>
+#include <cstdio>
 
 #include "arguments.h"
+#include "protocol/address_use.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -40,7 +42,8 @@ LiveOptions::LiveOptions(QCommandLineParser& parser)
                  QStringLiteral("Identity number of our NAME, 0 to 2097151; by default this machine's own."),
                  QStringLiteral("N")),
       m_ownAddress(QStringLiteral("own-address"),
-                   QStringLiteral("Address to claim if it is free, in hex; F9 by default."),
+                   QStringLiteral("Address to claim if it is free, in hex; F9 by default. Joysticks' (33 to "
+                                  "38) and monitors' (80 to F7) are refused."),
                    QStringLiteral("HEX"), QStringLiteral("F9")),
       m_drive(
           QStringLiteral("drive"),
@@ -68,6 +71,21 @@ std::optional<LiveSettings> LiveOptions::read(const QString& command, bool sends
   }
   const auto preferred = parseAddress(m_parser.value(m_ownAddress));
   if (!preferred) return bad(QStringLiteral("--own-address wants an address in hex, 00 to FD"));
+  switch (addressUse(*preferred)) {
+    case AddressUse::Refused:
+      return bad(QStringLiteral(
+                     "--own-address %1 is refused: 33 to 38 are joysticks' addresses, which monitors obey, "
+                     "and 80 to F7 are monitors' own; F8 to FD can be had")
+                     .arg(addressText(*preferred)));
+    case AddressUse::Warn:
+      std::fprintf(
+          stderr,
+          "deckpipectl: warning: --own-address %s: fixed addresses below 80 belong to devices, and one of "
+          "them may be on this bus\n",
+          qPrintable(addressText(*preferred)));
+      break;
+    case AddressUse::Ok: break;
+  }
   settings.claim.preferred = *preferred;
   for (const QString& text : m_parser.values(m_drive)) {
     const auto drive = parseAddress(text);
@@ -83,9 +101,7 @@ std::optional<LiveSettings> LiveOptions::read(const QString& command, bool sends
 
 QString DeviceName::text() const {
   if (pin) return QString::fromLatin1(pin->text().data(), static_cast<qsizetype>(pin->text().size()));
-  if (address)
-    return QStringLiteral("address ") +
-           QString::number(address->value, 16).toUpper().rightJustified(2, QLatin1Char('0'));
+  if (address) return QStringLiteral("address ") + addressText(*address);
   return QStringLiteral("everyone");
 }
 

@@ -212,6 +212,25 @@ TEST(Link, ThatCannotBeHadIsSaid) {
   }
 }
 
+TEST(OwnAddress, OfAJoystickOrAMonitorIsRefusedWithTheReason) {
+  for (const char* address : {"33", "38", "80", "E0", "F7"}) {
+    for (const char* command : {"nodes", "watch", "poll --unlock --all"}) {
+      const Outcome r = run(words(command) + words("--interface nosuch0 --own-address") + words(address));
+      EXPECT_EQ(r.status, 2) << command << address;
+      EXPECT_TRUE(r.err.contains("are joysticks' addresses")) << r.err.constData();
+      EXPECT_TRUE(r.err.contains("F8 to FD can be had")) << r.err.constData();
+    }
+  }
+}
+
+TEST(OwnAddress, BelowThemIsWarnedOfAndTaken) {
+  const Outcome fixed = run(words("nodes --interface nosuch0 --own-address 42"));
+  EXPECT_EQ(fixed.status, 1) << "it went on to the interface";
+  EXPECT_TRUE(fixed.err.contains("warning: --own-address 42: ")) << fixed.err.constData();
+  const Outcome tool = run(words("nodes --interface nosuch0 --own-address FA"));
+  EXPECT_FALSE(tool.err.contains("warning")) << tool.err.constData();
+}
+
 TEST(Output, EndsQuietlyWhenItsReaderGoesAway) {
   QProcess shell;
   shell.start(
