@@ -80,6 +80,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   const ClaimSettings claim = claimSettings();
   m_session.setClaim(claim);
   m_settings->setIdentity(claim.preferred.value, static_cast<int>(claim.identityNumber));
+  if (const auto refused = dropRefusedAddress()) {
+    m_settings->refuseAddress(refused->value);
+    m_addressNotice = refusedAddressNotice(*refused, claim.preferred);
+  }
   makeMenus();
   connect(&m_session, &Session::changed, this, &MainWindow::showSnapshot);
   connectPanels();
@@ -145,7 +149,8 @@ void MainWindow::setSnapshot(const Snapshot& snapshot) {
   if (std::exchange(m_shown, view.document.get()) != view.document.get()) m_extra = nullptr;
   m_status->setSnapshot(snapshot);
   m_sending->setSnapshot(snapshot);
-  m_notice->setNotice(noticeOf(snapshot, m_status->rates()));
+  const Notice notice = noticeOf(snapshot, m_status->rates());
+  m_notice->setNotice(notice.text.isEmpty() ? m_addressNotice : notice);
   showPage();
   const bool isFile = snapshot.source.kind == SourceStatus::Kind::File;
   setWindowTitle(isFile ? tr("%1 – Deckpipe").arg(QFileInfo(snapshot.source.name).fileName())
@@ -176,6 +181,10 @@ void MainWindow::showPage() {
 
 void MainWindow::showExtra(QWidget* page) {
   m_extra = page;
+  if (page == m_settings) {  // it says so itself
+    m_addressNotice = {};
+    showSnapshot();
+  }
   showPage();
 }
 

@@ -79,6 +79,7 @@ class MainWindow : public QMainWindow {
   Theme m_theme = Theme::Light;
   Density m_density = Density::Desk;
   SettingsLabels m_labels;
+  Notice m_addressNotice;  // until the settings were looked at
   StatusStrip* m_status;
   NoticeBar* m_notice;
   QStackedWidget* m_pages;

@@ -12,6 +12,7 @@
 #include "log/reading.h"
 #include "model/device_rows.h"
 #include "status_text.h"
+#include "text/device_text.h"
 #include "text/elapsed_text.h"
 
 namespace deckpipe {
@@ -272,6 +273,14 @@ Notice unsentNotice(Refusal why) {
 }
 
 }  // namespace
+
+Notice refusedAddressNotice(Address refused, Address used) {
+  return {StatusTone::Attend,
+          NoticeText::tr(
+              "The preferred address %1 of the settings is a joystick's or a monitor's and is not used: on "
+              "unlocking, %2 is claimed. Another can be chosen in the settings.")
+              .arg(hexText(refused.value), hexText(used.value))};
+}
 
 QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnly) {
   QString command = QStringLiteral("sudo ip link set %1 up type can bitrate %2")

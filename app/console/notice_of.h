@@ -12,6 +12,9 @@ namespace deckpipe {
 
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates);
 
+// The kept preferred address is a joystick's or a monitor's, so that `used` is claimed instead.
+Notice refusedAddressNotice(Address refused, Address used);
+
 // What to type so that a Linux interface listens at a bit rate: "sudo ip link set can0 …".
 QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnly);
 

@@ -8,13 +8,20 @@
 #include <algorithm>
 
 #include "panel/danger_dialog.h"
+#include "protocol/address_use.h"
 
 namespace deckpipe {
 namespace {
 
 const QString kIdentityKey = QStringLiteral("bus/identityNumber");
 const QString kAddressKey = QStringLiteral("bus/preferredAddress");
-constexpr uint kLastAddress = 0xFD;
+
+std::optional<Address> keptAddress(const QSettings& settings) {
+  bool isNumber = false;
+  const uint address = settings.value(kAddressKey).toUInt(&isNumber);
+  if (!isNumber || address >= kNullAddress.value) return {};
+  return Address{static_cast<std::uint8_t>(address)};
+}
 
 }  // namespace
 
@@ -84,9 +91,17 @@ ClaimSettings claimSettings() {
         static_cast<std::uint32_t>(QRandomGenerator::global()->bounded(1, int{kLargestIdentity} + 1));
     settings.setValue(kIdentityKey, claim.identityNumber);
   }
-  const uint address = settings.value(kAddressKey, claim.preferred.value).toUInt();
-  if (address <= kLastAddress) claim.preferred = Address{static_cast<std::uint8_t>(address)};
+  if (const auto kept = keptAddress(settings); kept && addressUse(*kept) != AddressUse::Refused)
+    claim.preferred = *kept;
   return claim;
+}
+
+std::optional<Address> dropRefusedAddress() {
+  QSettings settings;
+  const auto kept = keptAddress(settings);
+  if (!kept || addressUse(*kept) != AddressUse::Refused) return {};
+  settings.remove(kAddressKey);
+  return kept;
 }
 
 void keepClaimSettings(const ClaimSettings& claim) {

@@ -44,8 +44,10 @@ class SendingActions : public QObject {
 };
 
 // Who this installation is on a bus: its identity number, made up once and kept in the settings, and the
-// address it would like.
+// address it would like. F9 replaces a kept address that addressUse() refuses.
 ClaimSettings claimSettings();
+// Takes such an address out of the settings and returns it, for saying so once; nothing if there is none.
+std::optional<Address> dropRefusedAddress();
 void keepClaimSettings(const ClaimSettings& claim);
 
 }  // namespace deckpipe

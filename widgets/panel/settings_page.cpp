@@ -9,9 +9,12 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "panel/label_ink.h"
 #include "panel/scrolled.h"
+#include "protocol/address_use.h"
+#include "text/device_text.h"
 
 namespace deckpipe {
 namespace {
@@ -29,13 +32,21 @@ QLabel* heading(const QString& text, double size, QWidget* parent) {
   return label;
 }
 
-// Addresses as everywhere else: F9.
-class HexBox : public QSpinBox {
+QString hex(int address) { return hexText(static_cast<std::uint8_t>(address)); }
+AddressUse useOf(int address) { return addressUse(Address{static_cast<std::uint8_t>(address)}); }
+
+// Addresses as everywhere else: F9. Steps pass over those that are refused.
+class AddressBox : public QSpinBox {
  public:
   using QSpinBox::QSpinBox;
+  void stepBy(int steps) override {
+    int wanted = std::clamp(value() + steps, minimum(), maximum());
+    while (useOf(wanted) == AddressUse::Refused) wanted += steps < 0 ? -1 : 1;
+    setValue(wanted);
+  }
 
  protected:
-  QString textFromValue(int value) const override { return QSpinBox::textFromValue(value).toUpper(); }
+  QString textFromValue(int value) const override { return hex(value); }
 };
 
 }  // namespace
@@ -63,11 +74,14 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
             tr("Larger text, and buttons that gloves can hit."));
   m_column->addSpacing(12);
   m_column->addWidget(heading(tr("On the bus"), 1.15, inside));
-  m_address = addNumber(new HexBox(this), "preferredAddress", tr("Preferred address, hex"),
-                        tr("Claimed on unlocking; where another holds it, one of 80 to F7 is taken. F9 is "
-                           "that of a service tool (SAE J1939)."),
-                        0, 0xFD);
+  m_address =
+      addNumber(new AddressBox(this), "preferredAddress", tr("Preferred address, hex"),
+                tr("Claimed on unlocking; where another holds it, F9, FA or a free one of 80 to F7 is "
+                   "taken."),
+                0, 0xFD);
   m_address->setDisplayIntegerBase(16);
+  m_addressNote = addStory({});
+  m_addressNote->setObjectName(QStringLiteral("preferredAddressNote"));
   m_identity = addNumber(new QSpinBox(this), "identityNumber", tr("Identity number"),
                          tr("Of this computer's NAME. Two consoles on one bus need different ones; it was "
                             "made up when the program first ran."),
@@ -99,9 +113,8 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
           [this](int id) { Q_EMIT themeChosen(static_cast<Theme>(id)); });
   connect(m_densities, &QButtonGroup::idClicked, this,
           [this](int id) { Q_EMIT densityChosen(static_cast<Density>(id)); });
-  for (const QSpinBox* box : {m_address, m_identity})
-    connect(box, &QSpinBox::valueChanged, this,
-            [this] { Q_EMIT identityChosen(m_address->value(), m_identity->value()); });
+  connect(m_address, &QSpinBox::valueChanged, this, &SettingsPage::takeAddress);
+  connect(m_identity, &QSpinBox::valueChanged, this, &SettingsPage::sayIdentity);
 }
 
 QButtonGroup* SettingsPage::addGroup(const QString& title) {
@@ -169,10 +182,39 @@ void SettingsPage::setDensity(Density density) {
   m_densities->button(static_cast<int>(density))->setChecked(true);
 }
 
+void SettingsPage::takeAddress(int address) {
+  if (useOf(address) != AddressUse::Refused) {
+    m_takenAddress = address;
+    sayUse();
+    return sayIdentity();
+  }
+  const QSignalBlocker silent(m_address);
+  m_address->setValue(m_takenAddress);
+  refuseAddress(address);
+}
+
+void SettingsPage::sayIdentity() { Q_EMIT identityChosen(m_takenAddress, m_identity->value()); }
+
+void SettingsPage::sayUse() {
+  m_addressNote->setText(
+      useOf(m_takenAddress) == AddressUse::Warn
+          ? tr("Below 80 an address is fixed and belongs to a device, which may be on your bus.")
+          : tr("F9 is that of a service tool (SAE J1939). F8 to FD are free to choose."));
+}
+
+void SettingsPage::refuseAddress(int address) {
+  m_addressNote->setText(
+      tr("%1 is not taken: 33 to 38 are joysticks' addresses, which monitors obey, and 80 to F7 "
+         "are monitors' own.")
+          .arg(hex(address)));
+}
+
 void SettingsPage::setIdentity(int preferredAddress, int identityNumber) {
   const QSignalBlocker address(m_address), identity(m_identity);
+  m_takenAddress = preferredAddress;
   m_address->setValue(preferredAddress);
   m_identity->setValue(identityNumber);
+  sayUse();
 }
 
 void SettingsPage::setPath(const QString& path) { m_path->setText(tr("Settings are kept in %1").arg(path)); }

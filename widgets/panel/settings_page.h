@@ -25,6 +25,8 @@ class SettingsPage : public QWidget {
   void setDensity(Density density);
   // Who the console is on a bus: the address it would like and the identity number of its NAME.
   void setIdentity(int preferredAddress, int identityNumber);
+  // Says why this address is not used: it is a joystick's or a monitor's.
+  void refuseAddress(int address);
   // Where all this is kept.
   void setPath(const QString& path);
   void setColours(const Colours& colours);
@@ -32,6 +34,7 @@ class SettingsPage : public QWidget {
  Q_SIGNALS:
   void themeChosen(deckpipe::Theme theme);
   void densityChosen(deckpipe::Density density);
+  // The address is never one that addressUse() refuses.
   void identityChosen(int preferredAddress, int identityNumber);
   void resetLayoutRequested();
   void forgetLogsRequested();
@@ -46,12 +49,17 @@ class SettingsPage : public QWidget {
   QLabel* addStory(const QString& story);
   QSpinBox* addNumber(QSpinBox* box, const char* name, const QString& text, const QString& story, int least,
                       int most);
+  void takeAddress(int address);
+  void sayIdentity();
+  void sayUse();
   void addAction(const char* name, const QString& text, const QString& story, void (SettingsPage::*wish)());
 
   QVBoxLayout* m_column;
   QButtonGroup* m_themes;
   QButtonGroup* m_densities;
   QSpinBox* m_address;
+  QLabel* m_addressNote;
+  int m_takenAddress = 0;  // the last that was not refused
   QSpinBox* m_identity;
   QLabel* m_path;
   QList<QLabel*> m_stories;

@@ -34,6 +34,7 @@ class Looks : public test::WindowTest {
   void TearDown() override {
     m_window.setDensity(Density::Desk);
     m_window.setTheme(Theme::Light);
+    QSettings().clear();  // the next window reads them before SetUp()
   }
   // What lies behind another dock's tab is laid out when it comes forward.
   static bool isSeen(const QWidget& widget) {
@@ -85,12 +86,57 @@ TEST_F(Looks, LetAPersonSayWhoTheConsoleIsOnABus) {
   EXPECT_GE(identity->value(), 1) << "made up";
   address->setFocus();
   address->selectAll();
-  QTest::keyClicks(address, QStringLiteral("8a\t"));
+  QTest::keyClicks(address, QStringLiteral("fb\t"));
   identity->setFocus();
   identity->selectAll();
   QTest::keyClicks(identity, QStringLiteral("4711\t"));
-  EXPECT_EQ(claimSettings().preferred, Address{0x8A}) << "kept";
+  EXPECT_EQ(claimSettings().preferred, Address{0xFB}) << "kept";
   EXPECT_EQ(claimSettings().identityNumber, 4711u);
+}
+
+TEST_F(Looks, TakeNoJoysticksOrMonitorsAddressForTheConsole) {
+  trigger("settingsAction");
+  auto* address = named<QSpinBox>("preferredAddress");
+  for (const char* refused : {"33", "38", "80", "f7"}) {
+    address->setFocus();
+    address->selectAll();
+    QTest::keyClicks(address, QLatin1String(refused) + QLatin1Char('\t'));
+    EXPECT_EQ(address->text(), QStringLiteral("F9")) << refused;
+    EXPECT_TRUE(text("preferredAddressNote").startsWith(QString::fromLatin1(refused).toUpper()))
+        << "and it says why: " << qPrintable(text("preferredAddressNote"));
+    EXPECT_EQ(claimSettings().preferred, Address{0xF9});
+  }
+}
+
+TEST_F(Looks, WarnOfAFixedAddressAndStepOverTheRefusedOnes) {
+  trigger("settingsAction");
+  auto* address = named<QSpinBox>("preferredAddress");
+  address->setFocus();
+  QTest::keyClick(address, Qt::Key_Down);
+  EXPECT_EQ(address->text(), QStringLiteral("F8"));
+  QTest::keyClick(address, Qt::Key_Down);
+  EXPECT_EQ(address->text(), QStringLiteral("7F"));
+  EXPECT_TRUE(text("preferredAddressNote").startsWith(QStringLiteral("Below 80")));
+  QTest::keyClick(address, Qt::Key_Up);
+  EXPECT_EQ(address->text(), QStringLiteral("F8"));
+  EXPECT_EQ(claimSettings().preferred, Address{0xF8});
+}
+
+TEST_F(Looks, DoNotUseAKeptAddressOfAJoystickAndSaySoOnce) {
+  QSettings().setValue(QStringLiteral("bus/preferredAddress"), 0x33);
+  EXPECT_EQ(claimSettings().preferred, Address{0xF9});
+  MainWindow next(m_session);
+  const auto* notice = next.findChild<NoticeBar*>();
+  ASSERT_NE(notice, nullptr);
+  EXPECT_TRUE(notice->notice().text.contains(QStringLiteral("preferred address 33")))
+      << qPrintable(notice->notice().text);
+  next.findChild<QAction*>(QStringLiteral("settingsAction"))->trigger();
+  EXPECT_TRUE(notice->notice().text.isEmpty());
+  EXPECT_TRUE(next.findChild<QLabel*>(QStringLiteral("preferredAddressNote"))
+                  ->text()
+                  .startsWith(QStringLiteral("33 ")));
+  MainWindow third(m_session);
+  EXPECT_TRUE(third.findChild<NoticeBar*>()->notice().text.isEmpty());
 }
 
 TEST_F(Looks, AreKeptForTheNextTime) {
