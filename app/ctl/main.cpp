@@ -39,7 +39,7 @@ std::string helpText() {
     text += "  " + name + command.summary + "\n";
   }
   return text +
-         "\nNothing is sent on an interface without --unlock (simulate aside).\n"
+         "\nNothing is sent on an interface without --unlock; simulate wants --moves-monitors.\n"
          "'deckpipectl COMMAND --help' tells the arguments of one. Exit status: 0 done, 1 not everything "
          "could be\nread, written, answered or done, 2 unusable arguments.\n";
 }

@@ -14,6 +14,7 @@ void onStopSignals(std::function<void()> stop) {
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals, stop = std::move(stop)] {
     for (int caught = 0; sigwait(&signals, &caught) == 0;)

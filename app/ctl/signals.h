@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl+C and a polite kill, as an event like any other. For subcommands that run until they are stopped.
+// Ctrl+C, a polite kill and a terminal that is closed, as an event like any other. For subcommands that run
+// until they are stopped.
 #pragma once
 
 #include <functional>

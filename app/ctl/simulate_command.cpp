@@ -11,6 +11,7 @@
 #include "command.h"
 #include "log/candump.h"
 #include "misbehave_option.h"
+#include "moves_monitors.h"
 #include "output.h"
 #include "session/bench_runner.h"
 #include "signals.h"
@@ -72,7 +73,7 @@ int writeLog(simulator::StandardBench& bench, double seconds, const QString& pat
   return kNotWhole;
 }
 
-int runOnInterface(BenchRunner& runner, const LinkSettings& settings) {
+int runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool movesMonitors) {
   int status = kDone;
   QObject::connect(&runner, &BenchRunner::busReady, [&](const QString& interfaceName) {
     std::fprintf(stderr,
@@ -84,9 +85,19 @@ int runOnInterface(BenchRunner& runner, const LinkSettings& settings) {
     status = kNotWhole;
     QCoreApplication::quit();
   });
+  QObject::connect(&runner, &BenchRunner::wordMissing, [&] {
+    status = badUsage(movesMonitorsMissing(QStringLiteral("simulate"), settings.interfaceName));
+    QCoreApplication::quit();
+  });
+  QObject::connect(&runner, &BenchRunner::strangersHeard, [&](const std::vector<Stranger>& strangers) {
+    std::fprintf(stderr, "deckpipectl: %s: the twin stays off this bus: heard %s\n",
+                 qPrintable(settings.interfaceName), qPrintable(strangersText(strangers)));
+    status = kNotWhole;
+    QCoreApplication::quit();
+  });
   onStopSignals([] { QCoreApplication::quit(); });
   QMetaObject::invokeMethod(
-      &runner, [&] { runner.start(settings); }, Qt::QueuedConnection);
+      &runner, [&] { runner.start(settings, movesMonitors); }, Qt::QueuedConnection);
   QCoreApplication::exec();
   return status;
 }
@@ -98,7 +109,9 @@ int simulateCommand(const QStringList& arguments) {
   parser.setApplicationDescription(QStringLiteral(
       "Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose\n"
       "scripted hand drives the monitor; on an interface in real time, or into a candump log.\n"
-      "On an interface its joystick drives every monitor that hears it: never put it on a truck."));
+      "On an interface its joystick drives every monitor that hears it: never put it on a truck. Where real\n"
+      "monitors may be, it wants --moves-monitors, listens 1 s first, and stays off the bus if it hears an\n"
+      "Akron device, a joystick, or somebody at an address of its own."));
   const QCommandLineOption plugin(QStringLiteral("plugin"),
                                   QStringLiteral("Qt CAN bus plugin, e.g. socketcan."),
                                   QStringLiteral("PLUGIN"));
@@ -130,7 +143,8 @@ int simulateCommand(const QStringList& arguments) {
       QStringLiteral("Other traffic that fills so much of the bus, up to %1 per cent; none by default.")
           .arg(kMostLoad),
       QStringLiteral("PERCENT"), QStringLiteral("0"));
-  parser.addOptions({plugin, interfaceName, bitRate, log, seconds, seed, monitors, load, misbehave});
+  const QCommandLineOption moves = movesMonitorsOption();
+  parser.addOptions({plugin, interfaceName, bitRate, moves, log, seconds, seed, monitors, load, misbehave});
   if (const auto status = parse(parser, arguments)) return *status;
   if (!parser.positionalArguments().isEmpty())
     return badUsage(QStringLiteral("simulate: takes options only"));
@@ -167,6 +181,10 @@ int simulateCommand(const QStringList& arguments) {
     return badUsage(QStringLiteral("simulate: --plugin and --interface go together"));
   }
 
+  const LinkSettings link{parser.value(plugin), parser.value(interfaceName), rate, {}};
+  if (!toLog && !parser.isSet(moves) && !isSimulatedBus(link))
+    return badUsage(movesMonitorsMissing(QStringLiteral("simulate"), link.interfaceName));
+
   BenchRunner runner(seedValue, monitorCount);
   MisbehavePlan plan(monitorCount);
   for (const QString& text : parser.values(misbehave)) {
@@ -178,7 +196,7 @@ int simulateCommand(const QStringList& arguments) {
   plan.apply(runner.bench());
   runner.bench().bench.fill({}, percent / 100, rate > 0 ? rate : 250'000);
   if (toLog) return writeLog(runner.bench(), secondsValue, parser.value(log));
-  return runOnInterface(runner, {parser.value(plugin), parser.value(interfaceName), rate, {}});
+  return runOnInterface(runner, link, parser.isSet(moves));
 }
 
 }  // namespace deckpipe::ctl

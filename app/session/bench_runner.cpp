@@ -19,8 +19,10 @@ Instant monotonicTime() {
 
 }  // namespace
 
-BenchRunner::BenchRunner(std::uint64_t seed, unsigned monitors)
-    : m_bench(simulator::standardBench(seed, {}, monitors)), m_wished(m_bench.bench.size()) {}
+BenchRunner::BenchRunner(std::uint64_t seed, unsigned monitors, IsSimulated isSimulated)
+    : m_bench(simulator::standardBench(seed, {}, monitors)),
+      m_isSimulated(std::move(isSimulated)),
+      m_wished(m_bench.bench.size()) {}
 BenchRunner::~BenchRunner() { stop(); }
 
 void BenchRunner::startDemo() {
@@ -35,11 +37,16 @@ void BenchRunner::startDemo() {
   start(settings);
 }
 
-void BenchRunner::start(const LinkSettings& settings) {
+void BenchRunner::start(const LinkSettings& settings, bool movesMonitors) {
+  m_movesMonitors = movesMonitors;
   m_timer = new QTimer(this);
   m_timer->setTimerType(Qt::PreciseTimer);
   m_timer->setSingleShot(true);
   connect(m_timer, &QTimer::timeout, this, &BenchRunner::run);
+  m_listening = new QTimer(this);
+  m_listening->setTimerType(Qt::PreciseTimer);
+  m_listening->setSingleShot(true);
+  connect(m_listening, &QTimer::timeout, this, &BenchRunner::listened);
   m_link = std::make_unique<CanLink>(settings);
   m_link->open(*this);
 }
@@ -47,6 +54,7 @@ void BenchRunner::start(const LinkSettings& settings) {
 void BenchRunner::stop() {
   if (m_link != nullptr) {
     m_timer->stop();
+    m_listening->stop();
     m_link->close();
   }
   m_link.reset();
@@ -57,20 +65,65 @@ void BenchRunner::stop() {
 Instant BenchRunner::now() const { return Instant{} + (monotonicTime() - m_powerOn); }
 
 void BenchRunner::linkChanged(LinkState state, const std::string& reason) {
-  if (state == LinkState::Up && !m_powered) {
-    m_powered = true;
-    m_powerOn = monotonicTime();
-    m_bench.bench.powerOn(now());
-    Q_EMIT busReady(m_link->settings().interfaceName);
-    run();
-  } else if (state == LinkState::Closed && m_link != nullptr && m_link->status().fault != LinkFault::None) {
+  if (state == LinkState::Up) {
+    // Also said of a link that stays up, when the adapter reports a fault.
+    if (m_sending == Sending::NoBus) busCame();
+    return;
+  }
+  if (m_sending != Sending::Refused) m_sending = Sending::NoBus;
+  m_watch.reset();
+  m_listening->stop();
+  if (state == LinkState::Closed && m_link != nullptr && m_link->status().fault != LinkFault::None) {
     Q_EMIT failed(QString::fromStdString(reason));
   }
 }
 
+// The interface may be another one each time it comes.
+void BenchRunner::busCame() {
+  if (m_isSimulated(m_link->settings())) return begin();
+  if (!m_movesMonitors) {
+    m_sending = Sending::Refused;
+    Q_EMIT wordMissing();
+    return;
+  }
+  m_sending = Sending::Listening;
+  m_watch.emplace(ownAddresses());
+  m_listening->start(std::chrono::duration_cast<std::chrono::milliseconds>(StrangerWatch::kListen));
+}
+
+void BenchRunner::listened() {
+  const std::vector<Stranger> strangers = m_watch->strangers();
+  m_watch.reset();
+  if (strangers.empty()) return begin();
+  m_sending = Sending::Refused;
+  Q_EMIT strangersHeard(strangers);
+}
+
+void BenchRunner::begin() {
+  m_sending = Sending::Allowed;
+  if (!std::exchange(m_powered, true)) {
+    m_powerOn = monotonicTime();
+    m_bench.bench.powerOn(now());
+    Q_EMIT busReady(m_link->settings().interfaceName);
+  }
+  run();
+}
+
+// What it sends from; before power, what that will be where nobody else is.
+std::vector<Address> BenchRunner::ownAddresses() const {
+  std::vector<Address> own{m_bench.joystick->source()};
+  if (m_bench.bench.isFilled()) own.push_back(simulator::Background::kSource);
+  for (std::size_t i = 0; i < m_bench.bench.size(); ++i) {
+    const Address held = m_bench.bench.device(i).address();
+    own.push_back(held != kNullAddress ? held : Address{static_cast<std::uint8_t>(kFirstDynamic.value + i)});
+  }
+  return own;
+}
+
 void BenchRunner::framesReceived(std::span<const Frame> frames) {
   for (const Frame& frame : frames) {
-    if ((frame.flags & Frame::kSent) == 0) m_bench.bench.received(now(), frame);
+    if (m_watch) m_watch->received(frame, monotonicTime());
+    if (m_powered && (frame.flags & Frame::kSent) == 0) m_bench.bench.received(now(), frame);
   }
   run();
 }
@@ -115,6 +168,7 @@ void BenchRunner::send() {
   m_due.clear();
   m_bench.bench.takeFrames(m_due);
   // A frame that finds no room is lost, as on a controller whose mailbox is full: the next one is fresher.
+  if (m_sending != Sending::Allowed) return;
   for (const simulator::DueFrame& due : m_due) m_link->write(due.frame);
 }
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bench twin on a real port: runs core/simulator's bench in real time, on its thread's event loop and
-// over a link. The demo starts one behind a virtual bus; `deckpipectl simulate` puts one on any interface.
-// Time for the bench is CLOCK_MONOTONIC, which stands still while the machine sleeps: no burst on waking.
+// over a link. The demo starts one behind a virtual bus; `deckpipectl simulate` puts one on any interface, on
+// a real one only with a word for it and where no stranger is heard (stranger_watch.h). Time for the bench is
+// CLOCK_MONOTONIC, which stands still while the machine sleeps: no burst on waking.
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "bus/port.h"
 #include "control/twin_control.h"
 #include "link/can_link.h"
 #include "link/virtual_bus.h"
+#include "session/stranger_watch.h"
 #include "simulator/standard_bench.h"
 
 class QTimer;
@@ -20,7 +24,12 @@ namespace deckpipe {
 class BenchRunner : public QObject, private PortListener {
   Q_OBJECT
  public:
-  explicit BenchRunner(std::uint64_t seed = 1, unsigned monitors = 1);
+  // Whether an interface may be taken for a bus without real monitors; a test has an answer of its own.
+  using IsSimulated = std::function<bool(const LinkSettings&)>;
+
+  explicit BenchRunner(
+      std::uint64_t seed = 1, unsigned monitors = 1,
+      IsSimulated isSimulated = [](const LinkSettings& link) { return isSimulatedBus(link); });
   ~BenchRunner() override;
 
   // For setting up before it starts: what misbehaves, and when (relative to power-on, time 0).
@@ -29,8 +38,8 @@ class BenchRunner : public QObject, private PortListener {
  public Q_SLOTS:
   // On a virtual bus of its own. busReady() tells where, once the twin is on it.
   void startDemo();
-  // On an interface that is there.
-  void start(const deckpipe::LinkSettings& settings);
+  // On an interface that is there. `movesMonitors`: a person said that it may be one with real monitors.
+  void start(const deckpipe::LinkSettings& settings, bool movesMonitors = false);
   // At once. Nothing while it is not on a bus yet, or where it has no such device.
   void obey(const deckpipe::TwinWish& wish);
 
@@ -38,6 +47,10 @@ class BenchRunner : public QObject, private PortListener {
   void busReady(const QString& interfaceName);
   // It will not start, or its link went away for good.
   void failed(const QString& reason);
+  // It sends nothing from now on: real monitors may be there and nobody said that it may move them …
+  void wordMissing();
+  // … or these were heard.
+  void strangersHeard(const std::vector<deckpipe::Stranger>& strangers);
   // How its devices are, whenever that has changed: power, addresses, what was wished for.
   void twinChanged(const deckpipe::TwinStatus& status);
 
@@ -47,6 +60,10 @@ class BenchRunner : public QObject, private PortListener {
   void framesNotKept(NotKept, std::uint32_t) override {}
   void linkChanged(LinkState state, const std::string& reason) override;
   Instant now() const;
+  void busCame();
+  void listened();
+  void begin();
+  std::vector<Address> ownAddresses() const;
   void run();
   void send();
   void publish();
@@ -55,8 +72,14 @@ class BenchRunner : public QObject, private PortListener {
   std::unique_ptr<VirtualBus> m_bus;
   std::unique_ptr<CanLink> m_link;
   QTimer* m_timer = nullptr;
+  QTimer* m_listening = nullptr;
+  IsSimulated m_isSimulated;
+  std::optional<StrangerWatch> m_watch;  // while it listens
   Instant m_powerOn;
+  bool m_movesMonitors = false;
   bool m_powered = false;
+  // Whether what the bench sends goes out. The bench itself goes on without.
+  enum class Sending : std::uint8_t { NoBus, Listening, Allowed, Refused } m_sending = Sending::NoBus;
   std::vector<simulator::DueFrame> m_due;
   std::vector<TwinFaults> m_wished;  // of each device
   TwinStatus m_published;

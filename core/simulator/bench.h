@@ -40,6 +40,7 @@ class Bench {
   void powerOn(Instant now);
   // Other traffic from then on, so much of the bus: 0 to Background::kMost.
   void fill(Instant from, double share, int bitRate = 250'000) { m_background.set(from, share, bitRate); }
+  bool isFilled() const { return m_background.nextTime() != kNever; }
 
   void received(Instant now, const Frame& frame);
   void timeCame(Instant now);

@@ -16,7 +16,7 @@ const Pin kJoystick = *Pin::parse("1035AE100804442");
 struct Twin : ::testing::Test {
   QString twinOn(const QString& interfaceName) const {
     return programOfBuild(QStringLiteral("deckpipectl")) +
-           QStringLiteral(" simulate --plugin socketcan --interface ") + interfaceName;
+           QStringLiteral(" simulate --moves-monitors --plugin socketcan --interface ") + interfaceName;
   }
   static std::uint64_t driverLost(const QString& name) {
     return counterOf(name, QStringLiteral("rx_over_errors")) + counterOf(name, QStringLiteral("rx_dropped"));
@@ -68,6 +68,35 @@ TEST_F(Twin, DevicesAppearPositionsMoveAndOurLogIsCandumps) {
     return console.session.snapshot().source.notKept == driverLost(QStringLiteral("can0"));
   })) << console.session.snapshot().source.notKept
       << " counted, " << driverLost(QStringLiteral("can0")) << " lost by the driver";
+}
+
+// The emulated cards are a real bus to it, the vcan is none, and their names do not matter.
+TEST_F(Twin, Rule20OnlyAVcanNeedsNoWordForMovingMonitors) {
+  const auto statusOf = [](const QString& arguments) {
+    return shell(QStringLiteral("timeout -s HUP 20 %1 simulate --plugin socketcan --interface %2")
+                     .arg(programOfBuild(QStringLiteral("deckpipectl")), arguments));
+  };
+  RecordingListener heard;
+  CanLink link({QStringLiteral("socketcan"), QStringLiteral("can0"), 250'000, Channel{0}});
+  link.open(heard);
+  ASSERT_EQ(heard.state(), LinkState::Up) << heard.reason();
+  EXPECT_EQ(statusOf(QStringLiteral("can1")), 2);
+  QTest::qWait(0);
+  EXPECT_TRUE(heard.frames.empty());
+  constexpr int kTimedOut = 124;  // it ran until timeout's signal
+  EXPECT_EQ(statusOf(QStringLiteral("vcan0 --bitrate 0")), kTimedOut);
+  ASSERT_TRUE(ip(QStringLiteral("set can1 down")) && ip(QStringLiteral("set can1 name vcan9 up")));
+  EXPECT_EQ(statusOf(QStringLiteral("vcan9")), 2) << "an adapter under the name of a vcan";
+  ASSERT_TRUE(ip(QStringLiteral("set vcan9 down")) && ip(QStringLiteral("set vcan9 name can1 up")));
+}
+
+TEST_F(Twin, Rule20StaysOffABusOnWhichAnotherTwinIsHeard) {
+  Console console(QStringLiteral("can0"));
+  ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Running));
+  const Program first(twinOn(QStringLiteral("can1")));
+  ASSERT_TRUE(console.waitUntil(
+      [&] { return console.session.snapshot().view.state->devices().byPin(kMonitor) != nullptr; }));
+  EXPECT_EQ(shell(twinOn(QStringLiteral("can1"))), 1);
 }
 
 // On the sender's own interface: the frames of another program are not ours, though they never were on a wire

@@ -231,6 +231,19 @@ TEST(OwnAddress, BelowThemIsWarnedOfAndTaken) {
   EXPECT_FALSE(tool.err.contains("warning")) << tool.err.constData();
 }
 
+TEST(Rule20Simulate, OnWhatMayBeARealBusDoesNothingWithoutTheWord) {
+  for (const char* where :
+       {"--plugin socketcan --interface can0", "--plugin socketcan --interface vcan-by-name",
+        "--plugin socketcan --interface lo", "--plugin peakcan --interface usb0"}) {
+    const Outcome r = run(words("simulate") + words(where));
+    EXPECT_EQ(r.status, 2) << where;
+    EXPECT_TRUE(r.err.contains("--moves-monitors is the word for it")) << r.err.constData();
+  }
+  const Outcome r = run(words("simulate --plugin socketcan --interface nosuch0 --moves-monitors"));
+  EXPECT_EQ(r.status, 1) << "with it, the interface is opened";
+  EXPECT_TRUE(r.err.contains("nosuch0: ")) << r.err.constData();
+}
+
 TEST(Output, EndsQuietlyWhenItsReaderGoesAway) {
   QProcess shell;
   shell.start(

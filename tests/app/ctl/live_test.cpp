@@ -73,6 +73,17 @@ class Live : public testing::Test {
   std::unique_ptr<CanLink> m_witnessLink;
 };
 
+TEST_F(Live, Rule20SimulateNeedsNoWordOnAVirtualBusAndEndsBySignals) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    QProcess process;
+    start(process, "simulate --seed 7");
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return process.readAllStandardError().contains("the bench twin is on"); }, kPatience));
+    ::kill(static_cast<pid_t>(process.processId()), signal);
+    EXPECT_EQ(end(process).status, 0) << signal;
+  }
+}
+
 TEST_F(Live, NodesUnlockedNamesEveryoneAndOurselves) {
   const Outcome r = run("nodes --unlock --seconds 1.5 --identity 77");
   EXPECT_EQ(r.status, 0) << r.err.constData();

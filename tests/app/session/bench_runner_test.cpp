@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <QTimer>
 
 #include "session/twin_faults.h"
+#include "support/frames.h"
+#include "support/recording_listener.h"
 
 namespace deckpipe {
 namespace {
@@ -75,6 +78,62 @@ TEST_F(RunningTwin, IgnoresADeviceItDoesNotHave) {
   const TwinStatus before = m_status;
   m_twin.obey({4, TwinButton::PowerOff});
   EXPECT_EQ(m_status, before);
+}
+
+// A virtual bus that the twin takes for one with real monitors.
+class Rule20Twin : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(m_bus.start());
+    m_other = std::make_unique<CanLink>(link());
+    m_other->open(m_heard);
+    ASSERT_TRUE(waitFor([&] { return m_heard.state() == LinkState::Up; }));
+    QObject::connect(&m_twin, &BenchRunner::busReady, &m_twin, [this] { m_isReady = true; });
+    QObject::connect(&m_twin, &BenchRunner::wordMissing, &m_twin, [this] { m_isWordMissing = true; });
+    QObject::connect(&m_twin, &BenchRunner::strangersHeard, &m_twin,
+                     [this](const std::vector<Stranger>& strangers) { m_strangers = strangers; });
+  }
+  template <typename F>
+  static bool waitFor(F&& f) {
+    return QTest::qWaitFor(std::forward<F>(f), kPatience);
+  }
+  LinkSettings link() const { return {QStringLiteral("virtualcan"), m_bus.interfaceName(0), 250'000, {}}; }
+
+  VirtualBus m_bus;
+  RecordingListener m_heard;
+  std::unique_ptr<CanLink> m_other;
+  BenchRunner m_twin{1, 1, [](const LinkSettings&) { return false; }};
+  bool m_isReady = false, m_isWordMissing = false;
+  std::vector<Stranger> m_strangers;
+};
+
+TEST_F(Rule20Twin, WithoutTheWordSendsNothing) {
+  m_twin.start(link());
+  ASSERT_TRUE(waitFor([&] { return m_isWordMissing; }));
+  EXPECT_FALSE(m_isReady);
+  EXPECT_TRUE(m_heard.frames.empty());
+}
+
+TEST_F(Rule20Twin, WithTheWordSendsOnceItHasListened) {
+  m_twin.start(link(), true);
+  ASSERT_TRUE(waitFor([&] { return m_isReady; }));
+  EXPECT_TRUE(m_heard.frames.empty());
+  EXPECT_TRUE(waitFor([&] { return !m_heard.frames.empty(); }));
+}
+
+TEST_F(Rule20Twin, WithTheWordStaysOffABusWithAJoystick) {
+  m_twin.start(link(), true);
+  ASSERT_TRUE(waitFor([&] { return m_bus.clients(0) == 2; }));
+  QTimer hand;
+  QObject::connect(&hand, &QTimer::timeout, &hand,
+                   [this] { m_other->write(test::frame("0CFDD638", "0100010000000000")); });
+  hand.start(20);
+  ASSERT_TRUE(waitFor([&] { return !m_strangers.empty(); }));
+  EXPECT_EQ(m_strangers, (std::vector{Stranger{.kind = Stranger::Kind::Joystick, .address = Address{0x38}}}));
+  EXPECT_FALSE(m_isReady);
+  EXPECT_TRUE(std::ranges::all_of(m_heard.frames, [](const Frame& f) {
+    return (f.flags & Frame::kSent) != 0;
+  })) << "it sent something";
 }
 
 TEST(TwinFaultsOfTheBench, EachChangesSomethingOfItsOwn) {

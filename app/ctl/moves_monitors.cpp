@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "moves_monitors.h"
+
+#include <QStringList>
+
+#include "arguments.h"
+#include "protocol/device_types.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+QString placeOf(const Stranger& stranger) {
+  if (stranger.node.value != 0) return QStringLiteral("at node %1").arg(stranger.node.value);
+  if (stranger.kind == Stranger::Kind::Akron && stranger.address == kNullAddress)
+    return QStringLiteral("without an address");
+  return QStringLiteral("at address ") + addressText(stranger.address);
+}
+
+QString whoIs(const Stranger& stranger) {
+  switch (stranger.kind) {
+    case Stranger::Kind::Joystick: return QStringLiteral("a joystick");
+    case Stranger::Kind::OwnAddress: return QStringLiteral("somebody else");
+    case Stranger::Kind::Akron: break;
+  }
+  if (stranger.pin.isNull()) return QStringLiteral("an Akron device");
+  const std::string type(deviceTypeName(stranger.pin.deviceType()));
+  return QStringLiteral("%1 (%2)").arg(
+      QString::fromStdString(std::string(stranger.pin.text())),
+      type.empty() ? QStringLiteral("an Akron device") : QString::fromStdString(type));
+}
+
+}  // namespace
+
+QCommandLineOption movesMonitorsOption() {
+  return {QStringLiteral("moves-monitors"),
+          QStringLiteral("The word for an interface with real monitors: any but virtualcan's and a vcan.")};
+}
+
+QString movesMonitorsMissing(const QString& command, const QString& interfaceName) {
+  return QStringLiteral(
+             "%1: real monitors may be on %2, and every one that hears this moves; --moves-monitors is the "
+             "word for "
+             "it. It is not wanted for virtualcan, a vcan or a file")
+      .arg(command, interfaceName);
+}
+
+QString strangersText(const std::vector<Stranger>& strangers) {
+  QStringList heard;
+  for (const Stranger& stranger : strangers) heard += whoIs(stranger) + QLatin1Char(' ') + placeOf(stranger);
+  return heard.join(QStringLiteral("; "));
+}
+
+}  // namespace deckpipe::ctl
