@@ -9,7 +9,7 @@
 #include <climits>
 #include <limits>
 
-#include "log/reading.h"
+#include "log/log_format.h"
 #include "model/device_rows.h"
 #include "status_text.h"
 #include "text/device_text.h"
@@ -94,8 +94,9 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.progress == Progress::Failed) {
     QString text =
         NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason);
-    if (source.reason.startsWith(QLatin1String(readErrorText(ReadError::Kind::NotThisFormat))))
-      text = NoticeText::tr("%1. Deckpipe reads what candump writes or prints.", "after a reason").arg(text);
+    if (source.reason.startsWith(QLatin1String(readErrorText(ReadError::Kind::UnknownFormat))))
+      text = NoticeText::tr("%1. Deckpipe reads: %2.", "after a reason; names of formats")
+                 .arg(text, QString::fromStdString(formatNames(LogUse::Read)));
     return {StatusTone::Fault, text};
   }
   if (source.progress != Progress::Done) return {};

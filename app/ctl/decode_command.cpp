@@ -64,8 +64,7 @@ int decodeCommand(const QStringList& arguments) {
   parser.setApplicationDescription(QStringLiteral(
       "Decodes every frame of a log, one line each, to standard output.\n"
       "What cannot be read is said on standard error with its line; the exit status is then 1."));
-  parser.addPositionalArgument(QStringLiteral("FILE"),
-                               QStringLiteral("Log to read; - is candump text on standard input."));
+  parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
   const QCommandLineOption format(QStringLiteral("format"), QStringLiteral("jsonl (default), csv or text."),
                                   QStringLiteral("FORMAT"), QStringLiteral("jsonl"));
   const QCommandLineOption drive(

@@ -12,8 +12,7 @@ int infoCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Says what is in a log: frames, span, frames by identifier, lines that cannot be read."));
-  parser.addPositionalArgument(QStringLiteral("FILE"),
-                               QStringLiteral("Log to read; - is candump text on standard input."));
+  parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
   const QCommandLineOption devices(QStringLiteral("devices"),
                                    QStringLiteral("Add what is known of every device at the end."));
   const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object instead of text."));

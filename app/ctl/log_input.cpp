@@ -15,19 +15,28 @@
 #include <thread>
 
 #include "command.h"
-#include "log/candump.h"
+#include "log/log_stream.h"
 
 namespace deckpipe::ctl {
 namespace {
 
 int sayError(const std::string& name, const ReadError& error) {
-  const std::string_view what = readErrorText(error.kind);
-  std::fprintf(stderr, "deckpipectl: %s: %.*s%s%s\n", name.c_str(), static_cast<int>(what.size()),
-               what.data(), error.detail.empty() ? "" : ": ", error.detail.c_str());
+  std::string text = name + ": ";
+  if (!error.format.empty()) text += error.format + ": ";
+  text += readErrorText(error.kind);
+  if (!error.detail.empty()) text += ": " + error.detail;
+  if (error.kind == ReadError::Kind::UnknownFormat) text += ": " + formatNames(LogUse::Read);
+  std::fprintf(stderr, "deckpipectl: %s\n", text.c_str());
   return error.kind == ReadError::Kind::CannotOpen ? kBadUsage : kNotWhole;
 }
 
 }  // namespace
+
+QString logArgumentHelp() {
+  return QStringLiteral("Log to read (%1); - is standard input (%2).")
+      .arg(QString::fromStdString(formatNames(LogUse::Read)),
+           QString::fromStdString(formatNames(LogUse::ReadFromPipe)));
+}
 
 int LogInput::read(const std::function<bool()>& more) {
   if (path == "-") return readStream(STDIN_FILENO, more);
@@ -57,7 +66,7 @@ int LogInput::readFile(const std::function<bool()>& more) {
       publish();
       return wanted.load();
     };
-    outcome.emplace(readCandump(path, frames, unkept, options));
+    outcome.emplace(openLog(path, frames, unkept, options));
     ended = true;
     publish();
   });
@@ -73,7 +82,7 @@ int LogInput::readFile(const std::function<bool()>& more) {
 }
 
 int LogInput::readStream(int descriptor, const std::function<bool()>& more) {
-  CandumpStream stream(frames, unkept);
+  LogStream stream(frames, unkept);
   std::array<char, 64 * 1024> buffer;
   int status = kDone;
   for (;;) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A log given on the command line: a file, or candump text on standard input or a pipe. Frames go to the
+// A log given on the command line: a file, or what comes on standard input or a pipe. Frames go to the
 // store; whoever wants them is called as they come, on the calling thread.
 #pragma once
 
+#include <QString>
 #include <functional>
 #include <string>
 
@@ -10,6 +11,9 @@
 #include "log/unkept.h"
 
 namespace deckpipe::ctl {
+
+// What a FILE to read may be, for --help.
+QString logArgumentHelp();
 
 struct LogInput {
   explicit LogInput(std::string filePath) : path(std::move(filePath)) {}

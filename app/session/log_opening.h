@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-#include "log/candump.h"
+#include "log/log_format.h"
 #include "state/log_view.h"
 
 namespace deckpipe {

@@ -252,6 +252,8 @@ void Session::updateSource() {
       if (!*outcome) {
         const std::string_view what = readErrorText(outcome->error().kind);
         source.reason = QString::fromUtf8(what.data(), static_cast<qsizetype>(what.size()));
+        if (!outcome->error().format.empty())
+          source.reason += QStringLiteral(" (%1)").arg(QString::fromStdString(outcome->error().format));
         if (!outcome->error().detail.empty())
           source.reason += QStringLiteral(": ") + QString::fromStdString(outcome->error().detail);
       }

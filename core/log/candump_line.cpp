@@ -135,9 +135,9 @@ bool setIdentifier(Frame& frame, std::uint32_t id, bool wide) {
   return id <= (kErrorBit | kIdMask);
 }
 
-CandumpLine unkept(Unkept reason) {
-  CandumpLine line;
-  line.kind = CandumpLine::Kind::Unkept;
+TextLine unkept(Unkept reason) {
+  TextLine line;
+  line.kind = TextLine::Kind::Unkept;
   line.reason = reason;
   return line;
 }
@@ -165,7 +165,7 @@ void dropRawDlc(std::string_view& text) {
 }
 
 // 18EFFF80#011D940371000041 and what may stand behind it.
-CandumpLine readLogForm(CandumpLine line, Rest rest) {
+TextLine readLogForm(TextLine line, Rest rest) {
   Rest word(rest.word());
   const std::string_view digits = word.upTo('#');
   std::string_view data = word.all();
@@ -232,7 +232,7 @@ bool readScreenBytes(std::string_view word, Frame& frame, std::size_t& n) {
 }
 
 // 18EFFF80   [8]  01 1D 94 03 71 00 00 41 and what may stand behind it; also <0x18efff80>.
-CandumpLine readScreenForm(CandumpLine line, Rest rest) {
+TextLine readScreenForm(TextLine line, Rest rest) {
   std::string_view digits = rest.word();
   if (digits.size() > 4 && digits.substr(0, 3) == "<0x" && digits.back() == '>') {
     digits = digits.substr(3, digits.size() - 4);
@@ -301,8 +301,8 @@ std::string withoutColours(std::string_view line) {
   return plain;
 }
 
-CandumpLine readPlainLine(std::string_view text) {
-  CandumpLine line;
+TextLine readPlainLine(std::string_view text) {
+  TextLine line;
   Rest rest(text);
   rest.skipSpaces();
   if (rest.empty() || rest.starts('#') || isErrorDetail(text)) return line;
@@ -312,7 +312,7 @@ CandumpLine readPlainLine(std::string_view text) {
     if (const auto reason = readStamp(rest.upTo(')'), line.frame.stamp)) return unkept(*reason);
     rest.skipSpaces();
   }
-  line.kind = CandumpLine::Kind::Frame;
+  line.kind = TextLine::Kind::Frame;
   if (rest.peek().substr(0, 3) == "<0x") return readScreenForm(line, rest);
 
   line.interface = rest.word();
@@ -320,7 +320,7 @@ CandumpLine readPlainLine(std::string_view text) {
   const bool header = line.interface == "interface" && beyond.word() == "=";
   if (header) {
     line.interface = beyond.peek().substr(0, beyond.peek().find(','));
-    line.kind = CandumpLine::Kind::Header;
+    line.kind = TextLine::Kind::Header;
   }
   const bool printable =
       std::all_of(line.interface.begin(), line.interface.end(), [](char c) { return c > ' ' && c <= '~'; });
@@ -342,14 +342,14 @@ CandumpLine readPlainLine(std::string_view text) {
 
 }  // namespace
 
-CandumpLine readCandumpLine(std::string_view text, std::string& scratch) {
+TextLine readCandumpLine(std::string_view text, std::string& scratch) {
   while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
   if (text.find('\x1B') != std::string_view::npos) {
     scratch = withoutColours(text);
     text = scratch;
   }
-  CandumpLine line = readPlainLine(text);
-  if (line.kind == CandumpLine::Kind::Unkept && isUnreadable(line.reason) &&
+  TextLine line = readPlainLine(text);
+  if (line.kind == TextLine::Kind::Unkept && isUnreadable(line.reason) &&
       std::any_of(text.begin(), text.end(), isControl)) {
     line.reason = Unkept::Binary;
   }

@@ -15,33 +15,14 @@
 // This is the whole definition; CandumpParser has a faster way for the first form and must agree with it.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "bus/frame.h"
-#include "log/unkept.h"
+#include "log/text_parser.h"
 
 namespace deckpipe {
 
-// A longer line is not a line of any log: the longest, CAN XL with separators, has some 6,200.
-inline constexpr std::size_t kMaxCandumpLine = 8192;
-
-struct CandumpLine {
-  enum class Kind : std::uint8_t {
-    Nothing,  // blank, a comment, words about the frame before
-    Frame,    // frame (its channel is 0) and interface, empty where the line names none
-    Header,   // interface: that of the lines after it which name none
-    Unkept,   // reason
-  };
-  Kind kind = Kind::Nothing;
-  Unkept reason = Unkept::Layout;
-  Frame frame;
-  std::string_view interface;
-};
-
 // `line` without its line feed. `scratch` may come to hold what `interface` views.
-CandumpLine readCandumpLine(std::string_view line, std::string& scratch);
+TextLine readCandumpLine(std::string_view line, std::string& scratch);
 
 }  // namespace deckpipe

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstring>
 
+#include "log/candump_line.h"
+
 namespace deckpipe {
 namespace {
 
@@ -13,8 +15,6 @@ static_assert(std::endian::native == std::endian::little, "words are loaded as t
 constexpr std::uint64_t kOnes = 0x0101'0101'0101'0101;
 // The fast path looks no further than this beyond a line's start.
 constexpr std::size_t kFastReach = 80;
-// A log has a few interfaces; a parser that has seen more than this forgets them between blocks.
-constexpr std::size_t kManyNames = 200;
 
 std::uint64_t load(const char* p) {
   std::uint64_t word = 0;
@@ -154,80 +154,25 @@ const char* CandumpParser::fastFrame(const char* p, Frame& frame) {
   return p + 1;
 }
 
-void CandumpParser::parse(const char* begin, const char* end, const char* readable, CandumpBlock& block) {
-  block.count = 0;
-  block.lines = 0;
-  block.unkept.clear();
-  block.channels.clear();
-  block.header.clear();
-  m_unnamedUsed = false;
-  if (m_channels.size() > kManyNames) {
-    m_channels.clear();
-    m_shortNames = {};
+const char* CandumpParser::readUsual(const char* p, const char* end, const char* readable, Frame*& to,
+                                     const Frame* full) {
+  if (!m_fastPath) return p;
+  Frame* frame = to;
+  while (p < end && frame < full && static_cast<std::size_t>(readable - p) >= kFastReach) {
+    const char* next = fastFrame(p, *frame);
+    if (!next) break;
+    p = next;
+    ++frame;
   }
-
-  const char* p = begin;
-  while (p < end) {
-    if (block.count == block.frames.size()) block.frames.resize(std::max<std::size_t>(block.count * 2, 512));
-    Frame* to = block.frames.data() + block.count;
-    const Frame* const full = block.frames.data() + block.frames.size();
-    const Frame* const first = to;
-    if (m_fastPath) {
-      while (p < end && to < full && static_cast<std::size_t>(readable - p) >= kFastReach) {
-        const char* next = fastFrame(p, *to);
-        if (!next) break;
-        p = next;
-        ++to;
-      }
-    }
-    block.count += static_cast<std::size_t>(to - first);
-    block.lines += static_cast<std::size_t>(to - first);
-    if (p >= end || to == full) continue;
-
-    ++block.lines;
-    const auto known = static_cast<std::size_t>(readable - p);
-    const auto* feed = static_cast<const char*>(std::memchr(p, '\n', std::min(known, kMaxCandumpLine + 1)));
-    if (!feed && known > kMaxCandumpLine) {
-      block.unkept.add(block.lines, Unkept::LineTooLong);
-      feed = static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
-      p = feed ? feed + 1 : end;
-      continue;
-    }
-    const char* lineEnd = feed ? feed : readable;
-    slowLine({p, static_cast<std::size_t>(lineEnd - p)}, block);
-    p = feed ? feed + 1 : readable;
-  }
+  to = frame;
+  return p;
 }
 
-void CandumpParser::slowLine(std::string_view text, CandumpBlock& block) {
-  const CandumpLine line = readCandumpLine(text, m_scratch);
-  switch (line.kind) {
-    case CandumpLine::Kind::Nothing: return;
-    case CandumpLine::Kind::Unkept: block.unkept.add(block.lines, line.reason); return;
-    case CandumpLine::Kind::Header: block.header = line.interface; return;
-    case CandumpLine::Kind::Frame: break;
-  }
-  LocalChannel number = kUnnamedChannel;
-  if (!line.interface.empty()) {
-    number = channel(line.interface, block);
-    learnSecond(text, line.frame);
-    learnName(line.interface, number);
-  } else if (!block.header.empty()) {
-    number = channel(block.header, block);
-  } else if (!m_unnamedUsed) {
-    m_unnamedUsed = true;
-    block.channels.emplace_back(kUnnamedChannel, std::string());
-  }
-  Frame& frame = block.frames[block.count++];
-  frame = line.frame;
-  frame.channel = static_cast<std::uint8_t>(number);
-  frame.spare = static_cast<std::uint8_t>(number >> 8);
-}
+TextLine CandumpParser::readLine(std::string_view line) { return readCandumpLine(line, m_scratch); }
 
-LocalChannel CandumpParser::channel(std::string_view name, CandumpBlock& block) {
-  const auto [place, isNew] = m_channels.try_emplace(std::string(name), LocalChannel(m_channels.size()));
-  if (isNew) block.channels.emplace_back(place->second, place->first);
-  return place->second;
+void CandumpParser::learn(std::string_view line, const TextLine& read, LocalChannel channel) {
+  learnSecond(line, read.frame);
+  learnName(read.interface, channel);
 }
 
 void CandumpParser::learnSecond(std::string_view line, const Frame& frame) {

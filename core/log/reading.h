@@ -11,6 +11,11 @@
 
 namespace deckpipe {
 
+// So much of a log's beginning, or all of it, tells its format.
+inline constexpr std::size_t kSniffBytes = 72 * 1024;
+// Open: what was seen so far does not tell yet.
+enum class Sniff : std::uint8_t { No, Open, Yes };
+
 struct ReadProgress {
   std::uint64_t bytesDone = 0;
   std::uint64_t bytesTotal = 0;
@@ -39,11 +44,13 @@ struct ReadError {
   enum class Kind : std::uint8_t {
     CannotOpen,     // detail: the system's words
     CannotRead,     // detail: the system's words; what was read before is in the store
-    NotThisFormat,  // detail: what it is not, e.g. "not a candump log"
+    UnknownFormat,  // its content is that of no log in the table of formats
+    NoPipe,         // a log of this format can be read from a file only
     StoreFull,      // neither memory nor disk for more; what was read before is in the store
   };
   Kind kind = Kind::CannotOpen;
-  std::string detail;
+  std::string detail{};
+  std::string format{};  // name of the format that the content seems to be; empty if it seems none
 
   friend bool operator==(const ReadError&, const ReadError&) = default;
 };
@@ -53,7 +60,8 @@ constexpr std::string_view readErrorText(ReadError::Kind kind) {
   switch (kind) {
     case ReadError::Kind::CannotOpen: return "cannot be opened";
     case ReadError::Kind::CannotRead: return "cannot be read further";
-    case ReadError::Kind::NotThisFormat: return "not a log of this format";
+    case ReadError::Kind::UnknownFormat: return "not a log of a known format";
+    case ReadError::Kind::NoPipe: return "a log of this format is read from a file only, not from a pipe";
     case ReadError::Kind::StoreFull: return "no room for more frames, neither in memory nor on disk";
   }
   return {};

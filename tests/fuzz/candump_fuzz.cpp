@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "log/candump.h"
+#include "log/log_stream.h"
 
 namespace {
 
@@ -52,17 +53,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data) + 2, size - 2);
 
   Reading whole;
-  whole.result = readCandumpText(text, whole.store, whole.unkept);
+  whole.result = readLog(BytesInMemory(text), whole.store, whole.unkept);
 
   Reading blocks;
   ReadOptions options;
   options.threads = 1 + data[0] % 2;
   options.blockBytes = block;
-  blocks.result = readCandumpText(text, blocks.store, blocks.unkept, options);
+  blocks.result = readLog(BytesInMemory(text), blocks.store, blocks.unkept, options);
   demandEqual(whole, blocks);
 
   Reading pieces;
-  CandumpStream stream(pieces.store, pieces.unkept);
+  LogStream stream(pieces.store, pieces.unkept);
   for (std::size_t at = 0; at < text.size() && stream.feed(text.substr(at, piece)); at += piece) {
   }
   pieces.result = stream.finish();
@@ -75,7 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     writeCandump(frame, whole.store.channelName(frame.channel), written);
   }
   Reading back;
-  back.result = readCandumpText(written, back.store, back.unkept);
+  back.result = readLog(BytesInMemory(written), back.store, back.unkept);
   demand(back.store.count() == whole.store.count());
   for (std::uint64_t i = 0; i < back.store.count(); ++i) demand(back.store[i] == whole.store[i]);
   return 0;

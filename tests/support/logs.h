@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "log/candump.h"
+#include "log/log_format.h"
 #include "state/advance.h"
 #include "state/log_view.h"
 
@@ -29,7 +29,7 @@ inline std::shared_ptr<LogDocument> logOf(const std::vector<Frame>& frames) {
 
 inline std::shared_ptr<LogDocument> logOfText(std::string_view candump) {
   auto log = std::make_shared<LogDocument>();
-  if (!readCandumpText(candump, log->frames, log->unkept)) std::abort();
+  if (!readLog(BytesInMemory(candump), log->frames, log->unkept)) std::abort();
   buildIndexes(*log);
   return log;
 }

@@ -48,8 +48,8 @@ class CandumpLineReads : public testing::TestWithParam<Readable> {};
 
 TEST_P(CandumpLineReads, AsOneFrame) {
   std::string scratch;
-  const CandumpLine line = readCandumpLine(GetParam().line, scratch);
-  ASSERT_EQ(line.kind, CandumpLine::Kind::Frame) << unkeptText(line.reason);
+  const TextLine line = readCandumpLine(GetParam().line, scratch);
+  ASSERT_EQ(line.kind, TextLine::Kind::Frame) << unkeptText(line.reason);
   const Frame& expected = GetParam().frame;
   EXPECT_EQ(line.frame.stamp, expected.stamp);
   EXPECT_EQ(line.frame.id, expected.id);
@@ -137,8 +137,8 @@ class CandumpLineRejects : public testing::TestWithParam<Rejected> {};
 
 TEST_P(CandumpLineRejects, WithTheReason) {
   std::string scratch;
-  const CandumpLine line = readCandumpLine(GetParam().line, scratch);
-  ASSERT_EQ(line.kind, CandumpLine::Kind::Unkept);
+  const TextLine line = readCandumpLine(GetParam().line, scratch);
+  ASSERT_EQ(line.kind, TextLine::Kind::Unkept);
   EXPECT_EQ(unkeptText(line.reason), unkeptText(GetParam().reason));
 }
 
@@ -212,14 +212,14 @@ TEST(CandumpLine, SkipsWhatIsNoFrameAndNoError) {
   for (const char* text : {"", "   ", "\r", "# a comment", "  # 123#11",
                            "\tcontroller-problem{tx-error-passive}", "\terror-counter-tx-rx{{128}{0}}"}) {
     std::string scratch;
-    EXPECT_EQ(readCandumpLine(text, scratch).kind, CandumpLine::Kind::Nothing) << text;
+    EXPECT_EQ(readCandumpLine(text, scratch).kind, TextLine::Kind::Nothing) << text;
   }
 }
 
 TEST(CandumpLine, TakesTheInterfaceFromAHeader) {
   std::string scratch;
-  const CandumpLine line = readCandumpLine("interface = can3, family = 29, type = 3, proto = 1", scratch);
-  EXPECT_EQ(line.kind, CandumpLine::Kind::Header);
+  const TextLine line = readCandumpLine("interface = can3, family = 29, type = 3, proto = 1", scratch);
+  EXPECT_EQ(line.kind, TextLine::Kind::Header);
   EXPECT_EQ(line.interface, "can3");
 }
 
@@ -234,7 +234,7 @@ struct Outcome {
 };
 
 Outcome parse(CandumpParser& parser, const std::string& text) {
-  CandumpBlock block;
+  TextBlock block;
   parser.parse(text.data(), text.data() + text.size(), text.data() + text.size(), block);
   return {{block.frames.begin(), block.frames.begin() + static_cast<std::ptrdiff_t>(block.count)},
           block.unkept.places(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The in-order half of reading candump logs: what parsers made of one block after the other goes into the
+// The in-order half of reading text logs: what parsers made of one block after the other goes into the
 // store, with line numbers and channels as they are in the whole text. One a reading, one thread at a time.
 #pragma once
 
@@ -9,15 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "log/candump.h"
-#include "log/candump_parser.h"
 #include "log/frame_store.h"
 #include "log/reading.h"
+#include "log/text_parser.h"
 #include "log/unkept.h"
 
 namespace deckpipe {
-
-inline constexpr std::string_view kNotCandump = "not a candump log";
 
 // The store's index for each of one parser's channels.
 class ChannelMap {
@@ -39,14 +36,14 @@ class ChannelMap {
   std::uint8_t m_unnamed = 0;
 };
 
-class CandumpAppender {
+class TextAppender {
  public:
-  CandumpAppender(FrameStore& store, UnkeptList& unkept) : m_store(store), m_unkept(&unkept) {}
+  TextAppender(FrameStore& store, UnkeptList& unkept) : m_store(store), m_unkept(&unkept) {}
   // Reports go there from now on.
   void reportTo(UnkeptList& unkept) { m_unkept = &unkept; }
 
   // False where the store had no room.
-  bool append(CandumpBlock& block, ChannelMap& channels) {
+  bool append(TextBlock& block, ChannelMap& channels) {
     for (const auto& [local, name] : block.channels) {
       channels.set(local, m_store.channel(local == kUnnamedChannel ? m_unnamedIs : name));
     }

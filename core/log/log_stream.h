@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A log from a pipe, of whatever format: the first bytes decide which, as with openLog().
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "log/log_format.h"
+
+namespace deckpipe {
+
+class LogStream {
+ public:
+  LogStream(FrameStore& store, UnkeptList& unkept, std::span<const LogFormat> formats = logFormats())
+      : m_store(store), m_unkept(unkept), m_formats(formats) {}
+
+  // False once it is clear that nothing more will be taken; finish() then says why. What is whole by then is
+  // in the store when feed() returns.
+  bool feed(std::string_view bytes);
+  // The end of the log: what is left is read now. Once.
+  Result<ReadSummary, ReadError> finish();
+
+ private:
+  void decide(bool isWhole);
+
+  FrameStore& m_store;
+  UnkeptList& m_unkept;
+  std::span<const LogFormat> m_formats;
+  Sniff m_sniff = Sniff::Open;
+  std::string m_head;         // while it is open
+  std::size_t m_sniffAt = 1;  // bytes of head
+  const LogFormat* m_format = nullptr;
+  std::unique_ptr<StreamReader> m_reader;
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "log/text_parser.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace deckpipe {
+namespace {
+
+// A log has a few interfaces; a parser that has seen more than this forgets them between blocks.
+constexpr std::size_t kManyNames = 200;
+
+}  // namespace
+
+const char* TextParser::readUsual(const char* p, const char*, const char*, Frame*&, const Frame*) {
+  return p;
+}
+
+void TextParser::learn(std::string_view, const TextLine&, LocalChannel) {}
+
+void TextParser::parse(const char* begin, const char* end, const char* readable, TextBlock& block) {
+  block.count = 0;
+  block.lines = 0;
+  block.unkept.clear();
+  block.channels.clear();
+  block.header.clear();
+  m_unnamedUsed = false;
+  if (m_channels.size() > kManyNames) {
+    m_channels.clear();
+    forget();
+  }
+
+  const char* p = begin;
+  while (p < end) {
+    if (block.count == block.frames.size()) block.frames.resize(std::max<std::size_t>(block.count * 2, 512));
+    Frame* const first = block.frames.data() + block.count;
+    const Frame* const full = block.frames.data() + block.frames.size();
+    Frame* to = first;
+    p = readUsual(p, end, readable, to, full);
+    block.count += static_cast<std::size_t>(to - first);
+    block.lines += static_cast<std::size_t>(to - first);
+    if (p >= end || to == full) continue;
+
+    ++block.lines;
+    const auto known = static_cast<std::size_t>(readable - p);
+    const auto* feed = static_cast<const char*>(std::memchr(p, '\n', std::min(known, kMaxTextLine + 1)));
+    if (!feed && known > kMaxTextLine) {
+      block.unkept.add(block.lines, Unkept::LineTooLong);
+      feed = static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
+      p = feed ? feed + 1 : end;
+      continue;
+    }
+    const char* lineEnd = feed ? feed : readable;
+    readOther({p, static_cast<std::size_t>(lineEnd - p)}, block);
+    p = feed ? feed + 1 : readable;
+  }
+}
+
+void TextParser::readOther(std::string_view text, TextBlock& block) {
+  const TextLine line = readLine(text);
+  switch (line.kind) {
+    case TextLine::Kind::Nothing: return;
+    case TextLine::Kind::Unkept: block.unkept.add(block.lines, line.reason); return;
+    case TextLine::Kind::Header: block.header = line.interface; return;
+    case TextLine::Kind::Frame: break;
+  }
+  LocalChannel number = kUnnamedChannel;
+  if (!line.interface.empty()) {
+    number = channel(line.interface, block);
+    learn(text, line, number);
+  } else if (!block.header.empty()) {
+    number = channel(block.header, block);
+  } else if (!m_unnamedUsed) {
+    m_unnamedUsed = true;
+    block.channels.emplace_back(kUnnamedChannel, std::string());
+  }
+  Frame& frame = block.frames[block.count++];
+  frame = line.frame;
+  frame.channel = static_cast<std::uint8_t>(number);
+  frame.spare = static_cast<std::uint8_t>(number >> 8);
+}
+
+LocalChannel TextParser::channel(std::string_view name, TextBlock& block) {
+  const auto [place, isNew] = m_channels.try_emplace(std::string(name), LocalChannel(m_channels.size()));
+  if (isNew) block.channels.emplace_back(place->second, place->first);
+  return place->second;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of formats, and that a text format is one parser and one entry in it: a made-up one is read and
+// written here through the same door as all others.
+#include "log/log_format.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+#include "log/candump.h"
+#include "log/log_stream.h"
+
+namespace deckpipe {
+namespace {
+
+// --- The made-up format: "@12 1A2 0011" is a frame at 12 ns, ";" begins a comment.
+
+class TinyParser final : public TextParser {
+  TextLine readLine(std::string_view line) override {
+    TextLine read;
+    if (line.empty() || line.front() == ';') return read;
+    read.kind = TextLine::Kind::Unkept;
+    if (line.front() != '@') return read;
+    const char* p = line.data() + 1;
+    const char* const end = line.data() + line.size();
+    p = std::from_chars(p, end, read.frame.stamp).ptr;
+    if (p == end) return read;
+    p = std::from_chars(p + 1, end, read.frame.id, 16).ptr;
+    for (++p; p + 1 < end && read.frame.length < 8; p += 2)
+      std::from_chars(p, p + 2, read.frame.data[read.frame.length++], 16);
+    read.kind = TextLine::Kind::Frame;
+    return read;
+  }
+};
+
+void writeTiny(const Frame& frame, std::string_view, std::string& out) {
+  char line[64];
+  char* p = std::copy_n("@", 1, line);
+  p = std::to_chars(p, std::end(line), frame.stamp).ptr;
+  *p++ = ' ';
+  p = std::to_chars(p, std::end(line), frame.id, 16).ptr;
+  *p++ = ' ';
+  for (const std::uint8_t byte : frame.bytes()) {
+    if (byte < 16) *p++ = '0';
+    p = std::to_chars(p, std::end(line), byte, 16).ptr;
+  }
+  out.append(line, p).append("\n");
+}
+
+constexpr LogFormat kTiny = textFormat<TinyParser>("tiny", "*.tiny *.t", writeTiny);
+constexpr LogFormat kFormats[] = {kCandumpFormat, kTiny};
+
+std::string tinyLog(int lines) {
+  std::string text = "; a comment\n";
+  for (int i = 0; i < lines; ++i)
+    text += "@" + std::to_string(100 + i) + " 1A2 0A" + (i % 2 ? "FF" : "") + "\n";
+  return text;
+}
+
+struct Reading {
+  FrameStore store;
+  UnkeptList unkept;
+  Result<ReadSummary, ReadError> result = ReadSummary{};
+
+  std::string written(const LogFormat& format) const {
+    std::string text;
+    for (std::uint64_t i = 0; i < store.count(); ++i)
+      format.write(store[i], store.channelName(store[i].channel), text);
+    return text;
+  }
+};
+
+TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
+  const std::string text = tinyLog(5'000);
+  Reading whole;
+  whole.result = readLog(BytesInMemory(text), whole.store, whole.unkept, {}, kFormats);
+  ASSERT_TRUE(whole.result);
+  ASSERT_EQ(whole.store.count(), 5'000u);
+  EXPECT_EQ(whole.store[1].stamp, 101);
+  EXPECT_EQ(whole.store[1].id, 0x1A2u);
+  EXPECT_EQ(whole.store[1].length, 2);
+
+  ReadOptions options;
+  options.threads = 2;
+  options.blockBytes = 100;
+  Reading blocks;
+  blocks.result = readLog(BytesInMemory(text), blocks.store, blocks.unkept, options, kFormats);
+  ASSERT_TRUE(blocks.result);
+  EXPECT_EQ(blocks.result.value(), whole.result.value());
+  EXPECT_EQ(blocks.written(kTiny), whole.written(kTiny));
+
+  const std::string path = testing::TempDir() + "/format-" + std::to_string(::getpid()) + ".any";
+  std::ofstream(path) << text;
+  Reading file;
+  file.result = openLog(path, file.store, file.unkept, {}, kFormats);
+  std::filesystem::remove(path);
+  ASSERT_TRUE(file.result);
+  EXPECT_EQ(file.written(kTiny), whole.written(kTiny));
+
+  for (const std::size_t piece : {1u, 1'000u, 1'000'000u}) {
+    Reading pipe;
+    LogStream stream(pipe.store, pipe.unkept, kFormats);
+    for (std::size_t at = 0; at < text.size(); at += piece)
+      EXPECT_TRUE(stream.feed(std::string_view(text).substr(at, piece)));
+    pipe.result = stream.finish();
+    ASSERT_TRUE(pipe.result) << piece;
+    EXPECT_EQ(pipe.result.value(), whole.result.value());
+    EXPECT_EQ(pipe.written(kTiny), whole.written(kTiny));
+  }
+}
+
+TEST(LogFormats, ContentDecidesNotTheOrderOrTheName) {
+  const std::string candump = "rubbish\n(1.0) can0 123#11\n", tiny = "rubbish\n" + tinyLog(1);
+  constexpr LogFormat kReversed[] = {kTiny, kCandumpFormat};
+  for (const std::span<const LogFormat> formats :
+       {std::span<const LogFormat>(kFormats), std::span<const LogFormat>(kReversed)}) {
+    for (const std::string& text : {candump, tiny}) {
+      Reading reading;
+      ASSERT_TRUE(readLog(BytesInMemory(text), reading.store, reading.unkept, {}, formats));
+      EXPECT_EQ(reading.store.count(), 1u);
+      EXPECT_EQ(reading.unkept.content().unreadable(), 1u);
+      Reading pipe;
+      LogStream stream(pipe.store, pipe.unkept, formats);
+      for (const char c : text) stream.feed({&c, 1});
+      ASSERT_TRUE(stream.finish());
+      EXPECT_EQ(pipe.store.count(), 1u);
+    }
+  }
+}
+
+TEST(LogFormats, WhatNoneKnowsIsOneErrorThatNamesNone) {
+  Reading reading;
+  reading.result = readLog(BytesInMemory("rubbish\n"), reading.store, reading.unkept, {}, kFormats);
+  ASSERT_FALSE(reading.result);
+  EXPECT_EQ(reading.result.error(), ReadError{ReadError::Kind::UnknownFormat});
+}
+
+TEST(LogFormats, AnErrorNamesTheFormatThatTheContentSeemedToBe) {
+  LogFormat broken = kTiny;
+  broken.read = [](const LogBytes&, FrameStore&, UnkeptList&,
+                   const ReadOptions&) -> Result<ReadSummary, ReadError> {
+    return Failure{ReadError{ReadError::Kind::CannotRead, "no luck"}};
+  };
+  Reading reading;
+  reading.result = readLog(BytesInMemory(tinyLog(3)), reading.store, reading.unkept, {}, {&broken, 1});
+  ASSERT_FALSE(reading.result);
+  EXPECT_EQ(reading.result.error(), (ReadError{ReadError::Kind::CannotRead, "no luck", "tiny"}));
+}
+
+TEST(LogFormats, OneThatCannotBeReadFromAPipeSaysSo) {
+  LogFormat fileOnly = kTiny;
+  fileOnly.stream = nullptr;
+  const LogFormat formats[] = {kCandumpFormat, fileOnly};
+  Reading reading;
+  LogStream stream(reading.store, reading.unkept, formats);
+  bool wantsMore = true;
+  for (int i = 0; i < 1'000 && wantsMore; ++i) wantsMore = stream.feed(tinyLog(100));
+  EXPECT_FALSE(wantsMore) << "and does not wait for the end";
+  reading.result = stream.finish();
+  ASSERT_FALSE(reading.result);
+  EXPECT_EQ(reading.result.error(), (ReadError{ReadError::Kind::NoPipe, {}, "tiny"}));
+  EXPECT_EQ(formatNames(LogUse::ReadFromPipe, formats), "candump");
+}
+
+TEST(LogFormats, AreNamedAndChosenForWritingByTheTable) {
+  EXPECT_EQ(formatNames(LogUse::Read, kFormats), "candump, tiny");
+  EXPECT_EQ(formatToWrite("truck.tiny", kFormats).name, "tiny");
+  EXPECT_EQ(formatToWrite("truck.t", kFormats).name, "tiny");
+  EXPECT_EQ(formatToWrite("truck.log", kFormats).name, "candump");
+  EXPECT_EQ(formatToWrite("no suffix", kFormats).name, "candump") << "the first";
+  LogFormat readOnly = kCandumpFormat;
+  readOnly.write = nullptr;
+  const LogFormat formats[] = {readOnly, kTiny};
+  EXPECT_EQ(formatToWrite("truck.log", formats).name, "tiny");
+  EXPECT_EQ(formatNames(LogUse::Write, formats), "tiny");
+}
+
+TEST(LogFormats, OfTheTableAreWhole) {
+  for (const LogFormat& format : logFormats()) {
+    SCOPED_TRACE(format.name);
+    EXPECT_FALSE(format.name.empty());
+    EXPECT_TRUE(format.patterns.starts_with("*."));
+    EXPECT_TRUE(format.sniff != nullptr && format.read != nullptr);
+    if (format.write != nullptr) {
+      std::string text;
+      format.write({}, "can0", text);
+      EXPECT_EQ(format.sniff(text, true), Sniff::Yes) << "it knows what it wrote";
+    }
+  }
+  EXPECT_NE(formatToWrite("x.log").write, nullptr);
+}
+
+}  // namespace
+}  // namespace deckpipe
