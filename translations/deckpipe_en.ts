@@ -122,10 +122,10 @@ Other devices in the list: %n.</numerusform>
 <context>
     <name>deckpipe::SaveBar</name>
     <message numerus="yes">
-        <source>Saved %1 to %2; %Ln marks are not in it, for candump text has no place for them</source>
+        <source>Saved %1 to %2; %Ln marks are not in it, for %3 has no place for them</source>
         <translation>
-            <numerusform>Saved %1 to %2; %Ln mark is not in it, for candump text has no place for it</numerusform>
-            <numerusform>Saved %1 to %2; %Ln marks are not in it, for candump text has no place for them</numerusform>
+            <numerusform>Saved %1 to %2; %Ln mark is not in it, for %3 has no place for it</numerusform>
+            <numerusform>Saved %1 to %2; %Ln marks are not in it, for %3 has no place for them</numerusform>
         </translation>
     </message>
 </context>

@@ -18,6 +18,7 @@
 
 #include "appearance.h"
 #include "connection.h"
+#include "log_filters.h"
 #include "mark_bar.h"
 #include "model/frame_test.h"
 #include "notice_of.h"
@@ -194,34 +195,37 @@ void MainWindow::openLog(const QString& path) {
 }
 
 // Dialogs for files are asynchronous: the bus goes on behind them.
-QFileDialog* MainWindow::fileDialog(const QString& title) {
+QFileDialog* MainWindow::fileDialog(const QString& title, const QStringList& filters) {
   auto* dialog = new QFileDialog(this, title);
   dialog->setObjectName(QStringLiteral("fileDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setNameFilters({tr("candump logs (*.log *.txt *.candump)"), tr("All files (*)")});
+  dialog->setNameFilters(filters);
   if (const QStringList recent = recentLogs(); !recent.isEmpty())
     dialog->setDirectory(QFileInfo(recent.first()).absolutePath());
   return dialog;
 }
 
 void MainWindow::openLogByHand() {
-  QFileDialog* dialog = fileDialog(tr("Open a log"));
+  QFileDialog* dialog = fileDialog(tr("Open a log"), filtersForOpening());
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openLog);
   dialog->open();
 }
 
 QFileDialog* MainWindow::saveDialog(const QString& title) {
-  QFileDialog* dialog = fileDialog(title);
+  const QStringList filters = filtersForSaving();
+  QFileDialog* dialog = fileDialog(title, filters);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("log"));
-  dialog->selectFile(
-      QDateTime::currentDateTime().toString(QStringLiteral("'deckpipe' yyyy-MM-dd HHmm'.log'")));
+  const auto takeSuffix = [dialog](const QString& filter) { dialog->setDefaultSuffix(suffixOf(filter)); };
+  connect(dialog, &QFileDialog::filterSelected, dialog, takeSuffix);
+  takeSuffix(filters.first());
+  dialog->selectFile(QDateTime::currentDateTime().toString(QStringLiteral("'deckpipe' yyyy-MM-dd HHmm")) +
+                     QLatin1Char('.') + dialog->defaultSuffix());
   return dialog;
 }
 
 void MainWindow::saveLogByHand() {
-  QFileDialog* dialog = saveDialog(tr("Save the log as candump text"));
+  QFileDialog* dialog = saveDialog(tr("Save the log"));
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::saveLog);
   dialog->open();
 }
@@ -230,7 +234,7 @@ void MainWindow::saveLogByHand() {
 void MainWindow::savePartByHand(std::uint64_t begin, std::uint64_t end, const TraceFilter& filter) {
   const auto document = m_snapshot.view.document;
   if (document == nullptr) return;
-  QFileDialog* dialog = saveDialog(tr("Save these frames as candump text"));
+  QFileDialog* dialog = saveDialog(tr("Save these frames"));
   connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
     m_saveBar->save(document, path, {begin, end, frameTest(document, filter)});
   });

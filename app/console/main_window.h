@@ -62,7 +62,7 @@ class MainWindow : public QMainWindow {
   void showPage();
   // Settings, about: in the place of the work until closed. Null: none.
   void showExtra(QWidget* page);
-  QFileDialog* fileDialog(const QString& title);
+  QFileDialog* fileDialog(const QString& title, const QStringList& filters);
   void openLogByHand();
   void openLog(const QString& path);
   void saveLogByHand();

@@ -4,6 +4,8 @@
 #include <QCommandLineParser>
 #include <cstdio>
 
+#include "log/log_format.h"
+
 namespace deckpipe {
 namespace {
 
@@ -21,8 +23,10 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
   parser.setApplicationDescription(
       QCoreApplication::translate("options", "Diagnostic console for fire monitors on CAN."));
   const auto text = [](const char* english) { return QCoreApplication::translate("options", english); };
-  parser.addPositionalArgument(QStringLiteral("LOG"), text("Log file to open (candump)."),
-                               QStringLiteral("[LOG]"));
+  parser.addPositionalArgument(
+      QStringLiteral("LOG"),
+      text("Log file to open (%1).").arg(QString::fromStdString(formatNames(LogUse::Read))),
+      QStringLiteral("[LOG]"));
   const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, text("Show this help."));
   const QCommandLineOption version(QStringLiteral("version"), text("Show the version."));
   const QCommandLineOption demo(QStringLiteral("demo"),

@@ -62,6 +62,7 @@ void SaveBar::showProgress() {
 void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   const QString path = m_saving->path();
   const QString frames = frameCountText(m_saving->written());
+  const QString format = m_saving->formatName();
   m_tick.stop();
   m_saving.release()->deleteLater();  // it is telling us this
   m_progress->hide();
@@ -70,10 +71,10 @@ void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   switch (outcome) {
     case LogSaving::Outcome::Saved:
       m_text->setText(
-          m_marks == 0 ? tr("Saved %1 to %2").arg(frames, path)
-                       : tr("Saved %1 to %2; %Ln marks are not in it, for candump text has no place for them",
-                            nullptr, m_marks)
-                             .arg(frames, path));
+          m_marks == 0
+              ? tr("Saved %1 to %2").arg(frames, path)
+              : tr("Saved %1 to %2; %Ln marks are not in it, for %3 has no place for them", nullptr, m_marks)
+                    .arg(frames, path, format));
       Q_EMIT saved(path);
       break;
     case LogSaving::Outcome::Cancelled: m_text->setText(tr("Cancelled: nothing was saved.")); break;

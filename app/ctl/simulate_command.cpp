@@ -9,7 +9,7 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "log/candump.h"
+#include "log/log_format.h"
 #include "misbehave_option.h"
 #include "moves_monitors.h"
 #include "output.h"
@@ -23,8 +23,8 @@ namespace {
 constexpr std::int64_t kLogStart = 1'700'000'000'000'000'000;
 constexpr int kMostLoad = static_cast<int>(simulator::Background::kMost * 100);
 
-// Hands over pieces of candump text; false from `write` ends it.
-bool simulateInto(simulator::StandardBench& bench, double seconds,
+// Hands over pieces of the log; false from `write` ends it.
+bool simulateInto(simulator::StandardBench& bench, double seconds, const LogFormat& format,
                   const std::function<bool(const std::string&)>& write) {
   constexpr std::size_t kPiece = 1 << 20;
   const Instant end = Instant{} + Duration(std::llround(seconds * 1e9));
@@ -37,7 +37,7 @@ bool simulateInto(simulator::StandardBench& bench, double seconds,
     bench.bench.takeFrames(due);
     for (simulator::DueFrame& frame : due) {
       frame.frame.stamp = kLogStart + frame.time.ns;
-      writeCandump(frame.frame, "can0", text);
+      format.write(frame.frame, "can0", text);
     }
     if (text.size() < kPiece) continue;
     if (!write(text)) return false;
@@ -47,9 +47,10 @@ bool simulateInto(simulator::StandardBench& bench, double seconds,
 }
 
 int writeLog(simulator::StandardBench& bench, double seconds, const QString& path) {
+  const LogFormat& format = formatToWrite(path.toStdString());
   if (path == QLatin1String("-")) {
     Output output;
-    return simulateInto(bench, seconds,
+    return simulateInto(bench, seconds, format,
                         [&](const std::string& text) {
                           output.text() += text;
                           return output.flush();
@@ -66,7 +67,7 @@ int writeLog(simulator::StandardBench& bench, double seconds, const QString& pat
   const auto write = [&](const std::string& text) {
     return file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
   };
-  const bool written = file.open(QIODevice::WriteOnly) && simulateInto(bench, seconds, write) &&
+  const bool written = file.open(QIODevice::WriteOnly) && simulateInto(bench, seconds, format, write) &&
                        (replaces ? whole.commit() : asItStands.flush());
   if (written) return kDone;
   std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(path), qPrintable(file.errorString()));
@@ -108,7 +109,7 @@ int simulateCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose\n"
-      "scripted hand drives the monitor; on an interface in real time, or into a candump log.\n"
+      "scripted hand drives the monitor; on an interface in real time, or into a log.\n"
       "On an interface its joystick drives every monitor that hears it: never put it on a truck. Where real\n"
       "monitors may be, it wants --moves-monitors, listens 1 s first, and stays off the bus if it hears an\n"
       "Akron device, a joystick, or somebody at an address of its own."));
@@ -122,7 +123,8 @@ int simulateCommand(const QStringList& arguments) {
                                    QStringLiteral("Bit rate to ask for; 250000 by default, 0 as it is."),
                                    QStringLiteral("BITS"), QStringLiteral("250000"));
   const QCommandLineOption log(QStringLiteral("log"),
-                               QStringLiteral("Write a candump log instead; - is standard output."),
+                               QStringLiteral("Write a log instead (%1); - is standard output.")
+                                   .arg(QString::fromStdString(formatNames(LogUse::Write))),
                                QStringLiteral("FILE"));
   const QCommandLineOption seconds(QStringLiteral("seconds"),
                                    QStringLiteral("Length of the log; 60 by default."), QStringLiteral("N"),

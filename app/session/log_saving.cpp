@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "log/candump.h"
-
 namespace deckpipe {
 namespace {
 
@@ -18,7 +16,11 @@ constexpr std::uint64_t kGlance = 8'192;  // frames between two looks at whether
 
 LogSaving::LogSaving(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part,
                      QObject* parent)
-    : QObject(parent), m_document(std::move(document)), m_path(path), m_part(std::move(part)) {
+    : QObject(parent),
+      m_document(std::move(document)),
+      m_path(path),
+      m_format(formatToWrite(path.toStdString())),
+      m_part(std::move(part)) {
   m_part.end = std::min(m_part.end, m_document->frames.count());
   m_part.begin = std::min(m_part.begin, m_part.end);
   m_thread = std::jthread([this](const std::stop_token& stop) { write(stop); });
@@ -44,6 +46,10 @@ void LogSaving::write(const std::stop_token& stop) {
   end(Outcome::Saved, {});
 }
 
+QString LogSaving::formatName() const {
+  return QString::fromLatin1(m_format.name.data(), static_cast<qsizetype>(m_format.name.size()));
+}
+
 // False: given up.
 bool LogSaving::writeFrames(QSaveFile& file, const std::stop_token& stop) {
   const FrameStore& frames = m_document->frames;
@@ -61,7 +67,7 @@ bool LogSaving::writeFrames(QSaveFile& file, const std::stop_token& stop) {
       }
       const bool passes = !m_part.passes || m_part.passes(i);
       if (i++ < m_part.begin || !passes) continue;
-      writeCandump(frame, frames.channelName(frame.channel), text);
+      m_format.write(frame, frames.channelName(frame.channel), text);
       ++written;
       if (text.size() < kBlock) continue;
       file.write(text.data(), static_cast<qint64>(text.size()));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the frames of a log, or some of them, as candump text on a thread of its own, while the log may go
-// on growing: of the frames that were there at the beginning. The file appears whole or not at all. The
-// window makes one for each saving, shows how far it is, and destroys it; destroying it gives up what is not
-// written.
+// Writes the frames of a log, or some of them, in the format that the file name asks for (formatToWrite()) on
+// a thread of its own, while the log may go on growing: of the frames that were there at the beginning. The
+// file appears whole or not at all. The window makes one for each saving, shows how far it is, and destroys
+// it; destroying it gives up what is not written.
 #pragma once
 
 #include <QObject>
@@ -13,6 +13,7 @@
 #include <optional>
 #include <thread>
 
+#include "log/log_format.h"
 #include "state/log_view.h"
 
 class QSaveFile;
@@ -36,6 +37,7 @@ class LogSaving : public QObject {
   ~LogSaving() override;
 
   QString path() const { return m_path; }
+  QString formatName() const;
   // Nothing where that shows only as they are looked through.
   std::optional<std::uint64_t> frames() const;
   // Known once it is saved.
@@ -53,6 +55,7 @@ class LogSaving : public QObject {
 
   std::shared_ptr<const LogDocument> m_document;
   QString m_path;
+  const LogFormat& m_format;
   SavedPart m_part;
   std::atomic<std::uint64_t> m_written = 0;
   std::atomic<double> m_fraction = 0;

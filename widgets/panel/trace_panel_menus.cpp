@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QMenu>
 
+#include "log/log_format.h"
 #include "model/cell_filters.h"
 #include "panel/id_view.h"
 #include "panel/trace_panel.h"
@@ -34,7 +35,9 @@ void TracePanel::showCellMenu(std::optional<TraceView::Cell> cell, const QPoint&
         menu->addAction(tr("Copy the cell"), this, [text] { QApplication::clipboard()->setText(text); });
     }
   }
-  QAction* copy = menu->addAction(tr("Copy as candump text"), m_view, &TraceView::copy);
+  const std::string format(formatToWrite({}).name);
+  QAction* copy =
+      menu->addAction(tr("Copy as %1 text").arg(QString::fromStdString(format)), m_view, &TraceView::copy);
   copy->setShortcut(QKeySequence::Copy);
   copy->setEnabled(hasSelection());
   menu->addSeparator();

@@ -50,7 +50,7 @@ class TraceView : public QAbstractScrollArea {
   int rowHeight() const { return m_rowHeight; }
   FlatHeader* header() const { return m_header; }
 
-  // The selected rows in candump's log form; what Ctrl+C puts on the clipboard.
+  // The selected rows as text of the usual log format; what Ctrl+C puts on the clipboard.
   QString copyText() const;
   // The first frame of the selection and the one behind its last; nothing selected: empty.
   struct FrameRange {

@@ -10,6 +10,7 @@
 
 #include "app/console/window_test.h"
 #include "console/recent_logs.h"
+#include "log/log_format.h"
 #include "model/event_model.h"
 #include "panel/event_panel.h"
 #include "panel/trace_panel.h"
@@ -150,6 +151,34 @@ TEST_F(LogActions, GoBackToTheConnectionPageWhereNothingCouldBeOpened) {
       [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
   EXPECT_TRUE(named<QWidget>("startPage")->isVisible());
   EXPECT_TRUE(text("noticeText").contains(QStringLiteral("absent.log cannot be read")))
+      << qPrintable(text("noticeText"));
+}
+
+TEST_F(LogActions, DialogsOfferWhatTheTableOfFormatsHas) {
+  for (const char* action : {"openLogAction", "saveLogAction"}) {
+    openLog(kTruck);
+    trigger(action);
+    auto* dialog = named<QFileDialog>("fileDialog");
+    ASSERT_NE(dialog, nullptr);
+    const QString filters = dialog->nameFilters().join(QLatin1Char('\n'));
+    for (const LogFormat& format : logFormats()) {
+      const std::string filter = std::string(format.name) + " logs (" + std::string(format.patterns) + ")";
+      EXPECT_TRUE(filters.contains(QString::fromStdString(filter))) << action << qPrintable(filters);
+    }
+    EXPECT_TRUE(filters.endsWith(QStringLiteral("All files (*)")));
+    if (dialog->acceptMode() == QFileDialog::AcceptSave) {
+      EXPECT_EQ(dialog->defaultSuffix(), QStringLiteral("log"));
+      EXPECT_TRUE(dialog->selectedFiles().value(0).endsWith(QStringLiteral(".log")));
+    }
+    delete dialog;
+  }
+}
+
+TEST_F(LogActions, WhatIsNoLogIsSaidWithTheFormatsThatAre) {
+  m_session.openLog(writeLog("no log\n"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("noticeText").contains(QStringLiteral("truck.log cannot be read")); }, kPatience));
+  EXPECT_TRUE(text("noticeText").endsWith(QStringLiteral("Deckpipe reads: candump.")))
       << qPrintable(text("noticeText"));
 }
 

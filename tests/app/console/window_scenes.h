@@ -141,7 +141,7 @@ inline std::vector<Scene> windowScenes() {
   add("log_damaged", snapshotOf(truck + "rubbish\n(1) can0 123#1\n((\n", Kind::File, Progress::Done));
   add("log_empty", snapshotOf("", Kind::File, Progress::Done));
   Snapshot unreadable = snapshotOf("", Kind::File, Progress::Failed);
-  unreadable.source.reason = QStringLiteral("not a log of this format");
+  unreadable.source.reason = QStringLiteral("not a log of a known format");
   add("log_unreadable", unreadable);
   Snapshot reading = snapshotOf(truck, Kind::File, Progress::Opening);
   reading.source.fraction = 0.42;

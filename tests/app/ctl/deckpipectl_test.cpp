@@ -119,6 +119,12 @@ TEST(Decode, SaysUnreadableLinesWithNumberAndReasonAndGoesOn) {
   EXPECT_TRUE(r.err.contains("standard input:2: ")) << r.err.constData();
 }
 
+TEST(Decode, SaysOfWhatIsNoLogWhichFormatsAreRead) {
+  const Outcome r = run(decode(), "no log\n");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: candump")) << r.err.constData();
+}
+
 TEST(Decode, CountsCanFdFramesOnStandardErrorWithoutFailing) {
   const Outcome r = run(decode(), kPosition + "(1.0) can0 123##0112233\n");
   EXPECT_EQ(r.status, 0);

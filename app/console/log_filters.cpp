@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "log_filters.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include "log/log_format.h"
+
+namespace deckpipe {
+namespace {
+
+struct LogFilters {
+  Q_DECLARE_TR_FUNCTIONS(LogFilters)
+};
+
+QString latin1(std::string_view text) {
+  return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString filterOf(const LogFormat& format) {
+  return LogFilters::tr("%1 logs (%2)", "format, patterns").arg(latin1(format.name), latin1(format.patterns));
+}
+
+}  // namespace
+
+QStringList filtersForOpening() {
+  QStringList filters, patterns;
+  for (const LogFormat& format : logFormats()) {
+    filters += filterOf(format);
+    patterns += latin1(format.patterns);
+  }
+  if (filters.size() > 1)
+    filters.prepend(LogFilters::tr("All logs (%1)").arg(patterns.join(QLatin1Char(' '))));
+  return filters << LogFilters::tr("All files (*)");
+}
+
+QStringList filtersForSaving() {
+  QStringList filters;
+  for (const LogFormat& format : logFormats()) {
+    if (format.write != nullptr) filters += filterOf(format);
+  }
+  return filters << LogFilters::tr("All files (*)");
+}
+
+QString suffixOf(const QString& filter) {
+  const qsizetype dot = filter.indexOf(QLatin1String("(*."));
+  return dot < 0 ? QString() : filter.mid(dot + 3).section(QRegularExpression(QStringLiteral("[ )]")), 0, 0);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the dialogs for files offer, from the table of log formats.
+#pragma once
+
+#include <QStringList>
+
+namespace deckpipe {
+
+// "candump logs (*.log *.txt)", one a format; for opening, all logs first where there are several.
+QStringList filtersForOpening();
+QStringList filtersForSaving();
+// The usual suffix of a filter, without the dot: "log".
+QString suffixOf(const QString& filter);
+
+}  // namespace deckpipe
