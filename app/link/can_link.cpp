@@ -10,7 +10,6 @@
 #include <QTimer>
 #include <QVariant>
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <mutex>
 
@@ -36,7 +35,8 @@ CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock,
     : QObject(parent),
       m_settings(std::move(settings)),
       m_clock(std::move(clock)),
-      m_interfaces(std::move(interfaces)) {
+      m_interfaces(std::move(interfaces)),
+      m_delivery(m_settings.channel, echoes(), m_status) {
   if (m_interfaces == nullptr && isSocketCan()) m_interfaces = std::make_unique<InterfaceWatch>();
   if (m_interfaces != nullptr) {
     connect(m_interfaces.get(), &InterfaceSource::changed, this, &CanLink::interfaceChanged);
@@ -51,7 +51,7 @@ CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock,
 }
 
 CanLink::~CanLink() {
-  m_listener = nullptr;
+  m_delivery.end();
   dropDevice(Leave::Politely);
   // What was written last, neutral perhaps, leaves before the sockets are destroyed.
   for (auto* socket : findChildren<QAbstractSocket*>()) socket->flush();
@@ -68,10 +68,8 @@ bool CanLink::echoes() const { return pluginEchoes(m_settings.plugin, m_settings
 
 void CanLink::open(PortListener& listener) {
   close();
-  m_listener = &listener;
   m_status = {};
-  m_own = OwnFrames(echoes() ? 512 : 64);
-  m_newOverruns = 0;
+  m_delivery.begin(listener);
   tell(LinkState::Connecting, LinkFault::None, {});
   for (const auto step : {&CanLink::checkHardware, &CanLink::createDevice, &CanLink::connectDevice}) {
     if (m_status.state != LinkState::Connecting) return;  // the listener thought better of it
@@ -81,13 +79,13 @@ void CanLink::open(PortListener& listener) {
 }
 
 void CanLink::close() {
-  while (m_listener != nullptr && !deliverRest()) {
+  while (m_delivery.hasListener() && !deliverRest()) {
   }
-  if (m_listener == nullptr) return;
+  if (!m_delivery.hasListener()) return;
   ++m_session;
   dropDevice(Leave::Politely);
   stopFollowing();
-  PortListener* listener = std::exchange(m_listener, nullptr);
+  PortListener* listener = m_delivery.end();
   if (std::exchange(m_status.state, LinkState::Closed) != LinkState::Closed && listener != nullptr) {
     listener->linkChanged(LinkState::Closed, {});
   }
@@ -215,9 +213,7 @@ void CanLink::deviceError() {
   }
   ++m_status.errors;
   m_status.reason = m_device->errorString().toStdString();
-  if (m_listener != nullptr && m_status.state == LinkState::Up) {
-    m_listener->linkChanged(m_status.state, m_status.reason);
-  }
+  if (m_status.state == LinkState::Up) m_delivery.tell(m_status.state, m_status.reason);
 }
 
 void CanLink::interfaceChanged(const CanInterface& facts) {
@@ -258,7 +254,7 @@ void CanLink::follow(const CanInterface& facts) {
   } else if (facts.controller == ControllerState::BusOff && !wasBusOff) {
     ++m_status.errors;
     m_status.reason = tr("The controller is bus-off.").toStdString();
-    if (m_listener != nullptr) m_listener->linkChanged(LinkState::Up, m_status.reason);
+    m_delivery.tell(LinkState::Up, m_status.reason);
   }
 }
 
@@ -272,7 +268,7 @@ bool CanLink::deliverRest() {
 
 void CanLink::wentDown(const Obstacle& obstacle) {
   if (!deliverRest()) return;
-  m_own.clear();
+  m_delivery.forgetOwn();
   tell(LinkState::Lost, obstacle.fault, obstacle.reason);
 }
 
@@ -306,16 +302,14 @@ void CanLink::tell(LinkState state, LinkFault fault, const QString& reason) {
   m_status.state = state;
   m_status.fault = fault;
   m_status.reason = reason.toStdString();
-  if (m_listener != nullptr) m_listener->linkChanged(state, m_status.reason);
+  m_delivery.tell(state, m_status.reason);
 }
 
 void CanLink::dropDevice(Leave leave) {
   m_connectTimer->stop();
   m_notifier = nullptr;
   m_descriptor = -1;
-  m_own.clear();
-  m_batch.clear();
-  m_missing.clear();
+  m_delivery.clear();
   if (m_device == nullptr) return;
   QCanBusDevice* device = std::exchange(m_device, nullptr);
   device->disconnect(this);
@@ -348,17 +342,9 @@ WriteResult CanLink::write(const Frame& frame) {
     if (isAnyOf(m_writeError, {ENOBUFS, EAGAIN})) return refuse(WriteResult::QueueFull, m_writeError);
     return refuse(WriteResult::Failed, m_writeError);
   }
-  ++m_status.written;
-  m_own.wrote(frame);
-  if (!echoes()) {
-    takeFrames();  // these came before
-    Frame own = frame;
-    own.channel = m_settings.channel.value;
-    own.flags = Frame::kSent;
-    own.stamp = m_clock();
-    m_batch.push_back(own);
-    postDelivery();
-  }
+  if (!echoes()) takeFrames();  // these came before
+  m_delivery.wrote(frame, m_clock());
+  if (!m_delivery.isEmpty()) postDelivery();
   return WriteResult::Accepted;
 }
 
@@ -372,9 +358,13 @@ void CanLink::postDelivery() {
 void CanLink::takeFrames() {
   if (m_device == nullptr || m_device->state() != QCanBusDevice::ConnectedState) return;
   const QList<QCanBusFrame> frames = m_device->readAllFrames();
-  m_batch.reserve(m_batch.size() + static_cast<std::size_t>(frames.size()));
-  for (const QCanBusFrame& frame : frames) takeFrame(frame);
-  if (!m_batch.empty() || !m_missing.empty()) postDelivery();
+  for (const QCanBusFrame& frame : frames) {
+    m_delivery.take(frame);
+    const bool isSoon = m_hardwareTimer->remainingTimeAsDuration() <= kAfterError;
+    const bool isError = frame.frameType() == QCanBusFrame::ErrorFrame;
+    if (isError && m_hardwareTimer->isActive() && !isSoon) m_hardwareTimer->start(kAfterError);
+  }
+  if (!m_delivery.isEmpty()) postDelivery();
 }
 
 // What the kernel still holds for us, before the socket goes: the plugin reads it when its notifier tells it
@@ -386,52 +376,11 @@ void CanLink::takeRest() {
   }
 }
 
-void CanLink::takeFrame(const QCanBusFrame& frame) {
-  auto converted = fromCanBusFrame(frame, m_settings.channel);
-  if (!converted) {
-    m_missing.emplace_back(m_batch.size(), converted.error());
-    return;
-  }
-  Frame& out = converted.value();
-  if (frame.hasLocalEcho()) {
-    const bool isAwaited = m_own.cameBack(out);
-    if (isAwaited && !echoes()) return;  // an echo all the same; delivered when it was written
-    if (echoes()) {
-      out.flags = Frame::kSent | Frame::kConfirmed;
-      ++m_status.confirmed;
-    }
-  }
-  if ((out.flags & Frame::kSent) == 0) ++m_status.received;
-  const bool isSoon = m_hardwareTimer->remainingTimeAsDuration() <= kAfterError;
-  if (out.isError() && m_hardwareTimer->isActive() && !isSoon) m_hardwareTimer->start(kAfterError);
-  m_batch.push_back(out);
-}
-
-// To the listener, in the order of arrival. It may write, close or open again from inside.
 void CanLink::deliver() {
   m_deliveryPosted = false;
   takeFrames();
-  auto batch = std::exchange(m_batch, {});
-  const auto missing = std::exchange(m_missing, {});
-  const std::uint32_t drops = newDrops() + std::exchange(m_newOverruns, 0);
-  m_status.notKept += missing.size() + drops;
-  std::size_t from = 0;
-  const auto hand = [&](std::size_t to) {
-    if (m_listener != nullptr && to > from) {
-      m_listener->framesReceived(std::span<const Frame>(batch).subspan(from, to - from));
-    }
-    from = to;
-  };
-  for (const auto& [place, reason] : missing) {
-    hand(place);
-    if (m_listener != nullptr) m_listener->framesNotKept(reason, 1);
-  }
-  hand(batch.size());
-  if (m_listener != nullptr && drops > 0) m_listener->framesNotKept(NotKept::Overflow, drops);
-  if (m_batch.empty()) {
-    batch.clear();
-    m_batch = std::move(batch);  // its memory serves again
-  }
+  m_delivery.lost(newDrops());
+  m_delivery.handOver();
 }
 
 std::optional<ReceiveBuffer> CanLink::receiveBuffer() const {
@@ -448,7 +397,7 @@ void CanLink::countOverruns(const CanInterface& facts) {
   if (m_device == nullptr || !m_status.hardware || facts.index != m_status.hardware->index) return;
   const std::uint64_t before = std::exchange(m_overruns, std::max(m_overruns, facts.overruns));
   if (m_overruns == before) return;
-  m_newOverruns += static_cast<std::uint32_t>(m_overruns - before);
+  m_delivery.lost(static_cast<std::uint32_t>(m_overruns - before));
   postDelivery();
 }
 

@@ -22,53 +22,18 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "bus/port.h"
 #include "link/interface_source.h"
 #include "link/kernel_socket.h"
-#include "link/own_frames.h"
+#include "link/link_delivery.h"
+#include "link/link_status.h"
 
 class QCanBusDevice;
-class QCanBusFrame;
 class QSocketNotifier;
 class QTimer;
 
 namespace deckpipe {
-
-struct LinkSettings {
-  QString plugin;         // a key of QCanBus::plugins(): "socketcan", "virtualcan", "peakcan" ...
-  QString interfaceName;  // in the plugin's way: "can0", "usb0", "tcp://127.0.0.1:41234/can0?echo"
-  int bitRate = 250'000;  // bit/s. 0: as the interface has it, which only socketcan can do
-  Channel channel;        // put into every frame
-};
-
-enum class LinkFault : std::uint8_t {
-  None,
-  NoPlugin,  // not installed, or its library is missing
-  NoInterface,
-  InterfaceDown,   // needs: ip link set NAME up type can bitrate RATE
-  WrongBitRate,    // the interface runs at another rate than asked for
-  BitRateRefused,  // the adapter cannot do the rate asked for
-  NoAnswer,
-  Gone,   // unplugged, or its other end went away
-  Other,  // in the adapter's words
-};
-
-// What is known of a link besides its frames, for the status strip. Counters are since open().
-struct LinkStatus {
-  LinkState state = LinkState::Closed;
-  LinkFault fault = LinkFault::None;
-  std::string reason;                    // the last that went wrong, in words
-  std::optional<CanInterface> hardware;  // bit rate, listen-only, controller; of socketcan only
-  std::uint64_t received = 0;            // from others
-  std::uint64_t written = 0;             // accepted by the adapter
-  std::uint64_t confirmed = 0;           // of these came back
-  std::uint64_t refused = 0;             // writes that were not Accepted
-  std::uint64_t notKept = 0;
-  std::uint64_t errors = 0;  // reports of the adapter that left the link up
-};
 
 class CanLink : public QObject, public Port {
   Q_OBJECT
@@ -96,7 +61,7 @@ class CanLink : public QObject, public Port {
   const LinkSettings& settings() const { return m_settings; }
   const LinkStatus& status() const { return m_status; }
   // Frames written that have not come back; only of use where echoes().
-  std::size_t unconfirmed() const { return m_own.waiting(); }
+  std::size_t unconfirmed() const { return m_delivery.unconfirmed(); }
   // The kernel's, of socketcan while it is open. What it drops comes to the listener as NotKept::Overflow,
   // and so does what controller and driver lost.
   std::optional<ReceiveBuffer> receiveBuffer() const;
@@ -134,7 +99,6 @@ class CanLink : public QObject, public Port {
   void postDelivery();
   void takeFrames();
   void takeRest();
-  void takeFrame(const QCanBusFrame& frame);
   void deliver();
   bool deliverRest();
   std::uint32_t newDrops();
@@ -142,7 +106,6 @@ class CanLink : public QObject, public Port {
 
   LinkSettings m_settings;
   WallClock m_clock;
-  PortListener* m_listener = nullptr;
   QCanBusDevice* m_device = nullptr;
   std::unique_ptr<InterfaceSource> m_interfaces;  // null where the adapter is no interface of Linux
   QTimer* m_connectTimer = nullptr;
@@ -150,17 +113,14 @@ class CanLink : public QObject, public Port {
   int m_session = 0;  // counts what open() began and close() ended
   LinkStatus m_status;
 
-  OwnFrames m_own;
-  std::vector<Frame> m_batch;
-  std::vector<std::pair<std::size_t, NotKept>> m_missing;  // place in m_batch
+  LinkDelivery m_delivery;
   bool m_deliveryPosted = false;
   bool m_writing = false;
   QString m_writeError;
   int m_descriptor = -1;  // of socketcan's socket
   QSocketNotifier* m_notifier = nullptr;
   std::uint32_t m_drops = 0;
-  std::uint64_t m_overruns = 0;     // of the interface, as last read
-  std::uint32_t m_newOverruns = 0;  // not told yet
+  std::uint64_t m_overruns = 0;  // of the interface, as last read
 };
 
 }  // namespace deckpipe
