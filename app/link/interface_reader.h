@@ -2,8 +2,7 @@
 // Reads the state of a network interface on a thread of its own. A question to rtnetlink waits for the
 // kernel's network lock, which others can hold for hundreds of milliseconds; the bus thread must not.
 //
-// 1. One reader per link. Every call and the signal are on the reader's own thread, which needs an event
-// loop.
+// 1. One reader per link. Calls and the signal are on the reader's own thread, which needs an event loop.
 // 2. Only the newest question is answered. An answer to an older question is thrown away.
 // 3. No call waits for the kernel, nor does the destructor. A read that hangs is left to its thread, which
 //    keeps what it needs, and ends when the kernel has answered.

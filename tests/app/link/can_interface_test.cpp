@@ -195,6 +195,22 @@ class OwnNetwork {
   bool m_isThere = false;
 };
 
+TEST(InterfaceWatch, AnswersFromTheEventLoopAndNotAfterStop) {
+  const auto loopback = readInterface("lo");
+  if (!loopback) GTEST_SKIP() << loopback.error();
+  InterfaceWatch watch;
+  std::vector<std::string> told;
+  QObject::connect(&watch, &InterfaceWatch::answered, &watch, [&](const InterfaceReader::Answer& answer) {
+    told.push_back(answer ? answer.value().name : "none: " + answer.error());
+  });
+  watch.ask("nosuchcan9");
+  watch.stop();
+  watch.ask("lo");
+  EXPECT_TRUE(told.empty());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !told.empty(); }, 20'000));
+  EXPECT_EQ(told, std::vector<std::string>{"lo"});
+}
+
 TEST(InterfaceWatch, TellsOfUpAndDown) {
   const OwnNetwork network;
   if (!network.isThere()) GTEST_SKIP() << "this needs the right to make a network namespace";
