@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person can connect to. The connection panel and `deckpipectl` ask for it; it may take a moment, as
-// plugins load their maker's library, so it is asked for on the bus thread like everything of QtSerialBus
-// (its registry has no lock), and not on every tick.
+// The adapters that a person can connect to. The connection page asks for them. A listing may take long, as
+// plugins load their maker's library, and holds serialBusMutex() meanwhile: ask on a worker thread, not on
+// every tick.
 #pragma once
 
 #include <QList>
@@ -42,8 +42,8 @@ struct AdapterList {
 // Virtualcan's two channels are of its default port; a private bus (VirtualBus) is in no list.
 AdapterList listAdapters();
 
-// Brings what Linux knows of its interfaces up to date: those that came, went or changed. Quick, on any
-// thread.
+// Brings the facts of Linux's interfaces up to date, and adds and removes interfaces that came and went. Asks
+// rtnetlink, which may wait for the kernel's network lock: not on the bus thread.
 void refreshInterfaces(AdapterList& list);
 
 }  // namespace deckpipe

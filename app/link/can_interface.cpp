@@ -22,6 +22,7 @@ namespace deckpipe {
 namespace {
 
 constexpr std::size_t kFlexibleDataRateMtu = 72;
+constexpr unsigned kEcho = 1u << 18;  // IFF_ECHO of linux/if.h, which cannot be included beside net/if.h
 
 using Bytes = std::span<const std::byte>;
 
@@ -86,11 +87,13 @@ CanInterface linkFacts(std::uint16_t messageType, Bytes message) {
   out.index = info.ifi_index;
   out.isCan = info.ifi_type == ARPHRD_CAN;
   out.isUp = (info.ifi_flags & IFF_UP) != 0;
+  out.echoesInDriver = (info.ifi_flags & kEcho) != 0;
   out.isRemoved = messageType == RTM_DELLINK;
   Bytes controller;
   forEachAttribute(message.subspan(aligned(sizeof(ifinfomsg))), [&](int type, Bytes value) {
     if (type == IFLA_IFNAME) out.name = text(value);
     if (type == IFLA_MTU) out.hasFlexibleDataRate = load<std::uint32_t>(value) >= kFlexibleDataRateMtu;
+    if (type == IFLA_TXQLEN) out.transmitQueue = load<std::uint32_t>(value);
     if (type == IFLA_STATS64) {
       const auto counted = load<rtnl_link_stats64>(value);
       out.receivedFrames = counted.rx_packets;
@@ -108,8 +111,8 @@ CanInterface linkFacts(std::uint16_t messageType, Bytes message) {
   return out;
 }
 
-// Asks for one link, or for all with index 0. The kernel answers within sendto() and recv(), so that this
-// never waits; MSG_DONTWAIT only says so.
+// Asks for one link, or for all with index 0. The kernel writes the answer inside send() and recv(), where
+// it may wait for its network lock. When they return the answer is there, hence MSG_DONTWAIT.
 Result<std::vector<CanInterface>, std::string> askKernel(int index) {
   const auto failed = [] { return Failure{std::generic_category().message(errno)}; };
   const int fd = ::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE);

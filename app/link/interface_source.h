@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where CanLink learns how its network interface is: from the kernel (InterfaceWatch), or from a test's
-// script.
+// Where HardwareFacts learns how its network interface is: from the kernel (InterfaceWatch), or from the
+// script of a test. Every call and every signal is on the thread of its link, and no call waits.
 #pragma once
 
 #include <QObject>
 
-#include "link/can_interface.h"
+#include "link/interface_reader.h"
 
 namespace deckpipe {
 
@@ -14,17 +14,21 @@ class InterfaceSource : public QObject {
  public:
   using QObject::QObject;
 
-  // How it is now.
-  virtual Result<CanInterface, std::string> read(const std::string& name) = 0;
-  // From start() on, until stop(), what happens is told; stop() may come from inside a signal.
+  // Asks how the interface of that name is. Only the newest question is answered.
+  virtual void ask(const std::string& name) = 0;
+  // Between start() and stop() the news are told. After stop(), which may come from inside a signal, nothing
+  // is told or answered any more.
   virtual void start() = 0;
   virtual void stop() = 0;
 
  Q_SIGNALS:
-  // Something happened to that interface, which may be any of the system. Everything that was known of it at
-  // that moment, in the order in which it happened; the kernel repeats itself.
+  // The answer to ask(). It comes from the event loop, when the kernel has answered, and it may be older than
+  // news that came before it.
+  void answered(const deckpipe::InterfaceReader::Answer& answer);
+  // Something happened to an interface, which may be any of the system. It says everything that was known of
+  // the interface at that moment. News come in the order in which things happened; the kernel repeats itself.
   void changed(const deckpipe::CanInterface& facts);
-  // More happened than could be told: read anew.
+  // More happened than could be told: ask again.
   void overrun();
 };
 

@@ -15,11 +15,13 @@
 
 namespace deckpipe {
 
+InterfaceWatch::InterfaceWatch(QObject* parent) : InterfaceSource(parent), m_reader(readInterface) {
+  connect(&m_reader, &InterfaceReader::answered, this, &InterfaceWatch::answered);
+}
+
 InterfaceWatch::~InterfaceWatch() { stop(); }
 
-Result<CanInterface, std::string> InterfaceWatch::read(const std::string& name) {
-  return readInterface(name);
-}
+void InterfaceWatch::ask(const std::string& name) { m_reader.ask(name); }
 
 #ifdef __linux__
 
@@ -36,6 +38,7 @@ void InterfaceWatch::start() {
 }
 
 void InterfaceWatch::stop() {
+  m_reader.forget();
   if (m_notifier != nullptr) {
     m_notifier->setEnabled(false);
     std::exchange(m_notifier, nullptr)->deleteLater();  // it may be what called
@@ -45,14 +48,14 @@ void InterfaceWatch::stop() {
 }
 
 void InterfaceWatch::readEvents() {
-  // Whoever hears it may stop and start again; what is left here is then of no interest any more.
+  // A listener may stop and start again from inside; the rest of these news is then of no interest.
   const int stops = m_stops;
   bool isOverrun = false;
   std::array<std::byte, 32768> buffer;
   while (m_stops == stops) {
     const ssize_t size = ::recv(m_socket, buffer.data(), buffer.size(), 0);
     if (size < 0 && errno == ENOBUFS) {
-      isOverrun = true;  // told last: what still waits is older than what was lost
+      isOverrun = true;  // told last: the news that still wait are older than those that were lost
       continue;
     }
     if (size <= 0) break;
@@ -67,7 +70,7 @@ void InterfaceWatch::readEvents() {
 #else
 
 void InterfaceWatch::start() {}
-void InterfaceWatch::stop() {}
+void InterfaceWatch::stop() { m_reader.forget(); }
 void InterfaceWatch::readEvents() {}
 
 #endif

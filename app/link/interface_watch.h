@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the kernel says of its interfaces, over rtnetlink: set down, up again, unplugged, bus-off. Qt's
-// socketcan plugin says nothing of all that, so CanLink holds one of these. Linux only; elsewhere it is
-// silent.
+// The kernel's word on its network interfaces, over rtnetlink: set down, up again, unplugged, bus-off. Qt's
+// socketcan plugin tells none of that, so a link has one of these. Linux only; elsewhere it is silent.
+//
+// The news are read on the thread of the link: a bound multicast socket gives them out without the kernel's
+// network lock, so that a loss is known at once whatever holds the lock. Questions need the lock, and go to
+// the worker thread of an InterfaceReader.
 #pragma once
 
 #include "link/interface_source.h"
@@ -13,10 +16,10 @@ namespace deckpipe {
 class InterfaceWatch : public InterfaceSource {
   Q_OBJECT
  public:
-  using InterfaceSource::InterfaceSource;
+  explicit InterfaceWatch(QObject* parent = nullptr);
   ~InterfaceWatch() override;
 
-  Result<CanInterface, std::string> read(const std::string& name) override;
+  void ask(const std::string& name) override;
   // Needs the event loop of its thread. Without rtnetlink nothing will be told.
   void start() override;
   void stop() override;
@@ -24,6 +27,7 @@ class InterfaceWatch : public InterfaceSource {
  private:
   void readEvents();
 
+  InterfaceReader m_reader;
   int m_socket = -1;
   int m_stops = 0;
   QSocketNotifier* m_notifier = nullptr;

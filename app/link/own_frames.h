@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frames a link wrote and has not heard back, oldest first. CanLink puts one in per write and takes it
-// out on its echo; what stays is what never reached the bus. It knows no plugin and no time.
+// The frames that a link wrote and has not heard back, oldest first. LinkDelivery puts one in per write and
+// takes it out on its echo; those that stay never reached the bus. It knows no plugin and no time.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ class OwnFrames {
     if (m_waiting.size() == m_limit) m_waiting.pop_front();
     m_waiting.push_back({frame.id, frame.length, frame.data});
   }
-  // False where no such frame is waiting. Not only the oldest is looked at: controllers with several transmit
-  // mailboxes send by priority.
+  // False if no such frame is waiting. Of equal frames the oldest came back: first in, first out. A frame may
+  // come back before an older one that differs, as controllers with several mailboxes send by priority.
   bool cameBack(const Frame& frame) {
     const Key key{frame.id, frame.length, frame.data};
     const auto found = std::find(m_waiting.begin(), m_waiting.end(), key);

@@ -10,8 +10,10 @@ std::mutex& serialBusMutex() {
   return mutex;
 }
 
+bool isSocketCan(const QString& plugin) { return plugin == QLatin1String("socketcan"); }
+
 bool pluginEchoes(const QString& plugin, const QString& interfaceName) {
-  if (plugin == QLatin1String("socketcan")) return true;
+  if (isSocketCan(plugin)) return true;
   return plugin == QLatin1String("virtualcan") && QUrl(interfaceName).query() == QLatin1String("echo");
 }
 

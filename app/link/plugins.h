@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Qt's CAN plugins differ in, of Qt 6.4.2. Read by CanLink and the adapter list.
+// The differences between Qt's CAN plugins, as of Qt 6.4.2. Used by the links and the adapter list.
 #pragma once
 
 #include <QString>
@@ -9,8 +9,12 @@ namespace deckpipe {
 
 // QtSerialBus shares things between threads without a lock: QCanBus::instance() makes its singleton and loads
 // plugins on first use, and virtualcan's open() touches one server of the whole program. Hold this while
-// listing, creating or opening; no callback may come with it held.
+// listing, creating or opening; no callback may come with it held. A listing may hold it for long, so the bus
+// thread only tries to lock it.
 std::mutex& serialBusMutex();
+
+// The plugin for network interfaces of Linux.
+bool isSocketCan(const QString& plugin);
 
 // Whether frames we wrote come back marked once they were on the bus.
 // socketcan: yes, MSG_CONFIRM on our own socket after the controller sent it. virtualcan: its own 'receive

@@ -48,7 +48,7 @@ TEST(Load, WhatASleepingReaderMissedIsCountedAndStampsAreTheKernels) {
   RecordingListener heard;
   CanLink link({QStringLiteral("socketcan"), QStringLiteral("vcan0"), 250'000, Channel{0}});
   link.open(heard);
-  ASSERT_EQ(heard.state(), LinkState::Up) << heard.reason();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.state() == LinkState::Up; }, kPatience)) << heard.reason();
   constexpr std::uint64_t kSent = 20'000;
   const std::int64_t begin = CanLink::systemClock();
   ASSERT_EQ(shell(QStringLiteral("cangen vcan0 -g 0 -i -n %1").arg(kSent)), 0);

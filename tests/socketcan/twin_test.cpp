@@ -125,7 +125,7 @@ TEST_F(Twin, OurOwnFramesAreLoggedOnceWhereCandumpHasThem) {
   RecordingListener heard;
   CanLink link({QStringLiteral("socketcan"), QStringLiteral("can0"), 250'000, Channel{0}});
   link.open(heard);
-  ASSERT_EQ(heard.state(), LinkState::Up) << heard.reason();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.state() == LinkState::Up; }, kPatience)) << heard.reason();
   for (int i = 0; i < 50; ++i) {
     ASSERT_EQ(link.write(test::extendedFrame(0x18FF0000u + static_cast<std::uint32_t>(i), {i, 1, 2})),
               WriteResult::Accepted);

@@ -4,9 +4,11 @@
 //
 //   auto source = std::make_unique<FakeInterfaces>(name);   FakeInterfaces& fake = *source;
 //   CanLink link(settings, nullptr, CanLink::systemClock, std::move(source));
-//   fake.set([](CanInterface& facts) { facts.isUp = false; });           happens, and is told
-//   fake.setSilently(...); fake.loseNews();                              happens, and is not told; then 'read
-//   anew'
+//   fake.set([](CanInterface& facts) { facts.isUp = false; });    happens, and is told
+//   fake.setSilently(...); fake.loseNews();            happens, and is not told; then 'ask again'
+//   fake.hold(); ... fake.release();                   the kernel's lock is held: no answers
+//
+// A question is answered from the event loop, with the facts of the moment of the question.
 #pragma once
 
 #include <functional>
@@ -54,18 +56,47 @@ class FakeInterfaces : public InterfaceSource {
   }
   bool isStarted() const { return m_isStarted; }
 
-  Result<CanInterface, std::string> read(const std::string& name) override {
-    if (!m_now || name != m_name) return Failure{std::string("No such device")};
-    return *m_now;
+  CanInterface now() const { return *m_now; }
+
+  void hold() { m_isHeld = true; }
+  bool isAsked() const { return m_isAsked; }
+  void release() {
+    m_isHeld = false;
+    if (m_isAsked) answerSoon();
+  }
+
+  void ask(const std::string& name) override {
+    if (m_now && name == m_name) {
+      m_answer = *m_now;
+    } else {
+      m_answer = Failure{std::string("No such device")};
+    }
+    m_isAsked = true;
+    ++m_questions;
+    if (!m_isHeld) answerSoon();
   }
   void start() override { m_isStarted = true; }
-  void stop() override { m_isStarted = false; }
+  void stop() override { m_isStarted = m_isAsked = false; }
 
  private:
+  void answerSoon() {
+    const auto answer = [this, question = m_questions] {
+      if (m_isAsked && question == m_questions) {
+        m_isAsked = false;
+        Q_EMIT answered(m_answer);
+      }
+    };
+    QMetaObject::invokeMethod(this, answer, Qt::QueuedConnection);
+  }
+
   std::string m_name;
   std::optional<CanInterface> m_now;
   int m_lastIndex = 6;
   bool m_isStarted = false;
+  bool m_isHeld = false;
+  bool m_isAsked = false;
+  int m_questions = 0;
+  InterfaceReader::Answer m_answer{CanInterface{}};
 };
 
 }  // namespace deckpipe

@@ -87,7 +87,8 @@ Datagram canLink(std::uint16_t type = RTM_NEWLINK, unsigned flags = IFF_UP) {
   counted.rx_dropped = 4;
   return message(type, ARPHRD_CAN, flags,
                  joined({attribute(IFLA_STATS64, bytesOf(counted)), attribute(IFLA_IFNAME, bytesOf("can0")),
-                         attribute(IFLA_MTU, bytesOf(16u)), attribute(IFLA_LINKINFO | NLA_F_NESTED, info)}));
+                         attribute(IFLA_MTU, bytesOf(16u)), attribute(IFLA_TXQLEN, bytesOf(10u)),
+                         attribute(IFLA_LINKINFO | NLA_F_NESTED, info)}));
 }
 
 TEST(LinkMessages, TellAllThatIsKnownOfAController) {
@@ -102,12 +103,22 @@ TEST(LinkMessages, TellAllThatIsKnownOfAController) {
   EXPECT_FALSE(link.isRemoved);
   EXPECT_TRUE(link.isListenOnly);
   EXPECT_FALSE(link.hasFlexibleDataRate);
+  EXPECT_FALSE(link.echoesInDriver);
+  EXPECT_EQ(link.transmitQueue, 10u);
   EXPECT_EQ(link.bitRate, 250'000u);
   EXPECT_EQ(link.restartMs, 100u);
   EXPECT_EQ(link.sendErrors, 130);
   EXPECT_EQ(link.receiveErrors, 5);
   EXPECT_EQ(link.overruns, 7u);
   EXPECT_EQ(link.controller, ControllerState::BusOff);
+}
+
+// The flag is bit 18, as linux/if.h has it; net/if.h does not name it.
+TEST(LinkMessages, TellWhetherTheDriverItselfEchoes) {
+  const auto links = parseLinkMessages(canLink(RTM_NEWLINK, IFF_UP | 0x40000u));
+  ASSERT_EQ(links.size(), 1u);
+  EXPECT_TRUE(links[0].echoesInDriver);
+  EXPECT_TRUE(links[0].isUp);
 }
 
 TEST(LinkMessages, TellOfDownAndOfRemoval) {
@@ -183,6 +194,22 @@ class OwnNetwork {
   int m_old;
   bool m_isThere = false;
 };
+
+TEST(InterfaceWatch, AnswersFromTheEventLoopAndNotAfterStop) {
+  const auto loopback = readInterface("lo");
+  if (!loopback) GTEST_SKIP() << loopback.error();
+  InterfaceWatch watch;
+  std::vector<std::string> told;
+  QObject::connect(&watch, &InterfaceWatch::answered, &watch, [&](const InterfaceReader::Answer& answer) {
+    told.push_back(answer ? answer.value().name : "none: " + answer.error());
+  });
+  watch.ask("nosuchcan9");
+  watch.stop();
+  watch.ask("lo");
+  EXPECT_TRUE(told.empty());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !told.empty(); }, 20'000));
+  EXPECT_EQ(told, std::vector<std::string>{"lo"});
+}
 
 TEST(InterfaceWatch, TellsOfUpAndDown) {
   const OwnNetwork network;

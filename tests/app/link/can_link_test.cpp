@@ -8,10 +8,14 @@
 #include <QEventLoop>
 #include <QTcpServer>
 #include <QTest>
+#include <QTimer>
 #include <atomic>
+#include <future>
 #include <memory>
 #include <thread>
 
+#include "link/link_device.h"
+#include "link/plugins.h"
 #include "link/virtual_bus.h"
 #include "support/raw_frames.h"
 #include "support/recording_listener.h"
@@ -296,6 +300,39 @@ TEST_F(CanLinkTest, LinksOfOtherThreadsMayOpenAtTheSameTime) {
   for (std::thread& thread : threads) thread.join();
 }
 
+// Whoever lists adapters holds QtSerialBus for as long as a maker's library takes.
+TEST_F(CanLinkTest, WhileAdaptersAreListedOpeningWaitsAndItsThreadGoesOn) {
+  std::promise<void> isListing, isDone;
+  std::thread listing([&] {
+    const std::lock_guard lock(serialBusMutex());
+    isListing.set_value();
+    isDone.get_future().wait();
+  });
+  isListing.get_future().wait();
+  End one(settingsFor(bus.interfaceName(0)));
+  one.link.open(one.heard);
+  bool hasGoneOn = false;
+  QTimer::singleShot(2 * LinkDevice::kTryAgain, &one.link, [&] { hasGoneOn = true; });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hasGoneOn; }, kLong));
+  EXPECT_EQ(one.heard.states, std::vector{LinkState::Connecting});
+  isDone.set_value();
+  EXPECT_TRUE(one.waitForState(LinkState::Up));
+  listing.join();
+}
+
+TEST_F(CanLinkTest, ADestructorTellsNothing) {
+  RecordingListener heard;
+  auto link = std::make_unique<CanLink>(settingsFor(bus.interfaceName(0)));
+  link->open(heard);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.state() == LinkState::Up; }, kLong));
+  ASSERT_EQ(link->write(frameOf(0x123, {})), WriteResult::Accepted);
+  heard.forget();
+  link.reset();
+  ASSERT_TRUE(waitForClients(0));
+  EXPECT_TRUE(heard.states.empty());
+  EXPECT_TRUE(heard.frames.empty());
+}
+
 // --- what cannot be opened: a reason, no crash
 
 struct Refusal {
@@ -336,7 +373,8 @@ TEST(SocketCanLink, RefusesInterfacesThatAreMissingOrNotCan) {
   for (const auto& name : {QStringLiteral("nosuchcan9"), QStringLiteral("lo"), QString()}) {
     End end({QStringLiteral("socketcan"), name, 250'000, {}});
     end.link.open(end.heard);
-    EXPECT_EQ(end.heard.state(), LinkState::Closed);
+    EXPECT_EQ(end.heard.state(), LinkState::Connecting) << "the kernel is asked by a worker";
+    ASSERT_TRUE(end.waitForState(LinkState::Closed));
     EXPECT_EQ(end.link.status().fault, LinkFault::NoInterface);
     EXPECT_FALSE(end.heard.reason().empty());
   }

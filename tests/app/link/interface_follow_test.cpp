@@ -58,7 +58,7 @@ TEST_F(FollowedLink, DownIsLostAtOnceAndUpAgainIsUp) {
 // The news comes late: by the time it is heard the interface is up again. The gap was there all the same.
 TEST_F(FollowedLink, AGapThatIsOverBeforeItIsHeardOfIsStillTold) {
   open();
-  CanInterface wasDown = fake->read(bus.interfaceName(0).toStdString()).value();
+  CanInterface wasDown = fake->now();
   wasDown.isUp = false;
   fake->tell(wasDown);
   fake->set(up);
@@ -118,12 +118,13 @@ TEST_F(FollowedLink, WhatHappenedWhileNewsWasLostIsReadAnew) {
   open();
   fake->setSilently(down);
   fake->loseNews();
-  EXPECT_EQ(link->status().state, LinkState::Lost);
+  ASSERT_TRUE(waitFor(LinkState::Lost));
   fake->setSilently(up);
   fake->loseNews();
-  EXPECT_EQ(link->status().state, LinkState::Up);
+  ASSERT_TRUE(waitFor(LinkState::Up));
   fake->unplugSilently();
   fake->loseNews();
+  ASSERT_TRUE(waitFor(LinkState::Lost));
   EXPECT_EQ(link->status().fault, LinkFault::Gone);
   fake->plug();
   ASSERT_TRUE(waitFor(LinkState::Up));
@@ -198,10 +199,88 @@ TEST_F(FollowedLink, TheListenerMayCloseFromInside) {
 TEST_F(FollowedLink, NeverUpIsClosedAndNotFollowed) {
   fake->setSilently(down);
   link->open(heard);
-  EXPECT_EQ(heard.state(), LinkState::Closed);
+  EXPECT_EQ(heard.state(), LinkState::Connecting);
+  ASSERT_TRUE(waitFor(LinkState::Closed));
+  EXPECT_EQ(link->status().fault, LinkFault::InterfaceDown);
   fake->set(up);
   EXPECT_FALSE(fake->isStarted());
   EXPECT_EQ(heard.state(), LinkState::Closed);
+}
+
+TEST_F(FollowedLink, PulledOutOrSetDownWhileItConnectsItIsClosed) {
+  for (const bool pulled : {false, true}) {
+    fake->setSilently(up);
+    link->open(heard);
+    fake->hold();
+    fake->tell(fake->now());  // the news that it is there come before the answer, and it connects
+    ASSERT_EQ(heard.state(), LinkState::Connecting);
+    if (pulled) {
+      fake->unplug();
+    } else {
+      fake->set(down);
+    }
+    EXPECT_EQ(heard.state(), LinkState::Closed);
+    EXPECT_EQ(link->status().fault, pulled ? LinkFault::Gone : LinkFault::InterfaceDown);
+    fake->release();
+  }
+}
+
+// --- the kernel's network lock is held by somebody, and questions hang
+
+TEST_F(FollowedLink, OpeningIsConnectingUntilTheKernelAnswersAndEventsGoOnMeanwhile) {
+  fake->hold();
+  link->open(heard);
+  std::vector<std::string> order;
+  for (int i = 0; i < 3; ++i) {
+    QMetaObject::invokeMethod(
+        link.get(), [&] { order.push_back("event"); }, Qt::QueuedConnection);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return order.size() == 3; }, kLong));
+  EXPECT_EQ(heard.states, std::vector{LinkState::Connecting});
+  EXPECT_EQ(link->write(frameOf(0x123, {})), WriteResult::NotOpen);
+  fake->release();
+  ASSERT_TRUE(waitFor(LinkState::Up));
+}
+
+TEST_F(FollowedLink, WhileAQuestionHangsFramesAndNewsComeAllTheSame) {
+  open();
+  fake->hold();
+  fake->loseNews();
+  ASSERT_TRUE(fake->isAsked());
+  EXPECT_EQ(link->write(frameOf(0x123, {})), WriteResult::Accepted);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.frames.empty(); }, kLong));
+  fake->set(down);
+  EXPECT_EQ(heard.states, std::vector{LinkState::Lost});
+}
+
+TEST_F(FollowedLink, AnAnswerThatNewsHaveOvertakenChangesNothing) {
+  open();
+  fake->hold();
+  fake->loseNews();  // asked while it is up ...
+  fake->set(down);
+  ASSERT_EQ(heard.states, std::vector{LinkState::Lost});
+  fake->release();  // ... and answered after it went down
+  // It is asked anew, and answers as it is now.
+  fake->setSilently([](CanInterface& facts) { facts.sendErrors = 7; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return link->status().hardware->sendErrors == 7; }, kLong));
+  EXPECT_EQ(heard.states, std::vector{LinkState::Lost});
+}
+
+TEST_F(FollowedLink, ClosesAndIsDestroyedWhileAQuestionHangs) {
+  fake->hold();
+  link->open(heard);
+  link->close();
+  EXPECT_EQ(heard.states, (std::vector{LinkState::Connecting, LinkState::Closed}));
+  fake->release();
+  heard.forget();
+  link->open(heard);
+  ASSERT_TRUE(waitFor(LinkState::Up));
+  EXPECT_EQ(heard.states, (std::vector{LinkState::Connecting, LinkState::Up}));
+  fake->hold();
+  fake->loseNews();
+  heard.forget();
+  link.reset();
+  EXPECT_TRUE(heard.states.empty()) << "nothing is told by a destructor";
 }
 
 }  // namespace

@@ -20,6 +20,19 @@ TEST(OwnFrames, EachComesBackOnce) {
   EXPECT_FALSE(own.cameBack(frameOf(0x123, {1})));
 }
 
+// Told by which one is given up next: of the two equal frames the first has come back.
+TEST(OwnFrames, EqualFramesComeBackFirstInFirstOut) {
+  OwnFrames own(3);
+  own.wrote(frameOf(0x123, {1}));
+  own.wrote(frameOf(0x200, {}));
+  own.wrote(frameOf(0x123, {1}));
+  EXPECT_TRUE(own.cameBack(frameOf(0x123, {1})));
+  own.wrote(frameOf(0x300, {}));
+  own.wrote(frameOf(0x400, {}));  // one too many: 200 is the oldest now
+  EXPECT_TRUE(own.cameBack(frameOf(0x123, {1}))) << "the second one was taken for the first";
+  EXPECT_FALSE(own.cameBack(frameOf(0x200, {})));
+}
+
 TEST(OwnFrames, StampChannelAndFlagsDoNotMatter) {
   OwnFrames own;
   own.wrote(frameOf(0x123, {1}));

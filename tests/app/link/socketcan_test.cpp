@@ -54,11 +54,13 @@ TEST_F(SocketCan, FramesGoBothWaysAndOwnOnesComeBackConfirmedOnce) {
   End one(names[0], 250'000), two(names[1], 250'000);
   one.link.open(one.heard);
   two.link.open(two.heard);
-  ASSERT_EQ(one.heard.state(), LinkState::Up) << one.heard.reason();
-  ASSERT_EQ(two.heard.state(), LinkState::Up) << two.heard.reason();
+  ASSERT_TRUE(one.waitForState(LinkState::Up)) << one.heard.reason();
+  ASSERT_TRUE(two.waitForState(LinkState::Up)) << two.heard.reason();
   ASSERT_TRUE(one.link.status().hardware);
   EXPECT_EQ(one.link.status().hardware->bitRate, 250'000u);
   EXPECT_EQ(one.link.status().hardware->kind, "can");
+  EXPECT_TRUE(one.link.status().hardware->echoesInDriver);
+  EXPECT_GT(one.link.status().hardware->transmitQueue, 0u);
   EXPECT_FALSE(one.link.status().hardware->isListenOnly);
   const auto buffer = one.link.receiveBuffer();
   ASSERT_TRUE(buffer) << "the plugin's socket was not found";
@@ -92,6 +94,8 @@ TEST_F(SocketCan, WhatAnotherProgramSendsOnOurInterfaceIsNotOurs) {
   End one(names[0], 250'000), other(names[0], 250'000);
   one.link.open(one.heard);
   other.link.open(other.heard);
+  ASSERT_TRUE(one.waitForState(LinkState::Up));
+  ASSERT_TRUE(other.waitForState(LinkState::Up));
   other.link.write(frameOf(0x123, {1}));
   ASSERT_TRUE(one.waitForFrames(1));
   EXPECT_EQ(one.heard.frames[0].flags, 0);
@@ -107,6 +111,7 @@ TEST_F(SocketCan, ABurstEndsInAFullQueueAndWhatWasAcceptedComesBack) {
   const bool isSlow = QProcess::execute(tc, qdisc + slow) == 0;
   End one(names[0], 250'000);
   one.link.open(one.heard);
+  ASSERT_TRUE(one.waitForState(LinkState::Up));
   std::size_t accepted = 0;
   WriteResult last = WriteResult::Accepted;
   for (int i = 0; i < 200 && last == WriteResult::Accepted; ++i) {
@@ -128,17 +133,17 @@ TEST_F(SocketCan, ABurstEndsInAFullQueueAndWhatWasAcceptedComesBack) {
 TEST_F(SocketCan, AnotherBitRateThanAskedForIsRefused) {
   End wrong(names[0], 500'000), asItIs(names[0], 0);
   wrong.link.open(wrong.heard);
-  EXPECT_EQ(wrong.heard.state(), LinkState::Closed);
+  ASSERT_TRUE(wrong.waitForState(LinkState::Closed));
   EXPECT_EQ(wrong.link.status().fault, LinkFault::WrongBitRate);
   asItIs.link.open(asItIs.heard);
-  EXPECT_EQ(asItIs.heard.state(), LinkState::Up);
+  ASSERT_TRUE(asItIs.waitForState(LinkState::Up));
   EXPECT_EQ(asItIs.link.status().hardware->bitRate, 250'000u);
 }
 
 TEST_F(SocketCan, DownIsLostAndUpAgainIsUp) {
   End one(names[0], 250'000);
   one.link.open(one.heard);
-  ASSERT_EQ(one.heard.state(), LinkState::Up);
+  ASSERT_TRUE(one.waitForState(LinkState::Up));
   setUp(names[0], false);
   EXPECT_EQ(one.link.write(frameOf(0x123, {})), WriteResult::Failed) << "before the event is heard";
   ASSERT_TRUE(one.waitForState(LinkState::Lost));
@@ -147,7 +152,7 @@ TEST_F(SocketCan, DownIsLostAndUpAgainIsUp) {
 
   End late(names[0], 250'000);
   late.link.open(late.heard);
-  EXPECT_EQ(late.heard.state(), LinkState::Closed);
+  ASSERT_TRUE(late.waitForState(LinkState::Closed));
   EXPECT_EQ(late.link.status().fault, LinkFault::InterfaceDown);
   bool isListed = false;
   for (const Adapter& adapter : listAdapters().adapters) {
@@ -170,6 +175,7 @@ TEST_F(SocketCan, DownIsLostAndUpAgainIsUp) {
 TEST_F(SocketCan, UpAgainAtAnotherRateItWaitsForTheRightOne) {
   End one(names[0], 250'000);
   one.link.open(one.heard);
+  ASSERT_TRUE(one.waitForState(LinkState::Up));
   setUp(names[0], false);
   ASSERT_TRUE(one.waitForState(LinkState::Lost));
   setRate(names[0], 500'000);

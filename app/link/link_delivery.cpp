@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/link_delivery.h"
+
+#include "link/convert.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr std::size_t kAwaitedEchoes = 512;
+constexpr std::size_t kStrayEchoes = 64;  // of plugins that are known not to echo
+
+}  // namespace
+
+LinkDelivery::LinkDelivery(Channel channel, bool echoes, LinkStatus& status)
+    : m_channel(channel), m_echoes(echoes), m_status(status), m_own(echoes ? kAwaitedEchoes : kStrayEchoes) {}
+
+void LinkDelivery::begin(PortListener& listener) {
+  clear();
+  ++m_listeners;
+  m_listener = &listener;
+}
+
+PortListener* LinkDelivery::end() {
+  clear();
+  ++m_listeners;
+  return std::exchange(m_listener, nullptr);
+}
+
+void LinkDelivery::clear() {
+  m_own.clear();
+  m_batch.clear();
+  m_missing.clear();
+  m_lost = 0;
+}
+
+void LinkDelivery::take(const QCanBusFrame& frame) {
+  auto converted = fromCanBusFrame(frame, m_channel);
+  if (!converted) {
+    m_missing.emplace_back(m_batch.size(), converted.error());
+    return;
+  }
+  Frame& out = converted.value();
+  if (frame.hasLocalEcho()) {
+    const bool isAwaited = m_own.cameBack(out);
+    if (isAwaited && !m_echoes) return;  // delivered when it was written
+    if (m_echoes) {
+      out.flags = Frame::kSent | Frame::kConfirmed;
+      ++m_status.confirmed;
+    }
+  }
+  if ((out.flags & Frame::kSent) == 0) ++m_status.received;
+  m_batch.push_back(out);
+}
+
+void LinkDelivery::wrote(const Frame& frame, std::int64_t time) {
+  ++m_status.written;
+  m_own.wrote(frame);
+  if (m_echoes) return;
+  Frame own = frame;
+  own.channel = m_channel.value;
+  own.flags = Frame::kSent;
+  own.stamp = time;
+  m_batch.push_back(own);
+}
+
+void LinkDelivery::handOver() {
+  auto batch = std::exchange(m_batch, {});
+  const auto missing = std::exchange(m_missing, {});
+  const std::uint32_t lost = std::exchange(m_lost, 0);
+  m_status.notKept += missing.size() + lost;
+  const int listeners = m_listeners;
+  const auto isHeard = [&] { return m_listener != nullptr && m_listeners == listeners; };
+  std::size_t from = 0;
+  const auto hand = [&](std::size_t to) {
+    if (isHeard() && to > from) {
+      m_listener->framesReceived(std::span<const Frame>(batch).subspan(from, to - from));
+    }
+    from = to;
+  };
+  for (const auto& [place, reason] : missing) {
+    hand(place);
+    if (isHeard()) m_listener->framesNotKept(reason, 1);
+  }
+  hand(batch.size());
+  if (isHeard() && lost > 0) m_listener->framesNotKept(NotKept::Overflow, lost);
+  if (m_batch.empty()) {
+    batch.clear();
+    m_batch = std::move(batch);  // its memory serves again
+  }
+}
+
+void LinkDelivery::tell(LinkState state, const std::string& reason) {
+  if (m_listener != nullptr) m_listener->linkChanged(state, reason);
+}
+
+}  // namespace deckpipe
