@@ -27,6 +27,7 @@
 #include "panel/settings_page.h"
 #include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
+#include "protocol/name.h"
 #include "recent_logs.h"
 #include "save_bar.h"
 #include "sending_actions.h"
@@ -79,7 +80,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   m_sending = new SendingActions(m_session, this);
   const ClaimSettings claim = claimSettings();
   m_session.setClaim(claim);
-  m_settings->setIdentity(claim.preferred.value, static_cast<int>(claim.identityNumber));
+  m_settings->setIdentity(claim.preferred.value, static_cast<int>(claim.identityNumber),
+                          int{kLargestIdentity});
   makeMenus();
   connect(&m_session, &Session::changed, this, &MainWindow::showSnapshot);
   connectPanels();

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "panel/danger_dialog.h"
+#include "protocol/name.h"
 
 namespace deckpipe {
 namespace {

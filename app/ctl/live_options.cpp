@@ -4,6 +4,7 @@
 #include <QSysInfo>
 
 #include "arguments.h"
+#include "protocol/name.h"
 
 namespace deckpipe::ctl {
 namespace {

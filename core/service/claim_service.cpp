@@ -16,7 +16,13 @@ Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8};
 
 Name consoleName(std::uint32_t identityNumber) {
   constexpr std::uint64_t kNoManufacturer = 0x7FF, kServiceTool = 129;
-  return {(identityNumber & 0x1F'FFFFu) | kNoManufacturer << 21 | kServiceTool << 40 | 1ull << 63};
+  using j1939::kNameFields;
+  Payload name{};
+  writeBits(name, fieldOf(kNameFields, "identity_number").bits, identityNumber);
+  writeBits(name, fieldOf(kNameFields, "manufacturer_code").bits, kNoManufacturer);
+  writeBits(name, fieldOf(kNameFields, "function").bits, kServiceTool);
+  writeBits(name, fieldOf(kNameFields, "arbitrary_address_capable").bits, 1);
+  return {loadLittle(name)};
 }
 
 ClaimService::ClaimService(const ClaimSettings& settings)
