@@ -62,11 +62,10 @@ void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const
 
 // Taken by a NAME, or in use without one.
 bool ClaimService::isFree(const Live& live, Address address) const {
-  const Node& node = live.bus().claims[address];
+  const AddressBook& book = live.bus().book;
   if (m_lost[address.value]) return false;
-  if (node.name.value == m_status.name) return true;
-  if (node.name.value != 0 && node.claim != ClaimState::CannotClaim) return false;
-  return m_ours[address.value] || !node.isHeard();
+  if (book.isHeld(address)) return book.holder(address).value == m_status.name;
+  return m_ours[address.value] || !book.isHeard(address);
 }
 
 void ClaimService::claimNext(Instant now, const Live& live, Outgoing& out) {
