@@ -28,6 +28,7 @@
 #include "panel/settings_page.h"
 #include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
+#include "protocol/name.h"
 #include "recent_logs.h"
 #include "save_bar.h"
 #include "sending_actions.h"
@@ -80,7 +81,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   m_sending = new SendingActions(m_session, this);
   const ClaimSettings claim = claimSettings();
   m_session.setClaim(claim);
-  m_settings->setIdentity(claim.preferred.value, static_cast<int>(claim.identityNumber));
+  m_settings->setIdentity(claim.preferred.value, static_cast<int>(claim.identityNumber),
+                          int{kLargestIdentity});
   if (const auto refused = dropRefusedAddress()) {
     m_settings->refuseAddress(refused->value);
     m_addressNotice = refusedAddressNotice(*refused, claim.preferred);

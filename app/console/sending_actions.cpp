@@ -9,6 +9,7 @@
 
 #include "panel/danger_dialog.h"
 #include "protocol/address_use.h"
+#include "protocol/name.h"
 
 namespace deckpipe {
 namespace {

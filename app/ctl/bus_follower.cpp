@@ -26,8 +26,9 @@ void BusFollower::follow(const LogView& view) {
   for (takeNotes(); m_next < end; takeNotes()) {
     const Frame& frame = frames[m_next];
     const Instant time = times.at(m_next);
+    m_state.timeCame(time);
     const Classified what = frame.channel < kMaxChannels
-                                ? classify(frame, time, m_state.channel({frame.channel}).roles)
+                                ? classify(frame, time, m_state.channel({frame.channel}).book)
                                 : Classified{};
     m_state.apply(frame, time);
     ++m_next;

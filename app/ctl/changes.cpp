@@ -110,8 +110,7 @@ void Changes::compare() {
   };
   for (std::size_t a = 0; a < kNullAddress.value; ++a) {
     const Address address{static_cast<std::uint8_t>(a)};
-    const Node& node = bus.claims[address];
-    const std::uint64_t name = node.claim == ClaimState::CannotClaim ? 0 : node.name.value;
+    const std::uint64_t name = bus.book.holder(address).value;
     if (name == m_names[a]) continue;
     std::string text;
     appendHex(text, name != 0 ? name : m_names[a], 16);

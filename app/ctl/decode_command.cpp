@@ -41,7 +41,7 @@ class Decoder {
       name = m_frames.channelName(frame.channel);
       for (const ChannelAddress& drive : m_drives) {
         if (drive.channel.empty() || drive.channel == *name)
-          m_roles.sayDrive({frame.channel}, drive.address, true);
+          m_roles.sayDrive({frame.channel}, drive.address, true, time);
       }
     }
     appendDecoded(m_output.text(), m_format, frame, *name, m_roles.next(frame, time));

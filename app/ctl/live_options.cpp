@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "protocol/address_use.h"
+#include "protocol/name.h"
 
 namespace deckpipe::ctl {
 namespace {

@@ -2,6 +2,7 @@
 #include "node_lines.h"
 
 #include <cstdio>
+#include <optional>
 
 #include "bus_follower.h"
 #include "json_line.h"
@@ -14,17 +15,18 @@ namespace {
 
 struct Row {
   Address address = kNullAddress;
-  NodeId node{};                   // 0: none
-  const Node* claim = nullptr;     // null: not on J1939, or without an address
+  NodeId node{};                // 0: none
+  std::optional<Node> heard{};  // from the address; nothing: not on J1939, or without an address
+  ClaimState claim = ClaimState::NoClaim;
+  std::uint64_t name = 0;
   const Device* device = nullptr;  // null: nothing known but the address
   const char* what = "unknown";
   bool sendsJoystick = false;
 
-  std::uint32_t frames() const { return claim != nullptr ? claim->frames : device->frames; }
-  std::uint32_t malformed() const { return device != nullptr ? device->malformed : claim->malformed; }
-  Instant lastHeard() const { return claim != nullptr ? claim->lastHeard : device->lastHeard; }
+  std::uint32_t frames() const { return heard ? heard->frames : device->frames; }
+  std::uint32_t malformed() const { return device != nullptr ? device->malformed : heard->malformed; }
+  Instant lastHeard() const { return heard ? heard->lastHeard : device->lastHeard; }
   Pin pin() const { return device != nullptr ? device->pin : Pin(); }
-  std::uint64_t name() const { return claim != nullptr ? claim->name.value : 0; }
 };
 
 const char* claimWord(ClaimState claim) {
@@ -40,10 +42,10 @@ const char* claimWord(ClaimState claim) {
 
 const char* whatIsAt(const ChannelState& bus, Address address, bool sendsJoystick, bool speaksAkron) {
   if (bus.ownAddress == address) return "own";
-  if (bus.roles.isDrive(address)) return "drive";
-  if (bus.roles.isAkron(address)) return "akron";
+  if (bus.book.isDrive(address)) return "drive";
+  if (bus.book.isAkron(address)) return "akron";
   if (sendsJoystick) return "joystick";
-  if (bus.roles.isForeign(address)) return "foreign";
+  if (bus.book.isForeign(address)) return "foreign";
   if (speaksAkron) return "presumed";
   return "unknown";
 }
@@ -53,9 +55,12 @@ std::vector<Row> rowsOf(const State& state, Channel channel) {
   const ChannelState& bus = state.channel(channel);
   for (unsigned a = 0; a < kNullAddress.value; ++a) {
     const Address address{static_cast<std::uint8_t>(a)};
-    const Node& node = bus.claims[address];
-    if (!node.isHeard() && node.name.value == 0) continue;
-    Row row{.address = address, .claim = &node, .device = state.devices().byAddress(channel, address)};
+    if (!bus.book.isHeard(address)) continue;
+    Row row{.address = address,
+            .heard = bus.nodes[address],
+            .claim = bus.book.claim(address, state.cursor().time),
+            .name = bus.book.lastHolder(address).value,
+            .device = state.devices().byAddress(channel, address)};
     row.sendsJoystick = bus.joysticks.find(address) != nullptr;
     row.what = whatIsAt(bus, address, row.sendsJoystick, row.device != nullptr);
     rows.push_back(row);
@@ -87,13 +92,13 @@ std::string jsonLine(const Row& row, std::string_view channelName) {
     line.add("device_type", std::int64_t{row.pin().deviceType()});
     type.empty() ? line.add("type_name", Value()) : line.add("type_name", type);
   }
-  if (row.claim != nullptr) line.add("claim", claimWord(row.claim->claim));
-  if (row.name() != 0) {
+  if (row.heard) line.add("claim", claimWord(row.claim));
+  if (row.name != 0) {
     std::string name;
-    appendHex(name, row.name(), 16);
+    appendHex(name, row.name, 16);
     line.add("name", name);
     Frame frame;
-    frame.data = std::bit_cast<Payload>(row.name());
+    frame.data = std::bit_cast<Payload>(row.name);
     frame.length = 8;
     for (const Field& field : j1939::kNameFields) {
       if (!field.key.empty()) line.add(field.key, valueOf(field, frame));
@@ -117,8 +122,7 @@ std::string textLine(const Row& row, Instant now) {
     std::snprintf(place, sizeof place, "%02X", static_cast<unsigned>(row.address.value));
   }
   char name[20] = "";
-  if (row.name() != 0)
-    std::snprintf(name, sizeof name, "%016llX", static_cast<unsigned long long>(row.name()));
+  if (row.name != 0) std::snprintf(name, sizeof name, "%016llX", static_cast<unsigned long long>(row.name));
   std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u frames, last %.1f s ago\n", place,
                 row.what, std::string(pin.text()).c_str(), std::string(type).c_str(), name, row.frames(),
                 std::chrono::duration<double>(now - row.lastHeard()).count());

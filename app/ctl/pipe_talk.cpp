@@ -59,7 +59,7 @@ void PipeTalk::begin(const DeviceServices& device) {
   m_device = device.device;
   m_address = device.address;
   m_quiet.start();
-  if (!m_run.follower().state().channel(m_run.channel()).roles.isAkron(m_address))
+  if (!m_run.follower().state().channel(m_run.channel()).book.isAkron(m_address))
     return fail(
         deviceText(device) + QStringLiteral(" is not known to be Akron's, which alone have a data pipe"), {});
   m_phase = Phase::Before;

@@ -29,9 +29,8 @@ std::vector<Stranger> StrangerWatch::strangers() const {
   const ChannelState& bus = m_state.channel({});
   const auto kindAt = [&](Address a, const Device* device) -> std::optional<Stranger::Kind> {
     if (m_joysticks[a.value]) return Stranger::Kind::Joystick;
-    const Node& node = bus.claims[a];
-    if (!node.isHeard() || node.name.function() == kServiceToolFunction) return {};
-    if (device != nullptr || bus.roles.isAkron(a)) return Stranger::Kind::Akron;
+    if (!bus.book.isHeard(a) || bus.book.lastHolder(a).function() == kServiceToolFunction) return {};
+    if (device != nullptr || bus.book.isAkron(a)) return Stranger::Kind::Akron;
     if (std::ranges::count(m_own, a) > 0) return Stranger::Kind::OwnAddress;
     return {};
   };
@@ -48,7 +47,7 @@ std::vector<Stranger> StrangerWatch::strangers() const {
     if (device.kind != Device::Kind::Node) continue;
     // What only has a heartbeat may be any CANopen device.
     const bool saysStatus = device.position.isKnown() || device.outputs.isKnown();
-    if (saysStatus || bus.roles.isAkronNode(device.node)) found.push_back({.node = device.node});
+    if (saysStatus || bus.book.isAkronNode(device.node)) found.push_back({.node = device.node});
   }
   return found;
 }

@@ -3,6 +3,7 @@
 
 #include "bus/canopen.h"
 #include "bus/j1939.h"
+#include "protocol/address_book.h"
 #include "protocol/catalogue.h"
 
 namespace deckpipe {
@@ -46,13 +47,13 @@ Classified decoded(Family family, MessageId id, unsigned length) {
 
 // Types 41 and 46 look the same both ways.
 MessageId requestOrAck(const TypeEntry& entry, std::uint8_t type, const J1939Id& id, Instant time,
-                       const ChannelRoles& roles) {
-  const bool fromAkron = roles.isAkron(id.source);
-  const bool toAkron = roles.isAkron(id.destination);
+                       const AddressBook& book) {
+  const bool fromAkron = book.isAkron(id.source);
+  const bool toAkron = book.isAkron(id.destination);
   bool ack;
   if (fromAkron != toAkron) {
     ack = fromAkron;
-  } else if (roles.awaitsAnswer(type, id.source, id.destination, time)) {
+  } else if (book.exchanges().awaitsAnswer(type, id.source, id.destination, time)) {
     ack = true;
   } else {
     ack = !fromAkron && isDynamicAddress(id.source) && !isDynamicAddress(id.destination);
@@ -61,21 +62,20 @@ MessageId requestOrAck(const TypeEntry& entry, std::uint8_t type, const J1939Id&
 }
 
 MessageId akronMessage(const TypeEntry& entry, const Frame& frame, const J1939Id& id, Instant time,
-                       const ChannelRoles& roles) {
+                       const AddressBook& book) {
   if (entry.second == MessageId::Count || !allows(messageOf(entry.second).lengths, frame.length))
     return entry.first;
   if (!allows(messageOf(entry.first).lengths, frame.length)) return entry.second;
-  return requestOrAck(entry, frame.data[0], id, time, roles);
+  return requestOrAck(entry, frame.data[0], id, time, book);
 }
 
 // PGN EF00 in the order of protocol.md 1.3.
-Classified classifyProprietary(const Frame& frame, const J1939Id& id, Instant time,
-                               const ChannelRoles& roles) {
+Classified classifyProprietary(const Frame& frame, const J1939Id& id, Instant time, const AddressBook& book) {
   const bool broadcast = id.destination == kGlobalAddress;
-  const bool driveSends = roles.isDrive(id.source);
-  const bool driveReceives = !broadcast && roles.isDrive(id.destination);
-  const bool akronSends = roles.isAkron(id.source);
-  const bool akronReceives = !broadcast && roles.isAkron(id.destination);
+  const bool driveSends = book.isDrive(id.source);
+  const bool driveReceives = !broadcast && book.isDrive(id.destination);
+  const bool akronSends = book.isAkron(id.source);
+  const bool akronReceives = !broadcast && book.isAkron(id.destination);
   const unsigned length = frame.length;
   const std::uint8_t type = frame.data[0];
 
@@ -92,15 +92,15 @@ Classified classifyProprietary(const Frame& frame, const J1939Id& id, Instant ti
   if (akronSends || akronReceives) {
     if (!known) return {.family = Family::Akron};
     if (!fits) return {Family::Akron, entry.first, true, entry.lengths()};
-    return decoded(Family::Akron, akronMessage(entry, frame, id, time, roles), length);
+    return decoded(Family::Akron, akronMessage(entry, frame, id, time, book), length);
   }
 
-  if (roles.isForeign(id.source) && (broadcast || roles.isForeign(id.destination)))
+  if (book.isForeign(id.source) && (broadcast || book.isForeign(id.destination)))
     return {.family = Family::Other};
 
   if (length > 0 && type == kPipeType) return {.family = Family::Ambiguous};
   if (!fits) return {};
-  const MessageId message = akronMessage(entry, frame, id, time, roles);
+  const MessageId message = akronMessage(entry, frame, id, time, book);
   const Message& m = messageOf(message);
   const Address device = m.device == DeviceEnd::Sender ? id.source : id.destination;
   if (m.broadcast != broadcast || !isDynamicAddress(device)) return {};
@@ -136,9 +136,9 @@ Classified classifySdo(const Frame& frame, bool response) {
 }
 
 // PDOs say nothing of whose they are: known only from their node, and then told by first byte and length.
-Classified classifyPdo(const Frame& frame, NodeId node, const ChannelRoles& roles, MessageId id,
+Classified classifyPdo(const Frame& frame, NodeId node, const AddressBook& book, MessageId id,
                        int firstByte) {
-  const bool akron = roles.isAkronNode(node);
+  const bool akron = book.isAkronNode(node);
   if (firstByte >= 0 && (frame.length == 0 || frame.data[0] != firstByte)) {
     return {.family = akron ? Family::Canopen : Family::None};
   }
@@ -146,7 +146,7 @@ Classified classifyPdo(const Frame& frame, NodeId node, const ChannelRoles& role
   return result.malformed && !akron ? Classified{} : result;
 }
 
-Classified classifyStandard(const Frame& frame, const ChannelRoles& roles) {
+Classified classifyStandard(const Frame& frame, const AddressBook& book) {
   const CobId cob = CobId::of(frame.identifier());
   if (frame.identifier() == 0) return decoded(Family::Canopen, MessageId::NmtCommand, frame.length);
   if (cob.node.value == 0) return {};
@@ -154,21 +154,21 @@ Classified classifyStandard(const Frame& frame, const ChannelRoles& roles) {
     case CobFunction::Heartbeat: return decoded(Family::Canopen, MessageId::Heartbeat, frame.length);
     case CobFunction::SdoResponse: return classifySdo(frame, true);
     case CobFunction::SdoRequest: return classifySdo(frame, false);
-    case CobFunction::Tpdo1: return classifyPdo(frame, cob.node, roles, MessageId::PositionLimitStatus, 0x01);
-    case CobFunction::Tpdo2: return classifyPdo(frame, cob.node, roles, MessageId::DigitalOutputs, 0x83);
-    case CobFunction::Rpdo1: return classifyPdo(frame, cob.node, roles, MessageId::GatewayJoystick, -1);
+    case CobFunction::Tpdo1: return classifyPdo(frame, cob.node, book, MessageId::PositionLimitStatus, 0x01);
+    case CobFunction::Tpdo2: return classifyPdo(frame, cob.node, book, MessageId::DigitalOutputs, 0x83);
+    case CobFunction::Rpdo1: return classifyPdo(frame, cob.node, book, MessageId::GatewayJoystick, -1);
     default: return {};
   }
 }
 
 }  // namespace
 
-Classified classify(const Frame& frame, Instant time, const ChannelRoles& roles) {
+Classified classify(const Frame& frame, Instant time, const AddressBook& book) {
   if ((frame.id & (kRemoteBit | kErrorBit)) != 0 || frame.length > 8) return {};
-  if (!frame.isExtended()) return classifyStandard(frame, roles);
+  if (!frame.isExtended()) return classifyStandard(frame, book);
   const J1939Id id = J1939Id::of(frame.identifier());
   switch (id.pgn) {
-    case pgn::kProprietaryA: return classifyProprietary(frame, id, time, roles);
+    case pgn::kProprietaryA: return classifyProprietary(frame, id, time, book);
     case pgn::kBasicJoystick: return decoded(Family::J1939, MessageId::BasicJoystick, frame.length);
     case pgn::kExtendedJoystick: return decoded(Family::J1939, MessageId::ExtendedJoystick, frame.length);
     case pgn::kAddressClaimed: return decoded(Family::J1939, MessageId::Name, frame.length);

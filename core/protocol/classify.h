@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which message of the catalogue a frame is. Total: any frame in, one answer out. Pure: the same frame, time
-// and roles give the same answer, so the trace, the headless tool and the state agree at every row.
+// and address book give the same answer, so the trace, the headless tool and the state agree at every row.
 #pragma once
 
 #include "base/time.h"
 #include "bus/frame.h"
 #include "protocol/message.h"
-#include "protocol/roles.h"
 
 namespace deckpipe {
+
+class AddressBook;
 
 struct Classified {
   Family family = Family::None;
@@ -20,7 +21,7 @@ struct Classified {
   friend bool operator==(const Classified&, const Classified&) = default;
 };
 
-// `time` is the frame's log time, `roles` what was known of its channel before it.
-Classified classify(const Frame& frame, Instant time, const ChannelRoles& roles);
+// `time` is the frame's log time, `book` what was known of its channel before it.
+Classified classify(const Frame& frame, Instant time, const AddressBook& book);
 
 }  // namespace deckpipe

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a classified frame to values, through the catalogue and nothing else.
 //
-//   const Classified what = classify(frame, time, roles);
+//   const Classified what = classify(frame, time, book);
 //   if (what.isDecoded())
 //     for (const Field& field : messageOf(what.message).fields)
 //       if (isPresent(field, frame)) use(field.key, valueOf(field, frame));

@@ -1,37 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Classifies the frames of a log one after another, keeping the roles of every channel it has. For whoever
-// walks a log without a State: the headless decode, and the index that lets the trace start anywhere.
+// Classifies the frames of a log one after another, keeping the address book of every channel it has. For
+// whoever walks a log without a State: the headless decode, and the index that lets the trace start anywhere.
 #pragma once
 
-#include <map>
+#include <array>
+#include <vector>
 
-#include "protocol/classify.h"
+#include "protocol/address_book.h"
 
 namespace deckpipe {
 
 class RoleWalk {
  public:
-  // The next frame of the log; what it teaches holds from the one after it.
+  // The next frame of the log, at its log time. What it teaches holds from the one after it.
   Classified next(const Frame& frame, Instant time) {
-    ChannelRoles& roles = m_channels[frame.channel];
-    const Classified what = classify(frame, time, roles);
-    m_learned = roles.observe(frame, time, what);
+    timeCame(time);
+    const std::uint16_t place = m_places[frame.channel];
+    AddressBook& book = place == 0 ? addBook({frame.channel}) : m_books[place - 1u];
+    const Classified what = classify(frame, time, book);
+    m_learned = book.mayTeach(frame, what) && learn(book, frame, time, what);
     return what;
   }
-  // What next() would say, without going on.
-  Classified peek(const Frame& frame, Instant time) const {
-    static const ChannelRoles kNothingKnown;
-    const auto roles = m_channels.find(frame.channel);
-    return classify(frame, time, roles == m_channels.end() ? kNothingKnown : roles->second);
-  }
-  // Whether the last frame changed any role.
+  // Whether the last frame changed any book.
   bool learned() const { return m_learned; }
-  void sayDrive(Channel channel, Address address, bool isDrive) {
-    m_channels[channel.value].sayDrive(address, isDrive);
+  // Decides contests that are due before a frame or a note at `time`; says whether there was any. Both do so
+  // by themselves.
+  bool timeCame(Instant time) { return time >= m_nextDecision && decide(time); }
+  // What next() would say of a frame once its time has come, without going on.
+  Classified peek(const Frame& frame, Instant time) const {
+    return classify(frame, time, book({frame.channel}));
   }
+  // What is known of a channel.
+  const AddressBook& book(Channel channel) const;
+  // The person said at `time` that a Copley drive is at this address, or took it back.
+  void sayDrive(Channel channel, Address address, bool isDrive, Instant time);
 
  private:
-  std::map<std::uint8_t, ChannelRoles> m_channels;
+  AddressBook& addBook(Channel channel);
+  bool learn(AddressBook& book, const Frame& frame, Instant time, const Classified& what);
+  bool decide(Instant time);
+
+  std::vector<AddressBook> m_books;           // of the channels that had a frame
+  std::array<std::uint16_t, 256> m_places{};  // by channel: 1 + the index of its book; 0 = none
+  Instant m_nextDecision = kNever;            // no book's is earlier
   bool m_learned = false;
 };
 

@@ -365,12 +365,4 @@ std::optional<Pin> announcedPin(const Frame& frame) {
                    bitsOf(frame, akron::kPinLetter6), bitsOf(frame, akron::kPinSerial));
 }
 
-std::uint32_t Name::identityNumber() const {
-  return part(fieldOf(j1939::kNameFields, "identity_number").bits);
-}
-std::uint32_t Name::manufacturerCode() const {
-  return part(fieldOf(j1939::kNameFields, "manufacturer_code").bits);
-}
-std::uint32_t Name::function() const { return part(fieldOf(j1939::kNameFields, "function").bits); }
-
 }  // namespace deckpipe

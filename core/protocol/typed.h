@@ -12,6 +12,7 @@
 #include "bus/frame.h"
 #include "protocol/decode.h"
 #include "protocol/encode.h"
+#include "protocol/name.h"
 
 namespace deckpipe {
 
@@ -136,19 +137,5 @@ struct ConfigVersion {
 
 // Type FF: nothing where the bits are no PIN.
 std::optional<Pin> announcedPin(const Frame& frame);
-
-// The 64-bit NAME of PGN 60928 and its parts.
-struct Name {
-  std::uint64_t value = 0;
-
-  static Name of(const Frame& frame) { return {loadLittle(frame.data)}; }
-  std::uint32_t part(BitRange bits) const {
-    return static_cast<std::uint32_t>(readBits(std::bit_cast<Payload>(value), bits));
-  }
-  std::uint32_t identityNumber() const;
-  std::uint32_t manufacturerCode() const;
-  std::uint32_t function() const;
-  friend bool operator==(Name, Name) = default;
-};
 
 }  // namespace deckpipe

@@ -7,7 +7,7 @@ namespace deckpipe {
 
 AskSet asksTakenBy(const Live& live, const Device& device) {
   AskSet set;
-  if (device.kind == Device::Kind::Node || live.bus().roles.isDrive(device.address)) return set;
+  if (device.kind == Device::Kind::Node || live.bus().book.isDrive(device.address)) return set;
   for (std::size_t i = 0; i < kAsks; ++i) {
     const auto& types = kAskRules[i].takenBy;
     if (types[0] == 0 || (!device.pin.isNull() && std::ranges::count(types, device.pin.deviceType()) > 0))

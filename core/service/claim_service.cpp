@@ -13,8 +13,14 @@ Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8};
 }  // namespace
 
 Name consoleName(std::uint32_t identityNumber) {
-  constexpr std::uint64_t kNoManufacturer = 0x7FF, kFunction = kServiceToolFunction;
-  return {(identityNumber & 0x1F'FFFFu) | kNoManufacturer << 21 | kFunction << 40 | 1ull << 63};
+  constexpr std::uint64_t kNoManufacturer = 0x7FF;
+  using j1939::kNameFields;
+  Payload name{};
+  writeBits(name, fieldOf(kNameFields, "identity_number").bits, identityNumber);
+  writeBits(name, fieldOf(kNameFields, "manufacturer_code").bits, kNoManufacturer);
+  writeBits(name, fieldOf(kNameFields, "function").bits, kServiceToolFunction);
+  writeBits(name, fieldOf(kNameFields, "arbitrary_address_capable").bits, 1);
+  return {loadLittle(name)};
 }
 
 ClaimService::ClaimService(const ClaimSettings& settings)
@@ -55,11 +61,10 @@ void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const
 
 // Neither taken by another NAME nor in use without one.
 bool ClaimService::isFree(const Live& live, Address address) const {
-  const Node& node = live.bus().claims[address];
+  const AddressBook& book = live.bus().book;
   if (m_lost[address.value]) return false;
-  const bool isOthers = node.name.value != 0 && node.name.value != m_status.name;
-  if (isOthers && node.claim != ClaimState::CannotClaim) return false;
-  if (!node.isHeard()) return true;
+  if (book.isHeld(address) && book.holder(address).value != m_status.name) return false;
+  if (!book.isHeard(address)) return true;
   // Rule 7: others may have sent from a monitor's address that was ours, while we did not listen.
   return m_ours[address.value] && !isDynamicAddress(address);
 }

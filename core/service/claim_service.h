@@ -21,10 +21,8 @@
 
 namespace deckpipe {
 
-inline constexpr std::uint32_t kLargestIdentity = 0x1F'FFFF;  // 21 bits of a NAME
-
 struct ClaimSettings {
-  std::uint32_t identityNumber = 1;  // 21 bits, this installation's own
+  std::uint32_t identityNumber = 1;  // up to kLargestIdentity, this installation's own
   Address preferred = kServiceTool1;
 };
 

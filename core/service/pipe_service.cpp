@@ -270,7 +270,7 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
     }
     return;
   }
-  if (id.destination != live.own || !live.bus().roles.isAkron(id.source)) return;
+  if (id.destination != live.own || !live.bus().book.isAkron(id.source)) return;
   const DeviceKey device = live.canonical(DeviceKey::at(live.channel, id.source));
   if (frame.length > 1) return dataHeard(live, device, id.source, frame, out);
   Pipe* at = find(device);

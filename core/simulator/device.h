@@ -78,7 +78,7 @@ class Device : private PipeShell::Facts {
 
  private:
   // Polls 02-05 and the pipe are Akron's; others hear only the claims.
-  bool isAkron() const { return m_identity.name.manufacturerCode() == j1939::kAkronManufacturer; }
+  bool isAkron() const { return m_identity.name.isAkron(); }
   void step(Instant now);
   void announce(Instant now);
   void heardRequest(Instant now, const J1939Id& id, const Frame& frame);

@@ -22,10 +22,9 @@ Name akronName(std::uint32_t identityNumber) {
 Identity identityOf(std::string_view pin, PcodeVersion pcode, ConfigVersion config) {
   const auto parsed = Pin::parse(pin);
   assert(parsed);
-  constexpr std::uint64_t kLowBits = fieldOf(j1939::kNameFields, "identity_number").bits.mask();
   Identity identity;
   identity.pin = parsed.value_or(Pin());
-  identity.name = akronName(static_cast<std::uint32_t>(identity.pin->serial() & kLowBits));
+  identity.name = akronName(deckpipe::identityOf(*identity.pin));
   identity.model = deviceTypeName(identity.pin->deviceType());
   identity.pcode = pcode;
   identity.config = config;

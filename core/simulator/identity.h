@@ -24,7 +24,7 @@ struct Identity {
 
 // A NAME of Akron's as the manual's example has it: function 66, industry group 1, arbitrary address capable.
 Name akronName(std::uint32_t identityNumber);
-// The NAME's identity number is the low 21 bits of PIN digits 7-15 (Name Field). `pin` must be a PIN.
+// With the NAME that belongs to this PIN. `pin` must be a PIN.
 Identity identityOf(std::string_view pin, PcodeVersion pcode, ConfigVersion config);
 
 // The data of a message whose values are ours, so that failing to encode is a bug of ours.

@@ -5,7 +5,6 @@
 // of a log alike.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,16 +34,9 @@ class Conversations {
   bool isFull() const { return m_list.size() >= kMost; }
 
  private:
-  struct Holder {
-    Pin pin;
-    std::uint64_t name = 0;
-  };
   void look(const LogDocument& log, const Frame& frame, std::uint64_t index, Instant time);
-  void nameHeard(Channel channel, Address source, Name name);
-  void announced(Channel channel, Address source, const Pin& pin);
 
   std::vector<Utterance> m_list;
-  std::array<std::array<Holder, 256>, kMaxChannels> m_holders{};
   RoleIndex::Stand m_roles;
   std::uint64_t m_looked = 0;
 };

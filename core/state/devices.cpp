@@ -105,7 +105,6 @@ void Devices::takeAddress(Device& device, Instant time) {
 void Devices::giveAddress(Device& device, Address address, Instant time) {
   if (device.address == address) return;
   if (Device* before = findAddress(device.channel, address)) takeAddress(*before, time);
-  if (device.address != kNullAddress) takeAddress(device, time);
   if (device.previousAddress() != kNullAddress) ++device.addressChanges;
   device.address = address;
   device.addressSince = time;
@@ -116,10 +115,6 @@ void Devices::announced(Channel channel, Address address, const Pin& pin, Instan
   Device* device = const_cast<Device*>(byPin(channel, pin));
   if (device == nullptr) {
     device = findAddress(channel, address);  // heard before it said who it is
-    if (device != nullptr && device->kind == Device::Kind::Pin) {
-      takeAddress(*device, time);
-      device = nullptr;
-    }
     if (device == nullptr) device = makeForPin(channel, address);
     if (device == nullptr) return;
     device->kind = Device::Kind::Pin;
@@ -131,18 +126,7 @@ void Devices::announced(Channel channel, Address address, const Pin& pin, Instan
   device->announced = time;
 }
 
-void Devices::addressTaken(Channel channel, Address address, Name name, bool isFirst, Instant time) {
-  Device* device = findAddress(channel, address);
-  if (device == nullptr) return;
-  constexpr std::uint32_t kIdentityMask = 0x1F'FFFF;  // a NAME has the low 21 bits of the PIN's digits 7-15
-  const bool akron = name.manufacturerCode() == j1939::kAkronManufacturer;
-  const bool same = device->kind == Device::Kind::Pin
-                        ? akron && name.identityNumber() == (device->pin.serial() & kIdentityMask)
-                        : akron && isFirst;
-  if (!same) takeAddress(*device, time);
-}
-
-void Devices::addressLeft(Channel channel, Address address, Instant time) {
+void Devices::addressLost(Channel channel, Address address, Instant time) {
   if (Device* device = findAddress(channel, address)) takeAddress(*device, time);
 }
 

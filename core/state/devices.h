@@ -34,13 +34,11 @@ class Devices {
     return at(m_byAddress[channel.value][address.value]);
   }
 
-  // A device announced itself: its device has this address from now on, and whoever had it has none.
+  // The device at an address, if any, is not there any more, says the address book. One that was known only
+  // by its address is forgotten.
+  void addressLost(Channel channel, Address address, Instant time);
+  // A device announced itself: it has this address from now on. Whoever had it lost it before.
   void announced(Channel channel, Address address, const Pin& pin, Instant time);
-  // An address went to a NAME. A device whose PIN cannot be that NAME's lost it; what was known only by its
-  // address is forgotten, unless this may be its own first NAME.
-  void addressTaken(Channel channel, Address address, Name name, bool isFirst, Instant time);
-  // Its holder said that it cannot claim any address.
-  void addressLeft(Channel channel, Address address, Instant time);
 
   Instant nextDeadline() const;
   void timeCame(Instant time);

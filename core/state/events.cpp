@@ -14,7 +14,7 @@ constexpr std::uint8_t kStatusType = 0x01, kAnnouncementType = 0xFF;  // protoco
 }  // namespace
 
 bool Events::take(const LogDocument& log, std::uint64_t until, std::uint64_t atMost) {
-  const std::uint64_t end = std::min(until, m_looked + atMost);
+  const std::uint64_t end = std::min({until, log.roles.built(), m_looked + atMost});
   LogTimes times(log.frames);
   while (m_looked < end && !isFull()) {
     for (const Frame& frame : log.frames.run(m_looked)) {
@@ -40,6 +40,7 @@ void Events::look(const LogDocument& log, const Frame& frame, Event at) {
   if ((frame.flags & Frame::kTimeJump) != 0) add(EventKind::ClockJump, at);
   if (frame.channel >= kMaxChannels) return;
   Bus& bus = m_buses[frame.channel];
+  if (at.time >= bus.nextDecision) timeCame(log, bus, at);
   if (frame.isError()) {
     const bool isNew = bus.lastError == kNotYet || at.time - bus.lastError >= kSilence;
     bus.lastError = at.time;
@@ -58,15 +59,14 @@ void Events::lookExtended(const LogDocument& log, Bus& bus, const Frame& frame, 
   const J1939Id id = J1939Id::of(frame.identifier());
   at.address = id.source;
   if (id.pgn == pgn::kAddressClaimed && frame.length == 8) {
-    nameHeard(bus, Name::of(frame), at);
+    nameHeard(log, bus, Name::of(frame), at);
     return;
   }
   if (id.pgn != pgn::kProprietaryA || id.destination != kGlobalAddress || frame.length != 8) return;
   if (frame.data[0] == kStatusType) {
     statusHeard(log, bus.addresses[id.source.value], frame, at);
   } else if (frame.data[0] == kAnnouncementType) {
-    const auto pin = announcedPin(frame);
-    if (pin && isMessage(log, frame, at, MessageId::AddressAnnouncement)) announced(bus, *pin, at);
+    announced(log, bus, at);
   }
 }
 
@@ -85,40 +85,55 @@ void Events::lookStandard(const LogDocument& log, Bus& bus, const Frame& frame, 
   }
 }
 
-void Events::nameHeard(Bus& bus, Name name, Event at) {
-  if (name.value == 0 || at.address == kGlobalAddress) return;
-  at.name = name;
-  if (at.address != kNullAddress) {
-    Talker& talker = bus.addresses[at.address.value];
-    if (talker.name == name) return;
-    // A PIN belongs to the device that announced it, and that device left.
-    if (talker.name.value != 0) talker.pin = {};
-    talker.name = name;
-    add(EventKind::Claimed, at);
-    return;
+void Events::nameHeard(const LogDocument& log, Bus& bus, Name name, const Event& at) {
+  if (name.isNull() || at.address == kGlobalAddress) return;
+  if (at.address == kNullAddress) {
+    Event event = at;
+    event.name = name;
+    const auto holder = std::ranges::find(bus.addresses, name, &Talker::name);
+    if (holder != bus.addresses.end())
+      event.address = {static_cast<std::uint8_t>(holder - bus.addresses.begin())};
+    add(EventKind::CannotClaim, event);
   }
-  const auto holder = std::find_if(bus.addresses.begin(), bus.addresses.end(),
-                                   [name](const Talker& talker) { return talker.name == name; });
-  if (holder != bus.addresses.end()) {
-    at.address = {static_cast<std::uint8_t>(holder - bus.addresses.begin())};
-    *holder = {};
+  const AddressBook& book = log.roles.bookAfter(at.frame, at.channel, m_roles);
+  bus.nextDecision = book.nextDecision();
+  if (at.address != kNullAddress) return compareHolder(book, bus, at.address, at);
+  for (std::size_t a = 0; a < bus.addresses.size(); ++a) {
+    if (bus.addresses[a].name == name) compareHolder(book, bus, {static_cast<std::uint8_t>(a)}, at);
   }
-  add(EventKind::CannotClaim, at);
 }
 
-void Events::announced(Bus& bus, const Pin& pin, Event at) {
+// A contest for an address was decided before this frame.
+void Events::timeCame(const LogDocument& log, Bus& bus, const Event& at) {
+  const AddressBook& book = log.roles.bookBefore(at.frame, at.channel, m_roles);
+  bus.nextDecision = book.nextDecision();
+  for (std::size_t a = 0; a < bus.addresses.size(); ++a)
+    compareHolder(book, bus, {static_cast<std::uint8_t>(a)}, at);
+}
+
+void Events::compareHolder(const AddressBook& book, Bus& bus, Address address, Event at) {
+  Talker& talker = bus.addresses[address.value];
+  const Name holder = book.holder(address);
+  if (talker.name == holder) return;
+  talker.name = holder;
+  talker.pin = book.pin(address);
+  at.address = address;
+  at.name = holder;
+  if (!holder.isNull()) add(EventKind::Claimed, at);
+}
+
+void Events::announced(const LogDocument& log, Bus& bus, Event at) {
   Talker& talker = bus.addresses[at.address.value];
-  if (talker.pin == pin) return;
-  at.pin = pin;
-  const auto before = std::find_if(bus.addresses.begin(), bus.addresses.end(),
-                                   [&pin](const Talker& other) { return other.pin == pin; });
+  at.pin = log.roles.bookAfter(at.frame, at.channel, m_roles).pin(at.address);
+  if (at.pin.isNull() || talker.pin == at.pin) return;
+  const auto before = std::ranges::find(bus.addresses, at.pin, &Talker::pin);
   const bool hasMoved = before != bus.addresses.end();
   if (hasMoved) {
     at.previous = {static_cast<std::uint8_t>(before - bus.addresses.begin())};
     before->pin = {};
     before->lastStatus = kNotYet;  // its silence there is no riddle
   }
-  talker.pin = pin;
+  talker.pin = at.pin;
   add(hasMoved ? EventKind::AddressChanged : EventKind::Announced, at);
 }
 

@@ -48,7 +48,8 @@ class Events {
   // Shorter gaps are jitter, or the device table's to show.
   static constexpr Duration kSilence = 1s;
 
-  // Looks at up to so many further frames before `until`. False where frames remain to be looked at.
+  // Looks at up to so many further frames before `until`; not beyond what the log's index of roles has built.
+  // False where frames remain to be looked at.
   bool take(const LogDocument& log, std::uint64_t until, std::uint64_t atMost);
 
   const std::vector<Event>& list() const { return m_list; }
@@ -57,8 +58,8 @@ class Events {
  private:
   // Of a J1939 address or a CANopen node.
   struct Talker {
-    Pin pin;
-    Name name;
+    Pin pin;                       // as the address book says
+    Name name;                     // … that holds the address
     Instant lastStatus = kNotYet;  // of what it repeats
     bool hasError = false;
   };
@@ -66,13 +67,16 @@ class Events {
     std::array<Talker, 256> addresses;
     std::array<Talker, 128> nodes;
     Instant lastError = kNotYet;
+    Instant nextDecision = kNever;  // of a contest
   };
 
   void look(const LogDocument& log, const Frame& frame, Event at);
   void lookExtended(const LogDocument& log, Bus& bus, const Frame& frame, Event at);
   void lookStandard(const LogDocument& log, Bus& bus, const Frame& frame, Event at);
-  void nameHeard(Bus& bus, Name name, Event at);
-  void announced(Bus& bus, const Pin& pin, Event at);
+  void nameHeard(const LogDocument& log, Bus& bus, Name name, const Event& at);
+  void announced(const LogDocument& log, Bus& bus, Event at);
+  void timeCame(const LogDocument& log, Bus& bus, const Event& at);
+  void compareHolder(const AddressBook& book, Bus& bus, Address address, Event at);
   void statusHeard(const LogDocument& log, Talker& talker, const Frame& frame, const Event& at);
   bool isMessage(const LogDocument& log, const Frame& frame, const Event& at, MessageId id);
   void add(EventKind kind, Event at);

@@ -7,10 +7,13 @@
 namespace deckpipe {
 
 void RoleIndex::take(RoleWalk& walk, const Change& change) const {
-  if (change.isNote) {
-    walk.sayDrive(change.channel, change.address, change.isDrive);
-  } else {
-    walk.next(m_frames[change.frame], m_frames.timeAt(change.frame));
+  switch (change.kind) {
+    case Change::Kind::Time: walk.timeCame(change.time); break;
+    case Change::Kind::DriveSaid:
+    case Change::Kind::DriveUnsaid:
+      walk.sayDrive(change.channel, change.address, change.kind == Change::Kind::DriveSaid, change.time);
+      break;
+    case Change::Kind::Frame: walk.next(m_frames[change.frame], change.time); break;
   }
 }
 
@@ -41,12 +44,17 @@ bool RoleIndex::build(std::uint64_t atMost) {
       if (i == end) break;
       for (; nextNote < notes.size() && notes[nextNote].frame <= i; ++nextNote) {
         const Note& note = notes[nextNote];
-        const Change change{i, true, note.kind == NoteKind::DriveSaid, note.channel, note.address};
+        if (walk.timeCame(note.time)) record({i, note.time, Change::Kind::Time, {}, {}});
+        const auto kind =
+            note.kind == NoteKind::DriveSaid ? Change::Kind::DriveSaid : Change::Kind::DriveUnsaid;
+        const Change change{i, note.time, kind, note.channel, note.address};
         take(walk, change);
         record(change);
       }
-      walk.next(frame, times.at(i));
-      if (walk.learned()) record({i, false, false, {}, {}});
+      const Instant time = times.at(i);
+      if (walk.timeCame(time)) record({i, time, Change::Kind::Time, {}, {}});
+      walk.next(frame, time);
+      if (walk.learned()) record({i, time, Change::Kind::Frame, {}, {}});
       ++i;
     }
   }
@@ -67,8 +75,13 @@ std::uint64_t RoleIndex::built() const {
 
 std::size_t RoleIndex::changesBefore(std::uint64_t i) const {
   const auto end = std::partition_point(m_changes.begin(), m_changes.end(), [i](const Change& change) {
-    return change.frame < i || (change.frame == i && change.isNote);
+    return change.frame < i || (change.frame == i && change.kind != Change::Kind::Frame);
   });
+  return static_cast<std::size_t>(end - m_changes.begin());
+}
+
+std::size_t RoleIndex::changesAfter(std::uint64_t i) const {
+  const auto end = std::ranges::partition_point(m_changes, [i](const Change& c) { return c.frame <= i; });
   return static_cast<std::size_t>(end - m_changes.begin());
 }
 
@@ -93,6 +106,18 @@ Classified RoleIndex::classify(std::uint64_t i, const Frame& frame, Instant time
   const std::lock_guard lock(m_lock);
   walkTo(changesBefore(i), stand);
   return stand.walk.peek(frame, time);
+}
+
+const AddressBook& RoleIndex::bookBefore(std::uint64_t i, Channel channel, Stand& stand) const {
+  const std::lock_guard lock(m_lock);
+  walkTo(changesBefore(i), stand);
+  return stand.walk.book(channel);
+}
+
+const AddressBook& RoleIndex::bookAfter(std::uint64_t i, Channel channel, Stand& stand) const {
+  const std::lock_guard lock(m_lock);
+  walkTo(changesAfter(i), stand);
+  return stand.walk.book(channel);
 }
 
 void RoleIndex::invalidateAfter(std::uint64_t frame) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The roles at any frame of a log, from the few frames and notes that changed them. A worker calls build()
-// while the log grows; the trace takes a walk() from its first visible row on. Rows beyond what is built yet
-// are classified with the roles known so far. The worker looks at frames without the lock, for the window
-// asks on every tick.
+// The address books, and so the roles, at any frame of a log, from the few frames, notes and times that
+// changed them. A worker calls build() while the log grows; the trace takes a walk() from its first visible
+// row on. Rows beyond what is built yet are classified with what is known so far. The worker looks at frames
+// without the lock, for the window asks on every tick.
 #pragma once
 
 #include <cstdint>
@@ -32,23 +32,33 @@ class RoleIndex {
   };
   // What frame `i` of the log is, as the first next() of its walk() says.
   Classified classify(std::uint64_t i, const Frame& frame, Instant time, Stand& stand) const;
+  // What is known of a channel when frame `i` comes, and once it has come; valid until the stand moves.
+  const AddressBook& bookBefore(std::uint64_t i, Channel channel, Stand& stand) const;
+  const AddressBook& bookAfter(std::uint64_t i, Channel channel, Stand& stand) const;
   // A drive was said or unsaid before a frame that was built already: everything behind is built anew.
   void invalidateAfter(std::uint64_t frame);
 
  private:
-  // Replaying the frames that changed roles gives the same roles as replaying all: what a frame is depends on
-  // roles alone. A walk is kept every so many of them.
+  // Replaying the frames, notes and times that changed a book gives the same books as replaying all: what a
+  // frame is depends on its book alone. A walk is kept every so many of them.
   static constexpr std::size_t kKeepEvery = 512;
   struct Change {
-    std::uint64_t frame;  // a note: the frame it stands before
-    bool isNote;
-    bool isDrive;
-    Channel channel;
+    enum class Kind : std::uint8_t {
+      Time,  // a contest was decided: first of what happens before the frame or note at that time
+      DriveSaid,
+      DriveUnsaid,
+      Frame,
+    };
+    std::uint64_t frame;  // the frame; of the other kinds the one that they stand before
+    Instant time;
+    Kind kind;
+    Channel channel;  // of drives
     Address address;
   };
   void take(RoleWalk& walk, const Change& change) const;
-  // The changes up to frame `i`: its own notes happened before it, its own lesson did not.
+  // The changes before frame `i`: its time and its notes come before it, its own lesson does not.
   std::size_t changesBefore(std::uint64_t i) const;
+  std::size_t changesAfter(std::uint64_t i) const;
   void walkTo(std::size_t changes, Stand& stand) const;
 
   const FrameStore& m_frames;

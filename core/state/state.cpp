@@ -37,9 +37,13 @@ void State::apply(const Frame& frame, Instant time) {
   }
   channel.bits += estimatedBits(frame);
   if (frame.isRemote()) ++channel.remoteFrames;
-  const Classified what = classify(frame, time, channel.roles);
+  const Classified what = classify(frame, time, channel.book);
   count(what, time);
-  channel.roles.observe(frame, time, what);
+  if (channel.book.mayTeach(frame, what)) {
+    AddressBook::Lost lost;
+    channel.book.observe(frame, time, what, lost);
+    lose({frame.channel}, lost, time);
+  }
   if (frame.isExtended()) {
     applyExtended(frame, time, what);
   } else {
@@ -62,38 +66,18 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
   const Channel channelId{frame.channel};
   ChannelState& channel = m_channels[frame.channel];
   const J1939Id id = J1939Id::of(frame.identifier());
-  if (isNode(id.source)) channel.claims.heard(id.source, time);
+  if (isNode(id.source)) channel.nodes.heard(id.source, time);
   Device* sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
-  if (what.malformed) channel.claims.countMalformed(id.source);
+  if (what.malformed) channel.nodes.countMalformed(id.source);
 
   if (what.isDecoded()) {
     const Message& message = messageOf(what.message);
     switch (what.message) {
-      case MessageId::Name: {
-        const Name name = Name::of(frame);
-        const bool isFirst = channel.claims[id.source].name.value == 0;
-        // From the null address one frame may give up several; elsewhere it changes one address at most.
-        for (Address changed = channel.claims.claimed(id.source, name, time); isNode(changed);
-             changed = id.source == kNullAddress ? channel.claims.claimed(id.source, name, time)
-                                                 : kNullAddress) {
-          if (id.source == kNullAddress) {
-            m_devices.addressLeft(channelId, changed, time);
-          } else {
-            m_devices.addressTaken(channelId, changed, name, isFirst, time);
-          }
-        }
-        sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
-        break;
-      }
       case MessageId::BasicJoystick: channel.joysticks.heardBasic(id.source, frame, time); break;
       case MessageId::ExtendedJoystick: channel.joysticks.heardExtended(id.source, frame, time); break;
       case MessageId::AddressAnnouncement:
-        if (const auto pin = announcedPin(frame); pin && isNode(id.source)) {
-          const Device* device = m_devices.byPin(channelId, *pin);
-          const Address before = device == nullptr ? kNullAddress : device->address;
+        if (const auto pin = announcedPin(frame); pin && isNode(id.source))
           m_devices.announced(channelId, id.source, *pin, time);
-          if (before != id.source && before != kNullAddress) channel.claims.left(before);
-        }
         sender = m_devices.findAddress(channelId, id.source);
         break;
       case MessageId::SoePermissive:
@@ -148,8 +132,8 @@ void State::apply(const Note& note) {
       break;
     case NoteKind::LinkDown: channel.link = ChannelLink::Down; break;
     case NoteKind::Dropped: channel.dropped += note.number; break;
-    case NoteKind::DriveSaid: channel.roles.sayDrive(note.address, true); break;
-    case NoteKind::DriveUnsaid: channel.roles.sayDrive(note.address, false); break;
+    case NoteKind::DriveSaid: channel.book.sayDrive(note.address, true); break;
+    case NoteKind::DriveUnsaid: channel.book.sayDrive(note.address, false); break;
     case NoteKind::OwnAddress: channel.ownAddress = note.address; break;
     case NoteKind::Locked:
     case NoteKind::Unlocked:
@@ -171,7 +155,7 @@ void State::timeCame(Instant time) {
 Instant State::nextDeadline() const {
   Instant next = m_devices.nextDeadline();
   for (const ChannelState& channel : m_channels) {
-    next = std::min({next, channel.claims.nextDeadline(), channel.joysticks.nextDeadline()});
+    next = std::min({next, channel.book.nextDecision(), channel.joysticks.nextDeadline()});
   }
   return next;
 }
@@ -181,10 +165,15 @@ void State::fire(Instant due) {
   for (std::size_t i = 0; i < m_channels.size(); ++i) {
     m_channels[i].joysticks.timeCame(due);
     const Channel channel{static_cast<std::uint8_t>(i)};
-    for (Address changed = m_channels[i].claims.decide(due); isNode(changed);
-         changed = m_channels[i].claims.decide(due)) {
-      m_devices.addressTaken(channel, changed, m_channels[i].claims[changed].name, false, due);
-    }
+    AddressBook::Lost lost;
+    if (m_channels[i].book.timeCame(due, lost)) lose(channel, lost, due);
+  }
+}
+
+void State::lose(Channel channel, const AddressBook::Lost& lost, Instant time) {
+  if (lost.none()) return;
+  for (std::size_t a = 0; a < lost.size(); ++a) {
+    if (lost[a]) m_devices.addressLost(channel, {static_cast<std::uint8_t>(a)}, time);
   }
 }
 

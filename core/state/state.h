@@ -15,10 +15,11 @@
 #include "bus/controller.h"
 #include "bus/frame.h"
 #include "log/note_store.h"
+#include "protocol/address_book.h"
 #include "protocol/classify.h"
-#include "state/claims.h"
 #include "state/devices.h"
 #include "state/joysticks.h"
+#include "state/nodes.h"
 
 namespace deckpipe {
 
@@ -38,8 +39,8 @@ struct MessageCounter {
 enum class ChannelLink : std::uint8_t { Unknown, Up, Down };
 
 struct ChannelState {
-  ChannelRoles roles;
-  Claims claims;
+  AddressBook book;
+  Nodes nodes;
   Joysticks joysticks;
   std::uint64_t frames = 0;
   std::uint64_t bits = 0;  // estimated on the wire, for the load
@@ -79,6 +80,7 @@ class State {
   void applyExtended(const Frame& frame, Instant time, const Classified& what);
   void applyStandard(const Frame& frame, Instant time, const Classified& what);
   void count(const Classified& what, Instant time);
+  void lose(Channel channel, const AddressBook::Lost& lost, Instant time);
   Instant nextDeadline() const;
   void fire(Instant due);
 

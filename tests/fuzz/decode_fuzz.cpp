@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::memcpy(frame.data.data(), data + 6, frame.length);
     frame.stamp = now.ns;
     frame.channel = static_cast<std::uint8_t>(data[5] % 6);
-    if (data[5] % 16 == 0) roles.sayDrive({frame.channel}, {data[6]}, data[7] % 2 == 0);
+    if (data[5] % 16 == 0) roles.sayDrive({frame.channel}, {data[6]}, data[7] % 2 == 0, now);
     const Classified what = roles.next(frame, now);
     for (const DecodeFormat format : {DecodeFormat::JsonLines, DecodeFormat::Csv, DecodeFormat::Text}) {
       line.clear();

@@ -28,7 +28,7 @@ struct Peer : Console {
     return claim().progress == Progress::Claimed && claim().address.value == address;
   }
   std::uint64_t nameAt(unsigned address) const {
-    return channel().claims[Address{static_cast<std::uint8_t>(address)}].name.value;
+    return channel().book.lastHolder(Address{static_cast<std::uint8_t>(address)}).value;
   }
   std::size_t claimsSentFrom(unsigned address) const {
     const FrameStore& frames = document().frames;

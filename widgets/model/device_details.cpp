@@ -64,9 +64,10 @@ std::string_view claimKey(ClaimState claim) {
   return {};
 }
 
-QString contestText(const Node& node) {
-  if (node.claimsWon == 0 && node.claimsLost == 0) return {};
-  return Details::tr("%1 won, %2 lost").arg(node.claimsWon).arg(node.claimsLost);
+QString contestText(const AddressBook& book, Address address) {
+  const int won = book.claimsWon(address), lost = book.claimsLost(address);
+  if (won == 0 && lost == 0) return {};
+  return Details::tr("%1 won, %2 lost").arg(won).arg(lost);
 }
 
 QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabels& labels) {
@@ -91,16 +92,16 @@ QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabel
     lines << Details::tr("Joystick priority: %1").arg(priorityText(*stick->priority()));
   if (row->address == kNullAddress) return lines.join(QLatin1Char('\n'));
 
-  const Node& node = channel.claims[row->address];
   if (const QString use = reservedUse(row->address); !use.isEmpty())
     lines << Details::tr("J1939 keeps this address for: %1").arg(use);
-  if (const QString contests = contestText(node); !contests.isEmpty())
+  if (const QString contests = contestText(channel.book, row->address); !contests.isEmpty())
     lines << Details::tr("Contests for the address: %1").arg(contests);
-  lines << Details::tr("Claim: %1").arg(wordText(claimKey(node.claim)));
-  if (node.name.value != 0) {
-    lines << Details::tr("NAME %1 hex")
-                 .arg(QString::number(node.name.value, 16).toUpper().rightJustified(16, u'0'));
-    for (const QString& line : nameLines(node.name)) lines << QStringLiteral("    ") + line;
+  lines << Details::tr("Claim: %1")
+               .arg(wordText(claimKey(channel.book.claim(row->address, state.cursor().time))));
+  if (const Name name = channel.book.lastHolder(row->address); !name.isNull()) {
+    lines
+        << Details::tr("NAME %1 hex").arg(QString::number(name.value, 16).toUpper().rightJustified(16, u'0'));
+    for (const QString& line : nameLines(name)) lines << QStringLiteral("    ") + line;
   }
   return lines.join(QLatin1Char('\n'));
 }

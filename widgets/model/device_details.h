@@ -21,7 +21,7 @@ QStringList addressesBefore(const State& state, const Device& device);
 // The key of the word for a claim (text/catalogue_text.h).
 std::string_view claimKey(ClaimState claim);
 // "2 won, 1 lost"; empty where there were none.
-QString contestText(const Node& node);
+QString contestText(const AddressBook& book, Address address);
 
 QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabels& labels = {});
 

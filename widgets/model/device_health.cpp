@@ -34,9 +34,9 @@ class Finder {
     const Joystick* stick = channel.joysticks.find(address);
     add(HealthReason::JoystickOverdue, stick != nullptr && stick->timedOut);
   }
-  void addClaim(const Node& node) {
-    add(HealthReason::AddressContested, node.claim == ClaimState::Contested);
-    add(HealthReason::CannotClaim, node.claim == ClaimState::CannotClaim);
+  void addClaim(ClaimState claim) {
+    add(HealthReason::AddressContested, claim == ClaimState::Contested);
+    add(HealthReason::CannotClaim, claim == ClaimState::CannotClaim);
   }
   const DeviceHealth& health() const { return m_health; }
 
@@ -97,7 +97,7 @@ DeviceHealth healthOf(const State& state, const Device& d) {
     const bool hasAddress = d.address != kNullAddress;
     if (hasAddress) f.addJoystick(channel, d.address);
     f.add(HealthReason::AddressLost, !hasAddress);
-    if (hasAddress) f.addClaim(channel.claims[d.address]);
+    if (hasAddress) f.addClaim(channel.book.claim(d.address, state.cursor().time));
   }
   f.add(HealthReason::Malformed, d.malformed != 0);
   if (!isDue) f.addSilence(d.lastHeard, state.cursor().time, false);
@@ -106,12 +106,12 @@ DeviceHealth healthOf(const State& state, const Device& d) {
 
 DeviceHealth healthOf(const State& state, Channel channelId, Address address) {
   const ChannelState& channel = state.channel(channelId);
-  const Node& node = channel.claims[address];
+  const Node node = channel.nodes[address];
   Finder f;
   const bool isDue = channel.joysticks.find(address) != nullptr;
   if (isDue) f.addSilence(node.lastHeard, state.cursor().time, true);
   f.addJoystick(channel, address);
-  f.addClaim(node);
+  f.addClaim(channel.book.claim(address, state.cursor().time));
   f.add(HealthReason::Malformed, node.malformed != 0);
   if (!isDue) f.addSilence(node.lastHeard, state.cursor().time, false);
   return f.health();

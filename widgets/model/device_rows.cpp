@@ -59,7 +59,7 @@ DeviceRow rowOf(const State& state, const Device& d) {
 }
 
 DeviceRow rowOf(const State& state, Channel channel, Address address) {
-  const Node& node = state.channel(channel).claims[address];
+  const Node node = state.channel(channel).nodes[address];
   DeviceRow row;
   row.key = DeviceKey::at(channel, address);
   row.type = typeOf(state, channel, address);
@@ -79,17 +79,12 @@ DeviceRow rowOf(const State& state, Channel channel, Address address) {
 // What is left of an address after the device that had it went on to another one, or lost it, and nobody else
 // was heard there: the device has its own row.
 bool wasLeft(const State& state, Channel channel, Address address) {
-  constexpr std::uint32_t kIdentityMask = 0x1F'FFFF;  // a NAME has the low 21 bits of the PIN's digits 7-15
-  const Node& node = state.channel(channel).claims[address];
-  if (node.wasLeft) return true;
-  if (node.name.manufacturerCode() != j1939::kAkronManufacturer) return false;
+  const AddressBook& book = state.channel(channel).book;
+  if (book.wasLeft(address)) return true;
   return std::ranges::any_of(state.devices().all(), [&](const Device& d) {
-    return d.kind == Device::Kind::Pin && d.channel == channel &&
-           node.name.identityNumber() == (d.pin.serial() & kIdentityMask);
+    return d.kind == Device::Kind::Pin && d.channel == channel && isNameOf(book.lastHolder(address), d.pin);
   });
 }
-
-bool isKnown(const Node& node) { return node.isHeard() || node.claim != ClaimState::NoClaim; }
 
 }  // namespace
 
@@ -136,10 +131,10 @@ DeviceType typeOf(const Device& d) {
 DeviceType typeOf(const State& state, Channel channel, Address address) {
   const ChannelState& on = state.channel(channel);
   if (address == on.ownAddress) return {From::Own};
-  if (on.roles.isDrive(address)) return {From::Drive};
-  const Name name = on.claims[address].name;
-  if (name.value == 0) return {From::NoName};
-  if (name.manufacturerCode() == j1939::kAkronManufacturer) return {From::AkronName};
+  if (on.book.isDrive(address)) return {From::Drive};
+  const Name name = on.book.lastHolder(address);
+  if (name.isNull()) return {From::NoName};
+  if (name.isAkron()) return {From::AkronName};
   return {From::OtherName, name.manufacturerCode()};
 }
 
@@ -158,7 +153,7 @@ std::vector<DeviceRow> deviceRows(const State& state) {
     const Channel channel{c};
     for (unsigned a = 0; a < kNullAddress.value; ++a) {
       const Address address{static_cast<std::uint8_t>(a)};
-      if (!isKnown(state.channel(channel).claims[address])) continue;
+      if (!state.channel(channel).book.isHeard(address)) continue;
       if (state.devices().byAddress(channel, address) != nullptr) continue;
       if (!wasLeft(state, channel, address)) rows.push_back(rowOf(state, channel, address));
     }
@@ -169,7 +164,7 @@ std::vector<DeviceRow> deviceRows(const State& state) {
 std::optional<DeviceRow> deviceRow(const State& state, const DeviceKey& key) {
   if (const Device* d = findDevice(state, key)) return rowOf(state, *d);
   if (key.kind != DeviceKey::Kind::Address || key.channel.value >= kMaxChannels) return {};
-  if (!isKnown(state.channel(key.channel).claims[key.address])) return {};
+  if (!state.channel(key.channel).book.isHeard(key.address)) return {};
   return rowOf(state, key.channel, key.address);
 }
 

@@ -35,7 +35,7 @@ class LogWalk {
     if (m_next >= m_noted) fetchNotes();
     for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame <= m_next; ++m_nextNote) {
       const Note& note = m_notes[m_nextNote];
-      m_walk.sayDrive(note.channel, note.address, note.kind == NoteKind::DriveSaid);
+      m_walk.sayDrive(note.channel, note.address, note.kind == NoteKind::DriveSaid, note.time);
     }
     ++m_next;
     return m_walk.next(frame, time);

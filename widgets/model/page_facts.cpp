@@ -160,17 +160,18 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   if (isLost) return group;
   if (const QString use = reservedUse(address); !use.isEmpty())
     facts.push_back(plain(Facts::tr("Kept for"), use));
-  if (state.channel(channelId).roles.isDrive(address))
+  if (state.channel(channelId).book.isDrive(address))
     facts.push_back(plain(Facts::tr("Taken for"), Facts::tr("a Copley drive, because a person said so")));
-  const Node& node = state.channel(channelId).claims[address];
-  const bool isOpen = node.claim == ClaimState::Contested || node.claim == ClaimState::CannotClaim;
+  const AddressBook& book = state.channel(channelId).book;
+  const ClaimState claim = book.claim(address, state.cursor().time);
+  const bool isOpen = claim == ClaimState::Contested || claim == ClaimState::CannotClaim;
   facts.push_back(
-      plain(Facts::tr("Claim"), wordText(claimKey(node.claim)), isOpen ? FactTone::Attend : FactTone::Plain));
-  if (const QString contests = contestText(node); !contests.isEmpty())
+      plain(Facts::tr("Claim"), wordText(claimKey(claim)), isOpen ? FactTone::Attend : FactTone::Plain));
+  if (const QString contests = contestText(book, address); !contests.isEmpty())
     facts.push_back(plain(Facts::tr("Contests"), contests, FactTone::Attend));
-  if (node.name.value != 0) {
-    facts.push_back(plain(Facts::tr("NAME"), nameLines(node.name).join(QLatin1Char('\n'))));
-  }
+  if (const Name name = book.lastHolder(address); !name.isNull())
+    facts.push_back(plain(Facts::tr("NAME"), nameLines(name).join(QLatin1Char('\n'))));
+  const Node node = state.channel(channelId).nodes[address];
   const std::uint32_t frames = device != nullptr ? device->frames : node.frames;
   const std::uint32_t malformed = device != nullptr ? device->malformed : node.malformed;
   const Instant heard = device != nullptr ? device->lastHeard : node.lastHeard;

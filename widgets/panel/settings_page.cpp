@@ -85,7 +85,7 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
   m_identity = addNumber(new QSpinBox(this), "identityNumber", tr("Identity number"),
                          tr("Of this computer's NAME. Two consoles on one bus need different ones; it was "
                             "made up when the program first ran."),
-                         1, 0x1F'FFFF);
+                         1, 1);
   addStory(tr("Both hold from the next connection."));
   m_column->addSpacing(12);
   m_column->addWidget(heading(tr("Put back"), 1.15, inside));
@@ -209,10 +209,11 @@ void SettingsPage::refuseAddress(int address) {
           .arg(hex(address)));
 }
 
-void SettingsPage::setIdentity(int preferredAddress, int identityNumber) {
+void SettingsPage::setIdentity(int preferredAddress, int identityNumber, int largestIdentity) {
   const QSignalBlocker address(m_address), identity(m_identity);
   m_takenAddress = preferredAddress;
   m_address->setValue(preferredAddress);
+  m_identity->setMaximum(largestIdentity);
   m_identity->setValue(identityNumber);
   sayUse();
 }

@@ -23,8 +23,9 @@ class SettingsPage : public QWidget {
 
   void setTheme(Theme theme);
   void setDensity(Density density);
-  // Who the console is on a bus: the address it would like and the identity number of its NAME.
-  void setIdentity(int preferredAddress, int identityNumber);
+  // Who the console is on a bus: the address it would like and the identity number of its NAME, with the
+  // largest there is.
+  void setIdentity(int preferredAddress, int identityNumber, int largestIdentity);
   // Says why this address is not used: it is a joystick's or a monitor's.
   void refuseAddress(int address);
   // Where all this is kept.

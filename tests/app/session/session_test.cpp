@@ -162,7 +162,7 @@ TEST(Demo, RunsTwiceAtOnceWithoutMixing) {
   two.openDemo();
   ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(one) && hasMovingMonitor(two); }, kPatience));
   const auto contests = [](const Session& session) {
-    return session.snapshot().view.state->channel({0}).claims[{0x80}].claimsLost;
+    return session.snapshot().view.state->channel({0}).book.claimsLost({0x80});
   };
   EXPECT_EQ(contests(one), contests(two)) << "twins on one bus would fight for the same addresses";
   one.closeSource();
@@ -295,9 +295,9 @@ TEST_F(SendingDemo, ThatNothingWasSentIsSaidUntilTheNextDeed) {
 TEST_F(SendingDemo, WhoIsSaidToBeADriveIsOneUntilThatIsTakenBack) {
   const Address address = state().devices().byPin(kMonitor)->address;
   m_session.sayDrive(address, true);
-  EXPECT_TRUE(waitFor([&] { return state().channel(Channel{}).roles.isDrive(address); }));
+  EXPECT_TRUE(waitFor([&] { return state().channel(Channel{}).book.isDrive(address); }));
   m_session.sayDrive(address, false);
-  EXPECT_TRUE(waitFor([&] { return !state().channel(Channel{}).roles.isDrive(address); }));
+  EXPECT_TRUE(waitFor([&] { return !state().channel(Channel{}).book.isDrive(address); }));
 }
 
 TEST_F(SendingDemo, AFreshOneIsLockedAgain) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whose message is it, and is it a request or an answer: protocol.md 1.3, rule by rule.
-#include "protocol/classify.h"
+#include "protocol/role_walk.h"
 
 #include <gtest/gtest.h>
 
@@ -16,15 +16,14 @@ using test::frame;
 constexpr char kAkronName[] = "0B1AC22800420090";
 constexpr char kForeignName[] = "0100200100820010";
 constexpr char kAnotherForeignName[] = "0200200100820010";
+constexpr char kHigherForeignName[] = "01002001000000FF";
 
 // One channel walked in order, with the time the test says.
 class OneChannel : public testing::Test {
  protected:
   Classified hear(std::string_view id, std::string_view data) {
     const Frame f = frame(id, data);
-    const Classified what = classify(f, m_now, m_roles);
-    m_roles.observe(f, m_now, what);
-    return what;
+    return m_walk.next(f, m_now);
   }
   void pass(Duration d) { m_now = m_now + d; }
   void announce(unsigned address) { hear("18EFFF" + hex(address), "FF83150226021A0B"); }
@@ -34,7 +33,7 @@ class OneChannel : public testing::Test {
     return text;
   }
 
-  ChannelRoles m_roles;
+  RoleWalk m_walk;
   Instant m_now;
 };
 
@@ -87,11 +86,19 @@ TEST_F(OneChannel, DoesNotDecodeAnUnknownTypeOfAnAkronDevice) {
 
 TEST_F(OneChannel, TakesTheMakerFromTheNameAlone) {
   hear("18EEFF90", kAkronName);
-  EXPECT_TRUE(m_roles.isAkron({0x90}));
+  EXPECT_EQ(hear("18EFFF90", "011D940371000041").family, Family::Akron);
   hear("18EEFFA0", kForeignName);
-  EXPECT_TRUE(m_roles.isForeign({0xA0}));
   EXPECT_EQ(hear("18EFFFA0", "011D940371000041").family, Family::Other);
   EXPECT_EQ(hear("18EFFFA0", "FF83150226021A0B").family, Family::Other);
+}
+
+TEST_F(OneChannel, ReadsFramesFromAContestedAddressAsItsHolders) {
+  hear("18EEFF80", kAkronName);
+  hear("18EEFF80", kHigherForeignName);
+  pass(250ms - 1ns);
+  EXPECT_EQ(hear("18EFFF80", "011D940371000041").family, Family::Akron);
+  pass(1ns);
+  EXPECT_EQ(hear("18EFFF80", "011D940371000041").family, Family::Other);
 }
 
 TEST_F(OneChannel, LeavesTrafficBetweenForeignNodesAlone) {
@@ -101,42 +108,8 @@ TEST_F(OneChannel, LeavesTrafficBetweenForeignNodesAlone) {
   EXPECT_EQ(hear("18EF80A0", "02").family, Family::Presumed);  // the other end may be anyone
 }
 
-TEST_F(OneChannel, DropsARoleWhenAnotherNameTakesTheAddress) {
-  announce(0x80);
-  hear("18EEFF80", kForeignName);
-  EXPECT_FALSE(m_roles.isAkron({0x80}));
-  EXPECT_TRUE(m_roles.isForeign({0x80}));
-  m_roles.sayDrive({0x80}, true);
-  hear("18EEFF80", kForeignName);
-  EXPECT_TRUE(m_roles.isDrive({0x80})) << "the same NAME again changes nothing";
-  hear("18EEFF80", kAnotherForeignName);
-  EXPECT_FALSE(m_roles.isDrive({0x80}));
-}
-
-TEST_F(OneChannel, KeepsADriveThatClaimsForTheFirstTime) {
-  m_roles.sayDrive({0x21}, true);
-  hear("18EEFF21", kForeignName);
-  EXPECT_TRUE(m_roles.isDrive({0x21}));
-}
-
-TEST_F(OneChannel, DropsTheRoleOfANameThatCannotClaim) {
-  hear("18EEFF80", kAkronName);
-  hear("18EEFFFE", kAkronName);
-  EXPECT_FALSE(m_roles.isAkron({0x80}));
-  EXPECT_EQ(m_roles.name({0x80}), 0u);
-}
-
-TEST_F(OneChannel, IgnoresClaimsThatMeanNothing) {
-  hear("18EEFFFF", kAkronName);
-  hear("18EEFF80", "0000000000000000");
-  hear("18EEFF81", "0B1AC228004200");
-  EXPECT_FALSE(m_roles.isAkron(kGlobalAddress));
-  EXPECT_FALSE(m_roles.isForeign({0x80}));
-  EXPECT_FALSE(m_roles.isAkron({0x81}));
-}
-
 TEST_F(OneChannel, ReadsTrafficWithADriveAsCopleyUnlessTheOtherEndIsAkron) {
-  m_roles.sayDrive({0x21}, true);
+  m_walk.sayDrive({}, {0x21}, true, m_now);
   EXPECT_EQ(hear("18EF2105", "022101").message, MessageId::CopleyGetParameter);
   EXPECT_EQ(hear("18EF0521", "82000200").message, MessageId::CopleyGetParameterResponse);
   announce(0x80);
@@ -217,10 +190,10 @@ TEST_F(OneChannel, DecodesNothingForNodeZero) {
 TEST_F(OneChannel, DecodesNeitherRemoteNorErrorFrames) {
   Frame guarding = frame("724", "");
   guarding.id |= kRemoteBit;
-  EXPECT_EQ(classify(guarding, m_now, m_roles), Classified{});
+  EXPECT_EQ(m_walk.peek(guarding, m_now), Classified{});
   Frame error = frame("00000080", "0000000000000000");
   error.id |= kErrorBit;
-  EXPECT_EQ(classify(error, m_now, m_roles), Classified{});
+  EXPECT_EQ(m_walk.peek(error, m_now), Classified{});
 }
 
 // Raw deflection, plus, minus -> tenths of a percent.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "protocol/address_book.h"
 #include "protocol/decode.h"
 #include "protocol/encode.h"
 #include "protocol/samples.h"
@@ -21,17 +22,18 @@ constexpr Address kInputs{0xF0};
 constexpr Address kDrive{0x21};
 
 // Roles under which the samples' addresses are what the manuals say they are.
-ChannelRoles manualRoles() {
-  ChannelRoles roles;
+AddressBook manualRoles() {
+  AddressBook book;
+  AddressBook::Lost lost;
   for (const Address a : {kDevice, kMini, kInputs}) {
     const Frame announcement = j1939Frame(messageOf(MessageId::AddressAnnouncement),
                                           {test::frame("18EFFF80", "FF83150206021A0B").data, 8}, a);
-    roles.observe(announcement, {}, classify(announcement, {}, roles));
+    book.observe(announcement, {}, classify(announcement, {}, book), lost);
   }
-  roles.sayDrive(kDrive, true);
+  book.sayDrive(kDrive, true);
   const Frame partNumber = test::frame("5A4", "4300500116699803");
-  roles.observe(partNumber, {}, classify(partNumber, {}, roles));
-  return roles;
+  book.observe(partNumber, {}, classify(partNumber, {}, book), lost);
+  return book;
 }
 
 std::string describe(const Frame& frame, MessageId message) {

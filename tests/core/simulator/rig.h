@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/classify.h"
 #include "protocol/decode.h"
+#include "protocol/role_walk.h"
 #include "simulator/standard_bench.h"
 #include "support/frames.h"
 
@@ -91,13 +91,12 @@ class Rig {
     for (const DueFrame& f : frames) observe(f);
   }
   void observe(const DueFrame& f) {
-    const Classified what = classify(f.frame, f.time, m_roles);
-    m_roles.observe(f.frame, f.time, what);
+    const Classified what = m_walk.next(f.frame, f.time);
     log.push_back({f.time, f.frame, what});
   }
 
   Instant m_now{};
-  ChannelRoles m_roles;
+  RoleWalk m_walk;
 };
 
 // One 6032 alone, dead ahead and level, with its address claimed.

@@ -59,6 +59,17 @@ TEST(Events, TellClaimsByAnotherNameAndWhoCannotClaim) {
   EXPECT_EQ(log.events.list()[2].address, Address{0x80});
 }
 
+TEST(Events, TellAContestAtTheFrameThatDecidesIt) {
+  Log log;
+  constexpr auto kHigherName = "3412A000004200FF";
+  log.add({frame("18EEFF80", kAkronName, 0, 0), frame("18EEFF80", kHigherName, 0, kSecond),
+           frame("18FF0081", "00", 0, kSecond + 249'999'999),
+           frame("18FF0081", "00", 0, kSecond + 250'000'000)});
+  ASSERT_EQ(log.kinds(), (std::vector{EventKind::Claimed, EventKind::Claimed}));
+  EXPECT_EQ(log.events.list()[1].frame, 3u);
+  EXPECT_EQ(log.events.list()[1].name.value, Name::of(frame("18EEFF80", kHigherName)).value);
+}
+
 TEST(Events, TellWhenAnOperationalErrorBeginsAndEnds) {
   Log log;
   log.add({frame("18EFFF80", kFine, 0, 0), frame("18EFFF80", kError, 0, kSecond / 10),
@@ -95,6 +106,10 @@ TEST(Events, GoOnWhereTheyStoppedAndNoFurtherThanTold) {
   Log log;
   ASSERT_TRUE(
       log.document.frames.append(std::vector{frame("18EFFF80", kPin, 0, 1), frame("724", "00", 0, 2)}));
+  EXPECT_FALSE(log.events.take(log.document, 2, 2)) << "not beyond the index of roles";
+  EXPECT_EQ(log.kinds().size(), 0u);
+  while (log.document.roles.build(100)) {
+  }
   EXPECT_FALSE(log.events.take(log.document, 2, 1));
   EXPECT_EQ(log.kinds().size(), 1u);
   EXPECT_TRUE(log.events.take(log.document, 2, 1));

@@ -47,7 +47,7 @@ TEST(RoleIndex, ClassifiesFromAnyRowAsAWalkFromTheStartDoes) {
   for (std::uint64_t i = 0; i < frames.count(); ++i) {
     for (; nextNote < all.size() && all[nextNote].frame == i; ++nextNote) {
       straight.sayDrive(all[nextNote].channel, all[nextNote].address,
-                        all[nextNote].kind == NoteKind::DriveSaid);
+                        all[nextNote].kind == NoteKind::DriveSaid, all[nextNote].time);
     }
     expected.push_back(straight.next(frames[i], frames.timeAt(i)));
   }

@@ -32,8 +32,12 @@ class StateOfOneChannel : public testing::Test {
   const Device* at(unsigned address) const {
     return m_state.devices().byAddress(kCan0, {static_cast<std::uint8_t>(address)});
   }
-  const Node& node(unsigned address) const {
-    return m_state.channel(kCan0).claims[{static_cast<std::uint8_t>(address)}];
+  const AddressBook& book() const { return m_state.channel(kCan0).book; }
+  Node node(unsigned address) const {
+    return m_state.channel(kCan0).nodes[{static_cast<std::uint8_t>(address)}];
+  }
+  ClaimState claim(unsigned address) const {
+    return book().claim({static_cast<std::uint8_t>(address)}, m_state.cursor().time);
   }
 
   State m_state;
@@ -73,10 +77,10 @@ TEST_F(StateOfOneChannel, RemembersTheAddressesThatADeviceHadAndUntilWhen) {
 TEST_F(StateOfOneChannel, KnowsAnAddressThatItsDeviceLeftUntilSomebodyIsHeardThere) {
   hear("18EFFF80", kAnnouncesA);
   hear("18EFFF81", kAnnouncesA);
-  EXPECT_TRUE(node(0x80).wasLeft);
-  EXPECT_FALSE(node(0x81).wasLeft);
+  EXPECT_TRUE(book().wasLeft({0x80}));
+  EXPECT_FALSE(book().wasLeft({0x81}));
   hear("18FF0080", "00");
-  EXPECT_FALSE(node(0x80).wasLeft);
+  EXPECT_FALSE(book().wasLeft({0x80}));
 }
 
 TEST_F(StateOfOneChannel, TakesOnePinOnTwoChannelsForTwoDevices) {
@@ -142,7 +146,7 @@ TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceThatCannotClaim) {
   hear("18EFFF80", kAnnouncesA);
   hear("18EEFFFE", kNameOfA);
   EXPECT_EQ(device(kPinA)->address, kNullAddress);
-  EXPECT_EQ(node(0x80).claim, ClaimState::CannotClaim);
+  EXPECT_EQ(claim(0x80), ClaimState::CannotClaim);
 }
 
 TEST_F(StateOfOneChannel, DoesNotGiveANewPinWhatAnotherDeviceSaidAtItsAddress) {
@@ -180,42 +184,29 @@ TEST_F(StateOfOneChannel, CallsAPeriodicValueStaleAfterThreePeriodsAndNotBefore)
   EXPECT_FALSE(at(0x80)->isStale(Periodic::Position));
 }
 
-TEST_F(StateOfOneChannel, TakesAClaimAsUsableAfter250Milliseconds) {
+TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceThatDoesNotAnswerAContest) {
   hear("18EEFF80", kNameOfA);
-  EXPECT_EQ(node(0x80).claim, ClaimState::Claiming);
+  hear("18EFFF80", kAnnouncesA);
+  pass(1s);
+  hear("18EEFF80", kHigherForeignName);
+  EXPECT_EQ(claim(0x80), ClaimState::Contested);
   pass(250ms - 1ns);
-  EXPECT_EQ(node(0x80).claim, ClaimState::Claiming);
+  EXPECT_EQ(device(kPinA)->address, Address{0x80});
   pass(1ns);
-  EXPECT_EQ(node(0x80).claim, ClaimState::Claimed);
+  EXPECT_EQ(claim(0x80), ClaimState::Claimed);
+  EXPECT_EQ(device(kPinA)->address, kNullAddress) << "without a frame: a silence is a fact, too";
+  EXPECT_EQ(device(kPinA)->formerAddresses[0], (FormerAddress{m_now, {0x80}}));
 }
 
-TEST_F(StateOfOneChannel, CountsAContestWonWhenTheHolderAnswers) {
+TEST_F(StateOfOneChannel, LeavesTheAddressToADeviceThatAnswersAContest) {
+  hear("18EEFF80", kNameOfA);
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EEFF80", kHigherForeignName);
+  pass(100ms);
   hear("18EEFF80", kNameOfA);
   pass(1s);
-  hear("18EEFF80", kHigherForeignName);
-  EXPECT_EQ(node(0x80).claim, ClaimState::Contested);
-  EXPECT_EQ(node(0x80).name.manufacturerCode(), 326u) << "the lower NAME keeps it";
-  hear("18EEFF80", kNameOfA);
-  EXPECT_EQ(node(0x80).claim, ClaimState::Claimed);
-  EXPECT_EQ(node(0x80).claimsWon, 1);
-  EXPECT_EQ(node(0x80).claimsLost, 0);
-}
-
-TEST_F(StateOfOneChannel, GivesTheAddressToTheOtherWhenTheHolderDoesNotAnswer) {
-  hear("18EEFF80", kNameOfA);
-  pass(1s);
-  hear("18EEFF80", kHigherForeignName);
-  pass(250ms);
-  EXPECT_NE(node(0x80).name.manufacturerCode(), 326u);
-  EXPECT_EQ(node(0x80).claimsLost, 1);
-  EXPECT_EQ(node(0x80).claim, ClaimState::Claimed);
-}
-
-TEST_F(StateOfOneChannel, CountsAContestLostToALowerName) {
-  hear("18EEFF80", kNameOfA);
-  hear("18EEFF80", kLowerForeignName);
-  EXPECT_EQ(node(0x80).claimsLost, 1);
-  EXPECT_EQ(node(0x80).name.value, Name::of(frame("18EEFF80", kLowerForeignName)).value);
+  EXPECT_EQ(device(kPinA)->address, Address{0x80});
+  EXPECT_EQ(claim(0x80), ClaimState::Claimed);
 }
 
 TEST_F(StateOfOneChannel, MeasuresAJoysticksPeriodAndWorstGap) {

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/address_book.h"
+
+#include <algorithm>
+
+#include "bus/canopen.h"
+#include "bus/j1939.h"
+#include "protocol/catalogue.h"
+#include "protocol/typed.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr std::uint32_t kSmallestPartNumber = 10'000'000;  // part numbers have eight digits
+constexpr std::uint32_t kLargestPartNumber = 99'999'999;
+
+constexpr bool isNode(Address a) { return a != kNullAddress && a != kGlobalAddress; }
+constexpr Address addressAt(std::size_t i) { return {static_cast<std::uint8_t>(i)}; }
+
+// A log without times stands still at 0, where log time begins.
+bool isTimed(const Frame& frame, Instant time) { return frame.hasStamp() || time != Instant{}; }
+
+Pin pinOf(std::uint64_t announcement) {
+  Frame frame;
+  frame.data = std::bit_cast<Payload>(announcement);
+  return announcement == 0 ? Pin() : announcedPin(frame).value_or(Pin());
+}
+
+bool isPartNumberAnswer(const Frame& frame) {
+  if (sdo::valueSize(frame.data[0]) != 4) return false;
+  const auto object =
+      readBits(frame.data, gateway::kIndex.bits) << 8 | readBits(frame.data, gateway::kSubindex.bits);
+  const auto value = readBits(frame.data, gateway::kValue.bits);
+  return object == sdo::kDeviceType && value >= kSmallestPartNumber && value <= kLargestPartNumber;
+}
+
+}  // namespace
+
+Pin AddressBook::pin(Address a) const { return pinOf(m_pins[a.value]); }
+
+ClaimState AddressBook::claim(Address a, Instant now) const {
+  if (isContested(a)) return ClaimState::Contested;
+  if (!isHeld(a)) return lastHolder(a).isNull() ? ClaimState::NoClaim : ClaimState::CannotClaim;
+  return now - m_claimedAt[a.value] < kClaimTime ? ClaimState::Claiming : ClaimState::Claimed;
+}
+
+void AddressBook::sayDrive(Address a, bool isDrive) { isDrive ? set(a, kDrive) : clear(a, kDrive); }
+
+bool AddressBook::learn(const Frame& frame, Instant time, const Classified& classified, Lost& lost) {
+  const Address source = addressAt(frame.id & 0xFF);
+  const bool isFirst = frame.isExtended() && !frame.isError() && heard(source);
+  if (classified.malformed) return isFirst;
+  const bool hasChanged = [&] {
+    switch (classified.message) {
+      case MessageId::Name: return claimed(source, frame, time, lost);
+      case MessageId::AddressAnnouncement: return announced(source, frame, lost);
+      case MessageId::SdoReadResponse: {
+        const NodeId node = CobId::of(frame.identifier()).node;
+        if (isAkronNode(node) || !isPartNumberAnswer(frame)) return false;
+        m_akronNodes.set(node.value);
+        return true;
+      }
+      case MessageId::ZeroAxesRequest:
+      case MessageId::ZeroAxesAck:
+      case MessageId::SetupModeRequest:
+      case MessageId::SetupModeAck: return exchanged(frame, time, classified);
+      default: return false;
+    }
+  }();
+  return isFirst || hasChanged;
+}
+
+bool AddressBook::heard(Address source) {
+  if (!isNew(source) || !isNode(source)) return false;
+  clear(source, kLeft);
+  set(source, kHeard);
+  return true;
+}
+
+bool AddressBook::exchanged(const Frame& frame, Instant time, const Classified& classified) {
+  const J1939Id id = J1939Id::of(frame.identifier());
+  return messageOf(classified.message).device == DeviceEnd::Sender
+             ? m_exchanges.answered(frame.data[0], id.source, id.destination, time)
+             : m_exchanges.requested(frame.data[0], id.source, id.destination, time);
+}
+
+bool AddressBook::announced(Address source, const Frame& frame, Lost& lost) {
+  if (!isNode(source)) return false;
+  const bool isNews = !isAkron(source);
+  set(source, kAkron);
+  const std::uint64_t pin = loadLittle(frame.data);
+  if (m_pins[source.value] == pin || !announcedPin(frame)) return isNews;
+  for (std::size_t i = 0; i < m_pins.size(); ++i) {
+    if (m_pins[i] != pin) continue;
+    m_pins[i] = 0;
+    set(addressAt(i), kLeft);
+    lost.set(i);
+  }
+  if (m_pins[source.value] != 0) lost.set(source.value);
+  m_pins[source.value] = pin;
+  return true;
+}
+
+bool AddressBook::claimed(Address source, const Frame& frame, Instant time, Lost& lost) {
+  const Name name = Name::of(frame);
+  if (source == kGlobalAddress || name.isNull()) return false;
+  const bool hasGivenUp = giveUpContests(name, source);
+  if (source == kNullAddress) return cannotClaim(name, lost) || hasGivenUp;
+  if (!isHeld(source)) {
+    take(source, name, time, lost);
+    return true;
+  }
+  const Name holder = lastHolder(source);
+  if (holder == name) {
+    if (!isContested(source)) return hasGivenUp;
+    ++m_won[source.value];
+    end(contestAt(source));
+    return true;
+  }
+  if (name.value > holder.value && isTimed(frame, time)) return contest(source, name, time) || hasGivenUp;
+  ++m_lost[source.value];
+  take(source, name, time, lost);
+  return true;
+}
+
+bool AddressBook::cannotClaim(Name name, Lost& lost) {
+  bool hasChanged = false;
+  for (std::size_t i = 0; i < m_names.size(); ++i) {
+    const Address a = addressAt(i);
+    if (m_names[i] != name || !isHeld(a)) continue;
+    hasChanged = true;
+    lost.set(i);
+    if (isContested(a)) {
+      const Contest open = contestAt(a);
+      ++m_lost[i];
+      take(a, open.challenger, open.since, lost);
+    } else {
+      clear(a, kHeld | kAkron | kForeign);
+      m_pins[i] = 0;
+    }
+  }
+  return hasChanged;
+}
+
+void AddressBook::take(Address a, Name name, Instant since, Lost& lost) {
+  const Name before = lastHolder(a);
+  const Pin pin = this->pin(a);
+  const bool isOther = !before.isNull() && before != name;
+  const bool keepsPin = !pin.isNull() && isNameOf(name, pin);
+  if (pin.isNull() ? isOther || !name.isAkron() : !keepsPin) lost.set(a.value);
+  if (!keepsPin) m_pins[a.value] = 0;
+  if (isContested(a)) end(contestAt(a));
+  clear(a, kAkron | kForeign);
+  if (isOther) clear(a, kDrive);
+  set(a, kHeld | (name.isAkron() ? kAkron : kForeign));
+  m_names[a.value] = name;
+  m_claimedAt[a.value] = since;
+}
+
+AddressBook::Contest& AddressBook::contestAt(Address a) {
+  return *std::ranges::find_if(
+      m_contests, [a](const Contest& contest) { return contest.since != kNotYet && contest.address == a; });
+}
+
+bool AddressBook::contest(Address a, Name challenger, Instant time) {
+  if (isContested(a)) {
+    Contest& open = contestAt(a);
+    if (challenger.value >= open.challenger.value) return false;
+    open.challenger = challenger;
+    return true;
+  }
+  const auto free = std::ranges::find(m_contests, kNotYet, &Contest::since);
+  if (free == m_contests.end()) return false;
+  *free = {time, challenger, a};
+  set(a, kContested);
+  m_nextDecision = std::min(m_nextDecision, time + kClaimTime);
+  return true;
+}
+
+void AddressBook::end(Contest& contest) {
+  clear(contest.address, kContested);
+  contest = {};
+  m_nextDecision = kNever;
+  for (const Contest& open : m_contests) {
+    if (open.since != kNotYet) m_nextDecision = std::min(m_nextDecision, open.since + kClaimTime);
+  }
+}
+
+bool AddressBook::giveUpContests(Name challenger, Address except) {
+  bool hasChanged = false;
+  for (Contest& contest : m_contests) {
+    if (contest.since == kNotYet || contest.challenger != challenger || contest.address == except) continue;
+    end(contest);
+    hasChanged = true;
+  }
+  return hasChanged;
+}
+
+bool AddressBook::decide(Instant time, Lost& lost) {
+  bool hasChanged = false;
+  for (const Contest& contest : m_contests) {
+    if (contest.since == kNotYet || contest.since + kClaimTime > time) continue;
+    const Contest due = contest;
+    ++m_lost[due.address.value];
+    take(due.address, due.challenger, due.since, lost);
+    hasChanged = true;
+  }
+  return hasChanged;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who is at each J1939 address of one channel, and which CANopen nodes there are Akron's: the one place that
+// works it out (protocol.md 1.3, "Whose message is it" and "Who holds an address"; SAE J1939-81). State, the
+// index of roles, the headless tool and the services ask a book.
+//
+// A book is a function of the frames and of what the person said before, and of log time. Whoever walks a log
+// keeps one a channel. For each frame, in order: timeCame(), then classify() with the book, then observe().
+//
+//   1. The first NAME heard at an address holds it. A numerically lower NAME takes it at once.
+//   2. A higher NAME contests it, and takes it kClaimTime later unless the holder answers with its own NAME.
+//      Of several that contest it the lowest counts, from the first claim on. One that claims elsewhere, or
+//      says 'cannot claim', has given up. In a log without times a higher NAME takes the address at once.
+//   3. 'Cannot claim' frees every address that the NAME holds. Whoever contested one takes it then.
+//   4. A NAME that takes an address takes it clean: what was known there is dropped. Kept are the PIN whose
+//      NAME it is, and what was known before any NAME was heard, if the NAME is Akron's.
+//   5. A drive stays where the person said until a NAME other than the one before takes the address.
+//   6. An announcement tells the PIN at its source. A PIN is at one address only: its last.
+//   7. Claims from the global address or with NAME 0 mean nothing.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+#include "base/ids.h"
+#include "base/time.h"
+#include "bus/frame.h"
+#include "protocol/classify.h"
+#include "protocol/exchanges.h"
+#include "protocol/name.h"
+
+namespace deckpipe {
+
+// J1939-81: an address is usable this long after it was claimed, unless contested.
+inline constexpr Duration kClaimTime = 250ms;
+
+enum class ClaimState : std::uint8_t {
+  NoClaim,   // no NAME heard
+  Claiming,  // claimed less than kClaimTime ago
+  Claimed,
+  Contested,    // a higher NAME claimed it too; the holder has kClaimTime to answer
+  CannotClaim,  // its holder said that it could not claim any
+};
+
+class AddressBook {
+ public:
+  // Addresses whose device is not there any more.
+  using Lost = std::bitset<256>;
+
+  // --- Whose messages are sent from an address. While it is contested: its holder's.
+
+  bool isAkron(Address a) const { return has(a, kAkron); }
+  bool isForeign(Address a) const { return has(a, kForeign); }
+  bool isDrive(Address a) const { return has(a, kDrive); }
+  // Answered SDO 5000.01 with a part number.
+  bool isAkronNode(NodeId node) const { return m_akronNodes[node.value & 0x7F]; }
+  const Exchanges& exchanges() const { return m_exchanges; }
+
+  // --- Who is there.
+
+  bool isHeld(Address a) const { return has(a, kHeld); }
+  // The NAME that holds it; 0 = none.
+  Name holder(Address a) const { return isHeld(a) ? lastHolder(a) : Name{}; }
+  // The NAME that holds it, or did until it said 'cannot claim'; 0 = none.
+  Name lastHolder(Address a) const { return m_names[a.value]; }
+  // Null while none was announced there.
+  Pin pin(Address a) const;
+  // Any frame came from there.
+  bool isHeard(Address a) const { return has(a, kHeard); }
+  // The PIN that was here was announced elsewhere, and nothing was heard from here since.
+  bool wasLeft(Address a) const { return has(a, kLeft); }
+  // Nothing may be sent to it: who will have it is not decided.
+  bool isContested(Address a) const { return has(a, kContested); }
+  // `now` is the log time that is looked at, not before the last frame.
+  ClaimState claim(Address a, Instant now) const;
+  // Contests that a holder kept the address in, and lost it in, to a lower NAME or for want of an answer.
+  std::uint16_t claimsWon(Address a) const { return m_won[a.value]; }
+  std::uint16_t claimsLost(Address a) const { return m_lost[a.value]; }
+
+  // --- Feeding it.
+
+  // The person says that a Copley drive is at this address, or takes it back.
+  void sayDrive(Address a, bool isDrive);
+  // Learns from a frame that was classified with this book. Returns whether anything changed; adds to `lost`.
+  bool observe(const Frame& frame, Instant time, const Classified& classified, Lost& lost) {
+    return mayTeach(frame, classified) && learn(frame, time, classified, lost);
+  }
+  // Whether there is anything to learn: false of nearly every frame, so that it costs a look-up.
+  bool mayTeach(const Frame& frame, const Classified& classified) const {
+    const bool isNode = (frame.id & (kExtendedBit | kErrorBit)) == kExtendedBit;
+    return (isNode && isNew({static_cast<std::uint8_t>(frame.id)})) || isLesson(classified.message);
+  }
+  // When the next contest is decided; kNever where there is none.
+  Instant nextDecision() const { return m_nextDecision; }
+  // Decides contests that are due at `time`. Returns whether there was any; adds to `lost`.
+  bool timeCame(Instant time, Lost& lost) { return time >= m_nextDecision && decide(time, lost); }
+
+  friend bool operator==(const AddressBook&, const AddressBook&) = default;
+
+ private:
+  enum : std::uint8_t {
+    kAkron = 1,
+    kForeign = 2,
+    kDrive = 4,
+    kHeard = 8,
+    kHeld = 16,
+    kContested = 32,
+    kLeft = 64,
+  };
+  struct Contest {
+    Instant since = kNotYet;  // kNotYet: a free place
+    Name challenger;
+    Address address;
+    friend bool operator==(const Contest&, const Contest&) = default;
+  };
+  // More at once are not followed: the holders keep their addresses.
+  static constexpr std::size_t kContests = 8;
+
+  bool has(Address a, std::uint8_t flag) const { return (m_flags[a.value] & flag) != 0; }
+  void set(Address a, unsigned flag) {
+    m_flags[a.value] = static_cast<std::uint8_t>(m_flags[a.value] | flag);
+  }
+  void clear(Address a, unsigned flag) {
+    m_flags[a.value] = static_cast<std::uint8_t>(m_flags[a.value] & ~flag);
+  }
+  static constexpr bool isLesson(MessageId id) {
+    switch (id) {
+      case MessageId::Name:
+      case MessageId::AddressAnnouncement:
+      case MessageId::SdoReadResponse:
+      case MessageId::ZeroAxesRequest:
+      case MessageId::ZeroAxesAck:
+      case MessageId::SetupModeRequest:
+      case MessageId::SetupModeAck: return true;
+      default: return false;
+    }
+  }
+  bool learn(const Frame& frame, Instant time, const Classified& classified, Lost& lost);
+  // Not heard yet, or not since its device left.
+  bool isNew(Address source) const { return (m_flags[source.value] & (kHeard | kLeft)) != kHeard; }
+  bool heard(Address source);
+  bool claimed(Address source, const Frame& frame, Instant time, Lost& lost);
+  bool cannotClaim(Name name, Lost& lost);
+  bool announced(Address source, const Frame& frame, Lost& lost);
+  bool exchanged(const Frame& frame, Instant time, const Classified& classified);
+  void take(Address a, Name name, Instant since, Lost& lost);
+  bool contest(Address a, Name challenger, Instant time);
+  bool giveUpContests(Name challenger, Address except);
+  void end(Contest& contest);
+  Contest& contestAt(Address a);
+  bool decide(Instant time, Lost& lost);
+
+  std::array<std::uint8_t, 256> m_flags{};
+  std::array<Name, 256> m_names{};
+  std::array<std::uint64_t, 256> m_pins{};  // the announcement's bytes; 0 = none
+  std::array<Instant, 256> m_claimedAt{};
+  std::array<std::uint16_t, 256> m_won{}, m_lost{};
+  std::array<Contest, kContests> m_contests{};
+  Instant m_nextDecision = kNever;
+  std::bitset<128> m_akronNodes;
+  Exchanges m_exchanges;
+};
+
+}  // namespace deckpipe
