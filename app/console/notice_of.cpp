@@ -113,7 +113,7 @@ Notice fileNotice(const Snapshot& snapshot) {
 Instant upSince(const LogDocument& log) {
   Instant since = kNotYet;
   for (const Note& note : log.notes.all()) {
-    if (note.kind == NoteKind::LinkUp) since = note.time;
+    if (std::holds_alternative<note::LinkUp>(note.value)) since = note.time;
   }
   return since;
 }

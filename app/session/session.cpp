@@ -214,8 +214,7 @@ void Session::goToEnd() {
 
 void Session::mark(Cursor at, const QString& text) {
   if (m_document == nullptr) return;
-  m_document->notes.append(
-      {.frame = at.frames, .time = at.time, .kind = NoteKind::Mark, .text = text.toStdString()});
+  m_document->notes.append({.frame = at.frames, .time = at.time, .value = note::Mark{text.toStdString()}});
   Q_EMIT changed();
 }
 

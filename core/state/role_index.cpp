@@ -24,10 +24,7 @@ bool RoleIndex::build(std::uint64_t atMost) {
   RoleWalk walk = m_end;
   lock.unlock();
 
-  std::vector<Note> notes = m_notes.between(begin, end);
-  std::erase_if(notes, [](const Note& note) {
-    return note.kind != NoteKind::DriveSaid && note.kind != NoteKind::DriveUnsaid;
-  });
+  const std::vector<Note> notes = m_notes.between(begin, end);
   std::vector<Change> changes;
   std::vector<RoleWalk> kept;
   const auto record = [&](const Change& change) {
@@ -40,8 +37,9 @@ bool RoleIndex::build(std::uint64_t atMost) {
     for (const Frame& frame : m_frames.run(i)) {
       if (i == end) break;
       for (; nextNote < notes.size() && notes[nextNote].frame <= i; ++nextNote) {
-        const Note& note = notes[nextNote];
-        const Change change{i, true, note.kind == NoteKind::DriveSaid, note.channel, note.address};
+        const auto* said = std::get_if<note::DriveSaid>(&notes[nextNote].value);
+        if (said == nullptr) continue;
+        const Change change{i, true, said->isDrive, said->channel, said->address};
         take(walk, change);
         record(change);
       }
