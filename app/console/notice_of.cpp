@@ -9,7 +9,6 @@
 #include <climits>
 #include <limits>
 
-#include "log/reading.h"
 #include "model/device_rows.h"
 #include "status_text.h"
 #include "text/elapsed_text.h"
@@ -91,9 +90,10 @@ Notice clockNotice(const LogDocument& log) {
 Notice fileNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (source.progress == Progress::Failed) {
-    QString text =
-        NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason);
-    if (source.reason.startsWith(QLatin1String(readErrorText(ReadError::Kind::NotThisFormat))))
+    QString text = NoticeText::tr("%1 cannot be read: %2")
+                       .arg(QFileInfo(source.name).fileName(), sourceErrorText(source.error));
+    const auto* error = std::get_if<ReadError>(&source.error);
+    if (error != nullptr && error->kind == ReadError::Kind::NotThisFormat)
       text = NoticeText::tr("%1. Deckpipe reads what candump writes or prints.", "after a reason").arg(text);
     return {StatusTone::Fault, text};
   }
@@ -127,10 +127,19 @@ Instant lastFrame(const State& state) {
 Notice failedLink(const SourceStatus& source) {
   Notice notice{StatusTone::Fault};
   const QString name = source.interfaceName;
-  switch (source.fault) {
+  const QString reason = sourceErrorText(source.error);
+  if (std::holds_alternative<StoreFull>(source.error)) {
+    notice.text = NoticeText::tr(
+                      "Nothing more of %1 is recorded: there is no room for more frames, neither in "
+                      "memory nor on disk.")
+                      .arg(name);
+    notice.action = Notice::Action::Reconnect;
+    return notice;
+  }
+  const auto* error = std::get_if<LinkError>(&source.error);
+  switch (error != nullptr ? error->fault : LinkFault::None) {
     case LinkFault::NoPlugin:
-      notice.text =
-          NoticeText::tr("The adapter plugin “%1” cannot be used: %2").arg(source.plugin, source.reason);
+      notice.text = NoticeText::tr("The adapter plugin “%1” cannot be used: %2").arg(source.plugin, reason);
       break;
     case LinkFault::NoInterface:
       notice.text =
@@ -147,13 +156,12 @@ Notice failedLink(const SourceStatus& source) {
       notice.command = setUpCommand(name, source.bitRate, true);
       break;
     case LinkFault::WrongBitRate:
-      notice.text =
-          NoticeText::tr("%1 is set to another bit rate (%2). To change it:").arg(name, source.reason);
+      notice.text = NoticeText::tr("%1 is set to another bit rate (%2). To change it:").arg(name, reason);
       notice.command =
           QStringLiteral("sudo ip link set %1 down; ").arg(name) + setUpCommand(name, kJ1939BitRate, true);
       break;
     case LinkFault::BitRateRefused:
-      notice.text = NoticeText::tr("%1 does not take this bit rate: %2").arg(name, source.reason);
+      notice.text = NoticeText::tr("%1 does not take this bit rate: %2").arg(name, reason);
       break;
     case LinkFault::NoAnswer:
       notice.text =
@@ -162,9 +170,7 @@ Notice failedLink(const SourceStatus& source) {
       break;
     case LinkFault::None:
     case LinkFault::Gone:
-    case LinkFault::Other:
-      notice.text = NoticeText::tr("%1 cannot be opened: %2").arg(name, source.reason);
-      break;
+    case LinkFault::Other: notice.text = NoticeText::tr("%1 cannot be opened: %2").arg(name, reason); break;
   }
   notice.action = Notice::Action::Reconnect;
   return notice;
@@ -221,12 +227,13 @@ Notice linkNotice(const Snapshot& snapshot, const BusRates& rates) {
                   .arg(source.simulated ? NoticeText::tr("the simulated truck") : source.name)};
     case Progress::Failed: return failedLink(source);
     case Progress::Lost: {
+      const QString reason = sourceErrorText(source.error);
       Notice notice{
           StatusTone::Fault,
-          source.reason.isEmpty()
+          reason.isEmpty()
               ? NoticeText::tr("The link to %1 is lost. What was received is kept.").arg(source.interfaceName)
               : NoticeText::tr("The link to %1 is lost: %2. What was received is kept.")
-                    .arg(source.interfaceName, source.reason)};
+                    .arg(source.interfaceName, reason)};
       notice.action = Notice::Action::Reconnect;
       return notice;
     }

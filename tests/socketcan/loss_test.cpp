@@ -35,7 +35,7 @@ TEST_F(Loss, IsKnownAtOnceAndMendsItself) {
     const Instant before = bootTime();
     ASSERT_TRUE(setInterfaceUp("can0", false));
     ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Lost));
-    EXPECT_FALSE(console.session.snapshot().source.reason.isEmpty());
+    EXPECT_TRUE(std::holds_alternative<LinkError>(console.session.snapshot().source.error));
     EXPECT_EQ(console.channel().link, ChannelLink::Down);
     milliseconds.push_back((writtenAt(console.notes<note::LinkDown>().back()) - before).count() / 1'000'000);
     ASSERT_TRUE(setInterfaceUp("can0", true));
