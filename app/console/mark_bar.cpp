@@ -19,7 +19,7 @@ MarkBar::MarkBar(QWidget* parent) : QWidget(parent), m_label(new QLabel(this)), 
   m_text->setObjectName(QStringLiteral("markText"));
   m_text->setAccessibleName(tr("Words of the mark"));
   m_text->setPlaceholderText(tr("What happens here?"));
-  m_text->setMaxLength(static_cast<int>(NoteStore::kMaxText));
+  m_text->setMaxLength(static_cast<int>(NoteText::kMaxBytes));
   auto* keep = new QPushButton(tr("Mark"), this);
   keep->setObjectName(QStringLiteral("markKeep"));
   keep->setAccessibleName(tr("Keep the mark"));

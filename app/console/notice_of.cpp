@@ -92,9 +92,10 @@ Notice clockNotice(const LogDocument& log) {
 Notice fileNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (source.progress == Progress::Failed) {
-    QString text =
-        NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(source.name).fileName(), source.reason);
-    if (source.reason.startsWith(QLatin1String(readErrorText(ReadError::Kind::UnknownFormat))))
+    QString text = NoticeText::tr("%1 cannot be read: %2")
+                       .arg(QFileInfo(source.name).fileName(), sourceErrorText(source.error));
+    const auto* error = std::get_if<ReadError>(&source.error);
+    if (error != nullptr && error->kind == ReadError::Kind::UnknownFormat)
       text = NoticeText::tr("%1. Deckpipe reads: %2.", "after a reason; names of formats")
                  .arg(text, QString::fromStdString(formatNames(LogUse::Read)));
     return {StatusTone::Fault, text};
@@ -115,7 +116,7 @@ Notice fileNotice(const Snapshot& snapshot) {
 Instant upSince(const LogDocument& log) {
   Instant since = kNotYet;
   for (const Note& note : log.notes.all()) {
-    if (note.kind == NoteKind::LinkUp) since = note.time;
+    if (std::holds_alternative<note::LinkUp>(note.value)) since = note.time;
   }
   return since;
 }
@@ -129,10 +130,19 @@ Instant lastFrame(const State& state) {
 Notice failedLink(const SourceStatus& source) {
   Notice notice{StatusTone::Fault};
   const QString name = source.interfaceName;
-  switch (source.fault) {
+  const QString reason = sourceErrorText(source.error);
+  if (std::holds_alternative<StoreFull>(source.error)) {
+    notice.text = NoticeText::tr(
+                      "Nothing more of %1 is recorded: there is no room for more frames, neither in "
+                      "memory nor on disk.")
+                      .arg(name);
+    notice.action = Notice::Action::Reconnect;
+    return notice;
+  }
+  const auto* error = std::get_if<LinkError>(&source.error);
+  switch (error != nullptr ? error->fault : LinkFault::None) {
     case LinkFault::NoPlugin:
-      notice.text =
-          NoticeText::tr("The adapter plugin “%1” cannot be used: %2").arg(source.plugin, source.reason);
+      notice.text = NoticeText::tr("The adapter plugin “%1” cannot be used: %2").arg(source.plugin, reason);
       break;
     case LinkFault::NoInterface:
       notice.text =
@@ -149,13 +159,12 @@ Notice failedLink(const SourceStatus& source) {
       notice.command = setUpCommand(name, source.bitRate, true);
       break;
     case LinkFault::WrongBitRate:
-      notice.text =
-          NoticeText::tr("%1 is set to another bit rate (%2). To change it:").arg(name, source.reason);
+      notice.text = NoticeText::tr("%1 is set to another bit rate (%2). To change it:").arg(name, reason);
       notice.command =
           QStringLiteral("sudo ip link set %1 down; ").arg(name) + setUpCommand(name, kJ1939BitRate, true);
       break;
     case LinkFault::BitRateRefused:
-      notice.text = NoticeText::tr("%1 does not take this bit rate: %2").arg(name, source.reason);
+      notice.text = NoticeText::tr("%1 does not take this bit rate: %2").arg(name, reason);
       break;
     case LinkFault::NoAnswer:
       notice.text =
@@ -164,9 +173,7 @@ Notice failedLink(const SourceStatus& source) {
       break;
     case LinkFault::None:
     case LinkFault::Gone:
-    case LinkFault::Other:
-      notice.text = NoticeText::tr("%1 cannot be opened: %2").arg(name, source.reason);
-      break;
+    case LinkFault::Other: notice.text = NoticeText::tr("%1 cannot be opened: %2").arg(name, reason); break;
   }
   notice.action = Notice::Action::Reconnect;
   return notice;
@@ -223,12 +230,13 @@ Notice linkNotice(const Snapshot& snapshot, const BusRates& rates) {
                   .arg(source.simulated ? NoticeText::tr("the simulated truck") : source.name)};
     case Progress::Failed: return failedLink(source);
     case Progress::Lost: {
+      const QString reason = sourceErrorText(source.error);
       Notice notice{
           StatusTone::Fault,
-          source.reason.isEmpty()
+          reason.isEmpty()
               ? NoticeText::tr("The link to %1 is lost. What was received is kept.").arg(source.interfaceName)
               : NoticeText::tr("The link to %1 is lost: %2. What was received is kept.")
-                    .arg(source.interfaceName, source.reason)};
+                    .arg(source.interfaceName, reason)};
       notice.action = Notice::Action::Reconnect;
       return notice;
     }

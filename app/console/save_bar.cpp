@@ -41,7 +41,8 @@ SaveBar::~SaveBar() = default;
 
 void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part) {
   const std::vector<Note> notes = document->notes.all();
-  m_marks = static_cast<int>(std::ranges::count(notes, NoteKind::Mark, &Note::kind));
+  m_marks = static_cast<int>(std::ranges::count_if(
+      notes, [](const Note& note) { return std::holds_alternative<note::Mark>(note.value); }));
   m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
   const auto frames = m_saving->frames();

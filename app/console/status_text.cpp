@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/overload.h"
 #include "model/field_text.h"
 #include "text/elapsed_text.h"
 #include "text/service_text.h"
@@ -80,6 +81,24 @@ QString fileState(const SourceStatus& source) {
   }
 }
 
+QString readErrorWords(const ReadError& error) {
+  const auto withDetail = [&error](QString text) {
+    if (!error.format.empty()) text += StatusText::tr(" (%1)").arg(QString::fromStdString(error.format));
+    return error.detail.empty() ? text
+                                : StatusText::tr("%1: %2").arg(text, QString::fromStdString(error.detail));
+  };
+  switch (error.kind) {
+    case ReadError::Kind::CannotOpen: return withDetail(StatusText::tr("cannot be opened"));
+    case ReadError::Kind::CannotRead: return withDetail(StatusText::tr("cannot be read further"));
+    case ReadError::Kind::UnknownFormat: return StatusText::tr("not a log of a known format");
+    case ReadError::Kind::NoPipe:
+      return StatusText::tr("a log of this format is read from a file only, not from a pipe");
+    case ReadError::Kind::StoreFull:
+      return StatusText::tr("no room for more frames, neither in memory nor on disk");
+  }
+  return {};
+}
+
 StatusTone sourceTone(const SourceStatus& source) {
   switch (source.progress) {
     case Progress::Idle: return StatusTone::Idle;
@@ -95,6 +114,16 @@ StatusTone sourceTone(const SourceStatus& source) {
 }
 
 }  // namespace
+
+QString sourceErrorText(const SourceError& error) {
+  return std::visit(
+      Overload{[](std::monostate) { return QString(); }, [](const ReadError& e) { return readErrorWords(e); },
+               [](const LinkError& e) { return QString::fromStdString(e.detail); },
+               [](const StoreFull&) {
+                 return StatusText::tr("No room for more frames, neither in memory nor on disk.");
+               }},
+      error);
+}
 
 QString frameCountText(std::uint64_t frames) {
   return StatusText::tr("%Ln frames", nullptr, forPlural(frames));
@@ -132,7 +161,7 @@ StatusFact sourceFact(const SourceStatus& source) {
     if (const QString controller = controllerText(source.controller); !controller.isEmpty())
       story += controller;
   }
-  if (!source.reason.isEmpty()) story += source.reason;
+  if (const QString error = sourceErrorText(source.error); !error.isEmpty()) story += error;
   fact.story = story.join(QLatin1Char('\n'));
   return fact;
 }

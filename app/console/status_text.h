@@ -22,6 +22,8 @@ struct StatusFact {
 // The bit rate to reckon the load with: the link's, or of a log, which does not say, that of J1939.
 int loadBitRate(const SourceStatus& source);
 
+// What went wrong, or the system's own words for it; empty if nothing did.
+QString sourceErrorText(const SourceError& error);
 StatusFact sourceFact(const SourceStatus& source);
 StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);
 StatusFact rateFact(const BusRates& rates);

@@ -20,7 +20,8 @@ struct Answer {
 };
 Answer answerIn(const Frame& frame, const Classified& what) {
   if (!what.malformed && !what.isDecoded()) return {};
-  for (std::size_t i = 0; i < kAsks && !isCommand(static_cast<Ask>(i)); ++i) {
+  for (std::size_t i = 0; i < kAsks; ++i) {
+    if (isCommand(static_cast<Ask>(i))) continue;
     for (std::size_t part = 0; part < kAskRules[i].answers.size(); ++part) {
       const MessageId message = kAskRules[i].answers[part];
       if (message == kNoAnswer) continue;
@@ -54,7 +55,10 @@ void Asker::begin(const std::vector<DeviceServices>& devices, AskSet asks, NotTa
     forEachAsk(asks, [&](Ask ask) {
       const Open at{device.device, device.address, ask, 0};
       if (!device.takes.has(ask)) {
-        if (notTaken == NotTaken::IsAFailure) endLine(at, "not_taken");
+        if (notTaken == NotTaken::IsAFailure) {
+          ++m_unanswered;
+          endLine(at, "not_taken");
+        }
         return;
       }
       m_hasAsked = takesAny = true;
@@ -88,6 +92,7 @@ void Asker::sendNext() {
 void Asker::refused(Refusal refusal) {
   const auto ended =
       std::ranges::stable_partition(m_open, [this](const Open& at) { return at.device != m_handed; });
+  m_unanswered += ended.size();
   for (const Open& at : ended) endLine(at, "refused", refusalWord(refusal));
   m_open.erase(ended.begin(), ended.end());
   sendNext();
@@ -124,12 +129,12 @@ void Asker::frameCame(const Frame& frame, const Classified& what) {
 }
 
 void Asker::noteCame(const Note& note) {
-  if (note.kind != NoteKind::AskEnded) return;
-  const auto ask = static_cast<Ask>(note.number & 0xFF);
-  const auto end = static_cast<RequestEnd>(note.number >> 8 & 0xFF);
+  const auto* ended = std::get_if<note::AskEnded>(&note.value);
+  if (ended == nullptr) return;
+  const RequestEnd end = ended->end;
   const auto isMeant = [&](const Open& at) {
-    return at.ask == ask && (at.device.kind == DeviceKey::Kind::Pin ? at.device.pin.text() == note.text
-                                                                    : at.address == note.address);
+    return at.ask == ended->ask && (at.device.kind == DeviceKey::Kind::Pin ? at.device.pin == ended->pin
+                                                                           : at.address == ended->address);
   };
   if (end == RequestEnd::AnsweredLate) {  // after its end
     const auto asked = std::ranges::find_if(m_asked, isMeant);
@@ -138,12 +143,12 @@ void Asker::noteCame(const Note& note) {
   }
   const auto open = std::ranges::find_if(m_open, isMeant);
   if (open == m_open.end()) return;
+  if (end != RequestEnd::Answered) ++m_unanswered;
   if (end != RequestEnd::Answered || m_saysAnswered) endLine(*open, endWord(end));
   m_open.erase(open);
 }
 
 void Asker::endLine(const Open& at, std::string_view end, std::string_view reason) {
-  if (end != endWord(RequestEnd::Answered) && end != endWord(RequestEnd::AnsweredLate)) ++m_unanswered;
   JsonLine line;
   const DeviceServices* now = m_run.services().find(at.device);
   line.add("pin", at.device.pin).add("address", now != nullptr ? now->address : at.address);

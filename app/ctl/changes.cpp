@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "changes.h"
 
+#include "base/overload.h"
 #include "json_line.h"
 #include "protocol/catalogue.h"
 #include "protocol/device_types.h"
@@ -43,6 +44,20 @@ constexpr std::array<std::string_view, kPeriodics> kPeriodicWords{
     "position_limit_status", "rotation_soft_limits", "elevation_soft_limits", "digital_outputs",
     "mini_digital_outputs",  "digital_inputs",       "soe_permissive",        "heartbeat"};
 
+// Words of the output: they never change once shipped.
+std::string_view ownAddressWord(note::OwnAddress::How how) {
+  using How = note::OwnAddress::How;
+  switch (how) {
+    case How::Claimed: return "claimed";
+    case How::Lost: return "lost";
+    case How::CannotClaim: return "cannot claim";
+    case How::SameName: return "same name";
+    case How::Locked: return "locked";
+    case How::LinkLost: return "link lost";
+  }
+  return {};
+}
+
 void addWho(JsonLine& line, const Device& device) {
   if (device.kind == Device::Kind::Node) {
     line.add("node", std::int64_t{device.node.value});
@@ -82,22 +97,22 @@ void Changes::frameCame(const Frame& frame, const Classified& what) {
 
 void Changes::noteCame(const Note& note) {
   JsonLine line;
-  line.add("event", noteKey(note.kind)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
-  switch (note.kind) {
-    case NoteKind::LinkUp:
-    case NoteKind::Locked:
-    case NoteKind::Unlocked: break;
-    case NoteKind::LinkDown: line.add("reason", note.text); break;
-    case NoteKind::Dropped: line.add("frames", static_cast<std::int64_t>(note.number)); break;
-    case NoteKind::OwnAddress: line.add("address", note.address).add("reason", note.text); break;
-    case NoteKind::Mark:
-    case NoteKind::DriveSaid:
-    case NoteKind::DriveUnsaid:
-    case NoteKind::Asked:
-    case NoteKind::AskEnded:
-    case NoteKind::Pipe: return;
-  }
-  m_out += line.text();
+  line.add("event", noteKey(note.value)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
+  const bool isSaid = std::visit(
+      Overload{[](const note::LinkUp&) { return true; }, [](const note::Locked&) { return true; },
+               [](const note::Unlocked&) { return true; },
+               [&](const note::LinkDown& n) { return line.add("reason", n.reason.str()), true; },
+               [&](const note::Dropped& n) {
+                 return line.add("frames", static_cast<std::int64_t>(n.count)), true;
+               },
+               [&](const note::OwnAddress& n) {
+                 return line.add("address", n.address).add("reason", ownAddressWord(n.how)), true;
+               },
+               [](const note::Mark&) { return false; }, [](const note::DriveSaid&) { return false; },
+               [](const note::Asked&) { return false; }, [](const note::AskEnded&) { return false; },
+               [](const note::Pipe&) { return false; }},
+      note.value);
+  if (isSaid) m_out += line.text();
 }
 
 void Changes::compare() {

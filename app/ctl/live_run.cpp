@@ -5,10 +5,27 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/overload.h"
 #include "command.h"
 #include "signals.h"
 
 namespace deckpipe::ctl {
+
+namespace {
+
+QString reasonOf(const SourceError& error) {
+  const auto gone = QStringLiteral("the link is gone");
+  return std::visit(
+      Overload{[&](std::monostate) { return gone; },
+               [&](const LinkError& e) { return e.detail.empty() ? gone : QString::fromStdString(e.detail); },
+               [](const StoreFull&) {
+                 return QStringLiteral("No room for more frames, neither in memory nor on disk.");
+               },
+               [&](const ReadError&) { return gone; }},  // a link reads no file
+      error);
+}
+
+}  // namespace
 
 LiveRun::LiveRun(const LiveSettings& settings, bool wantsAddress)
     : onStop([] { return kNotWhole; }), m_settings(settings), m_wantsAddress(wantsAddress) {}
@@ -49,8 +66,7 @@ bool LiveRun::isLinkUp() {
   if (source.progress == Progress::Running) return true;
   const bool isLost = source.progress == Progress::Lost;
   if (source.progress == Progress::Failed || (isLost && !outlivesLink)) {
-    say(m_settings.link.interfaceName + QStringLiteral(": ") +
-        (source.reason.isEmpty() ? QStringLiteral("the link is gone") : source.reason));
+    say(m_settings.link.interfaceName + QStringLiteral(": ") + reasonOf(source.error));
     finish(kNotWhole);
   }
   return false;

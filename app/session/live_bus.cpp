@@ -61,15 +61,13 @@ void LiveBus::apply(const Intent& intent) {
 }
 
 void LiveBus::sayDrive(Address address, bool isDrive) {
-  write({.kind = isDrive ? NoteKind::DriveSaid : NoteKind::DriveUnsaid,
-         .channel = m_settings.channel,
-         .address = address});
+  write(note::DriveSaid{m_settings.channel, address, isDrive});
   publish();
 }
 
 void LiveBus::serve() {
   m_services.takeNotes(m_toNote);
-  for (Note& note : m_toNote) write(std::move(note));
+  for (Note& note : m_toNote) write(std::move(note.value));
   m_toNote.clear();
   m_services.takeFrames(m_toSend);
   for (const Frame& frame : m_toSend) {
@@ -110,7 +108,7 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
 void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
   m_notKept += count;
   switch (reason) {
-    case NotKept::Overflow: note(NoteKind::Dropped, count, {}); break;
+    case NotKept::Overflow: write(note::Dropped{m_settings.channel, count}); break;
     case NotKept::FlexibleDataRate:
       for (std::uint32_t i = 0; i < count; ++i) {
         m_document->unkept.add(m_document->frames.count(), Unkept::CanFd);
@@ -123,21 +121,17 @@ void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
 void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   const bool wasUp = m_linkState == LinkState::Up;
   m_linkState = state;
-  if (state == LinkState::Up && !wasUp) note(NoteKind::LinkUp, 0, {});
-  if (state != LinkState::Up && wasUp) note(NoteKind::LinkDown, 0, reason);
+  if (state == LinkState::Up && !wasUp) write(note::LinkUp{m_settings.channel});
+  if (state != LinkState::Up && wasUp) write(note::LinkDown{m_settings.channel, reason});
   m_services.linkChanged(bootTime(), m_state, state == LinkState::Up);
   serve();
   publish();
 }
 
-void LiveBus::note(NoteKind kind, std::uint64_t number, const std::string& text) {
-  write({.kind = kind, .channel = m_settings.channel, .number = number, .text = text});
-}
-
-void LiveBus::write(Note note) {
-  note.frame = m_document->frames.count();
+void LiveBus::write(NoteValue value) {
   // Behind every cursor that was published: a note at a cursor's own time has happened there.
-  note.time = std::max(m_state.cursor().time, bootTime() - FrameStore::kLiveDrift) + 1ns;
+  const Instant time = std::max(m_state.cursor().time, bootTime() - FrameStore::kLiveDrift) + 1ns;
+  const Note note{.frame = m_document->frames.count(), .time = time, .value = std::move(value)};
   m_document->notes.append(note);
   m_state.apply(note);
 }

@@ -56,8 +56,8 @@ class LiveBus : public QObject, private PortListener {
   void framesReceived(std::span<const Frame> frames) override;
   void framesNotKept(NotKept reason, std::uint32_t count) override;
   void linkChanged(LinkState state, const std::string& reason) override;
-  void note(NoteKind kind, std::uint64_t number, const std::string& text);
-  void write(Note note);
+  // Places a note at the end of the log.
+  void write(NoteValue value);
   // What the services want sent and noted, and when they want to be called again.
   void serve();
   void publish();

@@ -12,6 +12,17 @@
 #include "session/worker_thread.h"
 
 namespace deckpipe {
+namespace {
+
+SourceError errorOf(const LiveBus::Published& published) {
+  const LinkStatus& link = published.link;
+  if (published.storeFull) return StoreFull{};
+  if (link.fault == LinkFault::None && link.reason.empty()) return {};
+  return LinkError{link.fault, link.reason};
+}
+
+}  // namespace
+
 Session::Session(QObject* parent) : QObject(parent) {
   m_snapshot.view.state = std::make_shared<const State>();
   m_timer.setInterval(kTick);
@@ -112,7 +123,7 @@ void Session::openDemo() {
   connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {
     if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
-    m_snapshot.source.reason = reason;
+    m_snapshot.source.error = LinkError{LinkFault::Other, reason.toStdString()};
     Q_EMIT changed();
   });
   startOnBusThread(m_bench, [bench = m_bench] { bench->startDemo(); });
@@ -214,8 +225,7 @@ void Session::goToEnd() {
 
 void Session::mark(Cursor at, const QString& text) {
   if (m_document == nullptr) return;
-  m_document->notes.append(
-      {.frame = at.frames, .time = at.time, .kind = NoteKind::Mark, .text = text.toStdString()});
+  m_document->notes.append({.frame = at.frames, .time = at.time, .value = note::Mark{text.toStdString()}});
   Q_EMIT changed();
 }
 
@@ -249,22 +259,14 @@ void Session::updateSource() {
     if (const auto* outcome = m_opening->outcome()) {
       source.fraction = 1;
       source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
-      if (!*outcome) {
-        const std::string_view what = readErrorText(outcome->error().kind);
-        source.reason = QString::fromUtf8(what.data(), static_cast<qsizetype>(what.size()));
-        if (!outcome->error().format.empty())
-          source.reason += QStringLiteral(" (%1)").arg(QString::fromStdString(outcome->error().format));
-        if (!outcome->error().detail.empty())
-          source.reason += QStringLiteral(": ") + QString::fromStdString(outcome->error().detail);
-      }
+      if (!*outcome) source.error = outcome->error();
     }
   }
   if (m_live == nullptr) return;
   const LiveBus::Published published = m_live->latest();
   m_snapshot.services = published.services;
   source.notKept = published.notKept;
-  source.reason = QString::fromStdString(published.link.reason);
-  source.fault = published.link.fault;
+  source.error = errorOf(published);
   if (const auto& hardware = published.link.hardware) {
     source.isListenOnly = hardware->isListenOnly;
     source.controller = hardware->controller;
@@ -278,10 +280,7 @@ void Session::updateSource() {
       if (published.link.fault != LinkFault::None) source.progress = SourceStatus::Progress::Failed;
       break;
   }
-  if (published.storeFull) {
-    source.progress = SourceStatus::Progress::Failed;
-    source.reason = tr("No room for more frames, neither in memory nor on disk.");
-  }
+  if (published.storeFull) source.progress = SourceStatus::Progress::Failed;
 }
 
 void Session::tick() {

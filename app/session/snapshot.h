@@ -3,12 +3,28 @@
 #pragma once
 
 #include <QString>
+#include <string>
+#include <variant>
 
 #include "control/status.h"
 #include "link/can_link.h"
+#include "log/reading.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
+
+// A link that failed or, without a fault, an error that it survived.
+struct LinkError {
+  LinkFault fault = LinkFault::None;
+  std::string detail;  // the system's or the adapter's own words; may be empty
+  friend bool operator==(const LinkError&, const LinkError&) = default;
+};
+// Neither memory nor disk has room for more frames of the link.
+struct StoreFull {
+  friend bool operator==(const StoreFull&, const StoreFull&) = default;
+};
+// What went wrong with a source. The window translates it (app/console/status_text.h).
+using SourceError = std::variant<std::monostate, ReadError, LinkError, StoreFull>;
 
 // Where the frames come from and how that goes: for the status strip alone, never for a view of the log.
 struct SourceStatus {
@@ -24,14 +40,13 @@ struct SourceStatus {
   Kind kind = Kind::Nothing;
   Progress progress = Progress::Idle;
   QString name;                  // file path, or plugin and interface
-  QString reason;                // the system's or the adapter's own words, if something went wrong
+  SourceError error;             // the last thing that went wrong
   double fraction = 0;           // of a file being read, 0..1
   std::uint64_t unreadable = 0;  // lines of a file
   std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
   int bitRate = 0;               // bit/s that it runs at, or that was asked for; 0 = not applicable
   QString plugin;                // of a link
   QString interfaceName;
-  LinkFault fault = LinkFault::None;
   bool isListenOnly = false;  // the driver says so
   ControllerState controller = ControllerState::Unknown;
   bool simulated = false;  // behind it is the bench twin

@@ -8,20 +8,21 @@
 
 namespace deckpipe {
 
+// Numbers stand in files (core/log/note_codec.h): never renumber one, never use one again. They count from 0
+// without a gap, as tables are indexed by them.
 enum class Ask : std::uint8_t {
-  Fault,
-  Firmware,
-  Pcode,
-  Config,
-  Vista,
-  ZeroAxes,   // command, acknowledged
-  Reset,      // command, never acknowledged: the device announces itself anew
-  SetupMode,  // command, acknowledged
+  Fault = 0,
+  Firmware = 1,
+  Pcode = 2,
+  Config = 3,
+  Vista = 4,
+  ZeroAxes = 5,   // command, acknowledged
+  Reset = 6,      // command, never acknowledged: the device announces itself anew
+  SetupMode = 7,  // command, acknowledged
   Count,
 };
 inline constexpr std::size_t kAsks = static_cast<std::size_t>(Ask::Count);
-
-constexpr bool isCommand(Ask ask) { return ask >= Ask::ZeroAxes; }
+constexpr bool isKnown(Ask ask) { return ask < Ask::Count; }
 
 // A set of them.
 struct AskSet {
@@ -42,7 +43,9 @@ struct AskSet {
 };
 inline constexpr AskSet kPolls{Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config, Ask::Vista};
 
-// How a request came to its end. Numbers stand in notes: never renumber.
+constexpr bool isCommand(Ask ask) { return !kPolls.has(ask); }
+
+// How a request came to its end. Numbers stand in files: never renumber one, never use one again.
 enum class RequestEnd : std::uint8_t {
   None = 0,         // it has not
   Answered = 1,     // acknowledged, or for a reset: announced itself anew
@@ -54,5 +57,20 @@ enum class RequestEnd : std::uint8_t {
   AnsweredLate = 7,  // after it had been given up
   AddressLost = 8,   // the console's own, which the answer was to go to
 };
+
+constexpr bool isKnown(RequestEnd end) {
+  switch (end) {
+    case RequestEnd::None:
+    case RequestEnd::Answered:
+    case RequestEnd::WrongAnswer:
+    case RequestEnd::NoAnswer:
+    case RequestEnd::Cancelled:
+    case RequestEnd::LinkLost:
+    case RequestEnd::Gone:
+    case RequestEnd::AnsweredLate:
+    case RequestEnd::AddressLost: return true;
+  }
+  return false;
+}
 
 }  // namespace deckpipe

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened to a data pipe, for notes of the log. Numbers stand in logs: never renumber.
+// What happened to a data pipe, for notes of the log. Numbers stand in files: never renumber one, never use
+// one again.
 #pragma once
 
 #include <cstdint>
@@ -17,5 +18,20 @@ enum class PipeEvent : std::uint8_t {
   Skipped = 7,  // by the person
   Dropped = 8,  // what was typed and not sent
 };
+
+constexpr bool isKnown(PipeEvent event) {
+  switch (event) {
+    case PipeEvent::FileBegan:
+    case PipeEvent::FileDone:
+    case PipeEvent::FileCancelled:
+    case PipeEvent::FileAborted:
+    case PipeEvent::Stalled:
+    case PipeEvent::AckLate:
+    case PipeEvent::Resent:
+    case PipeEvent::Skipped:
+    case PipeEvent::Dropped: return true;
+  }
+  return false;
+}
 
 }  // namespace deckpipe

@@ -6,6 +6,8 @@
 namespace deckpipe {
 namespace {
 
+using How = note::OwnAddress::How;
+
 constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
 
 Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8}; }
@@ -91,7 +93,7 @@ void ClaimService::claim(Instant now, const Live& live, Address address, Outgoin
 // J1939-81 spreads these over 153 ms, because all of them have the same identifier.
 void ClaimService::cannotClaim(Instant now, const Live& live, Outgoing& out) {
   if (m_status.progress != Progress::CannotClaim)
-    out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "cannot claim");
+    out.note(note::OwnAddress{live.channel, kNullAddress, How::CannotClaim});
   m_status.progress = Progress::CannotClaim;
   m_status.address = kNullAddress;
   m_spread = m_spread * 1'664'525u + 1'013'904'223u;
@@ -105,7 +107,7 @@ void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
     case Progress::Asking: return claimNext(now, live, out);
     case Progress::Claiming:
       m_status.progress = Progress::Claimed;
-      out.note(NoteKind::OwnAddress, live.channel, m_status.address, 0, "claimed");
+      out.note(note::OwnAddress{live.channel, m_status.address, How::Claimed});
       return;
     case Progress::CannotClaim: return sendName(live, kNullAddress, out);
     case Progress::Off:
@@ -138,7 +140,7 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
     m_status.progress = Progress::SameName;
     m_status.address = kNullAddress;
     m_deadline = kNever;
-    out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "same name");
+    out.note(note::OwnAddress{live.channel, kNullAddress, How::SameName});
     return;
   }
   if (source == kNullAddress || m_status.address == kNullAddress || source != m_status.address) return;
@@ -153,7 +155,7 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
 void ClaimService::addressLost(Instant now, const Live& live, Outgoing& out) {
   ++m_status.lost;
   m_lost.set(m_status.address.value);
-  out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "lost");
+  out.note(note::OwnAddress{live.channel, kNullAddress, How::Lost});
   claimNext(now, live, out);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/device_key.h"
@@ -32,10 +33,7 @@ struct Outgoing {
   std::vector<Note> notes;
 
   // Placed in the log (frame, time) by whoever writes them down.
-  void note(NoteKind kind, Channel channel, Address address, std::uint64_t number, std::string text = {}) {
-    notes.push_back(
-        {.kind = kind, .channel = channel, .address = address, .number = number, .text = std::move(text)});
-  }
+  void note(NoteValue value) { notes.push_back({.value = std::move(value)}); }
   void send(const Live& live, MessageId id, Address to, const Encoded& data) {
     Frame frame = j1939Frame(messageOf(id), data, live.own, to);
     frame.channel = live.channel.value;

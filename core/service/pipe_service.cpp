@@ -17,11 +17,9 @@ using What = wish::PipeAction::What;
 
 const std::uint8_t kType = static_cast<std::uint8_t>(messageOf(MessageId::PipeData).firstByte);
 
-void note(const Live& live, const DeviceKey& device, Address address, PipeEvent event, std::string_view file,
-          Outgoing& out) {
-  std::string text(device.pin.text());
-  if (!file.empty()) text.append(" ").append(file);
-  out.note(NoteKind::Pipe, live.channel, address, static_cast<std::uint64_t>(event), std::move(text));
+void notePipe(const Live& live, const DeviceKey& device, Address address, PipeEvent event,
+              const std::string& file, Outgoing& out) {
+  out.note(note::Pipe{live.channel, address, device.pin, event, file});
 }
 
 }  // namespace
@@ -67,7 +65,7 @@ Refusal PipeService::sendFile(Instant now, const Live& live, const wish::PipeFil
   to.status.fileEnded = kNotYet;
   to.status.filePaused = 0ns;
   to.status.fileSkipped = to.status.fileResent = 0;
-  note(live, to.device, *address, PipeEvent::FileBegan, wish.name, out);
+  notePipe(live, to.device, *address, PipeEvent::FileBegan, wish.name, out);
   if (to.status.fileSize == 0) endFile(now, live, to, FileEnd::Done, out);
   sendNext(now, live, to, out);
   return Refusal::None;
@@ -123,7 +121,7 @@ void PipeService::acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoi
   status.ackSum += took;
   if (status.progress == Progress::Stalled) {
     ++status.lateAcks;
-    note(live, pipe.device, pipe.flying->to, PipeEvent::AckLate, {}, out);
+    notePipe(live, pipe.device, pipe.flying->to, PipeEvent::AckLate, {}, out);
     release(now, pipe);
   }
   const bool wasResent = pipe.flying->wasResent;
@@ -160,7 +158,8 @@ void PipeService::endFile(Instant now, const Live& live, Pipe& pipe, FileEnd how
   const PipeEvent event = how == FileEnd::Done        ? PipeEvent::FileDone
                           : how == FileEnd::Cancelled ? PipeEvent::FileCancelled
                                                       : PipeEvent::FileAborted;
-  note(live, pipe.device, live.addressOf(pipe.device).value_or(kNullAddress), event, pipe.status.file, out);
+  notePipe(live, pipe.device, live.addressOf(pipe.device).value_or(kNullAddress), event, pipe.status.file,
+           out);
 }
 
 // Paused and stalled time is no time that the file took.
@@ -182,7 +181,7 @@ void PipeService::stall(Instant now, const Live& live, Pipe& pipe, Stall why, Ou
   pipe.deadline = kNever;
   pipe.status.stall = why;
   hold(now, pipe, Progress::Stalled);
-  note(live, pipe.device, pipe.flying->to, PipeEvent::Stalled, {}, out);
+  notePipe(live, pipe.device, pipe.flying->to, PipeEvent::Stalled, {}, out);
 }
 
 PipeStatus::Stall PipeService::whyNoAck(const Live& live, const Pipe& pipe) {
@@ -207,7 +206,7 @@ Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& 
       ++at->status.resent;
       if (at->flying->isOfFile) ++at->status.fileResent;
       at->flying->wasResent = true;
-      note(live, at->device, at->flying->to, PipeEvent::Resent, {}, out);
+      notePipe(live, at->device, at->flying->to, PipeEvent::Resent, {}, out);
       fly(now, live, *at, out);
       return Refusal::None;
     case What::Skip:
@@ -215,7 +214,7 @@ Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& 
       release(now, *at);
       ++at->status.skipped;
       if (at->flying->isOfFile) ++at->status.fileSkipped;
-      note(live, at->device, at->flying->to, PipeEvent::Skipped, {}, out);
+      notePipe(live, at->device, at->flying->to, PipeEvent::Skipped, {}, out);
       passed(now, live, *at, out);
       settle(now, *at);
       return Refusal::None;
@@ -246,7 +245,8 @@ void PipeService::drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out)
   if (pipe.status.isSendingFile()) {
     endFile(now, live, pipe, FileEnd::Aborted, out);
   } else if (had) {
-    note(live, pipe.device, live.addressOf(pipe.device).value_or(kNullAddress), PipeEvent::Dropped, {}, out);
+    notePipe(live, pipe.device, live.addressOf(pipe.device).value_or(kNullAddress), PipeEvent::Dropped, {},
+             out);
   }
   release(now, pipe);
   if (wasFlying) settle(now, pipe);

@@ -164,9 +164,7 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   out.send(live, rule.request, *to, data);
   m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(ask));
   // Of what is repeated only changes are noted, at its end.
-  if (status.tries == 1 && status.period == 0ns)
-    out.note(NoteKind::Asked, live.channel, *to, static_cast<std::uint64_t>(ask),
-             std::string(at.device.pin.text()));
+  if (status.tries == 1 && status.period == 0ns) out.note(note::Asked{live.channel, *to, at.device.pin, ask});
 }
 
 void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out) {
@@ -180,10 +178,7 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
     ++status.answered;
     status.latency = now - status.sent;
   }
-  if (isNews)
-    out.note(NoteKind::AskEnded, live.channel, timing.to,
-             static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(how) << 8,
-             std::string(at.device.pin.text()));
+  if (isNews) out.note(note::AskEnded{live.channel, timing.to, at.device.pin, ask, how});
   // Each try may still be answered.
   const int tries = how == RequestEnd::Answered ? status.tries - 1 : 0;
   timing = {.to = timing.to,
@@ -288,9 +283,7 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
   status.end = RequestEnd::AnsweredLate;
   status.latency = now - status.sent;
   status.ended = now;
-  out.note(NoteKind::AskEnded, live.channel, timing.to,
-           static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(status.end) << 8,
-           std::string(at.device.pin.text()));
+  out.note(note::AskEnded{live.channel, timing.to, at.device.pin, ask, status.end});
 }
 
 // A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address. It

@@ -5,6 +5,11 @@
 #include <utility>
 
 namespace deckpipe {
+namespace {
+
+using How = note::OwnAddress::How;
+
+}  // namespace
 
 Services::Services(const ServiceSettings& settings)
     : m_settings(settings),
@@ -25,12 +30,12 @@ void Services::linkChanged(Instant now, const State& state, bool isUp) {
   m_pipes.endAll(now, live, m_out);
   m_claim.stop();
   m_out.frames.clear();
-  if (live.own != kNullAddress) m_out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "link lost");
+  if (live.own != kNullAddress) m_out.note(note::OwnAddress{live.channel, kNullAddress, How::LinkLost});
 }
 
 void Services::unlock(Instant now, const Live& live) {
   if (!std::exchange(m_status.locked, false)) return;
-  m_out.note(NoteKind::Unlocked, live.channel, {}, 0);
+  m_out.note(note::Unlocked{live.channel});
   if (m_status.linkUp) m_claim.start(now, live, m_out);
 }
 
@@ -40,8 +45,8 @@ void Services::lock(Instant now, const Live& live) {
   m_pipes.endAll(now, live, m_out);
   m_claim.stop();
   m_out.frames.clear();
-  if (live.own != kNullAddress) m_out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "locked");
-  m_out.note(NoteKind::Locked, live.channel, {}, 0);
+  if (live.own != kNullAddress) m_out.note(note::OwnAddress{live.channel, kNullAddress, How::Locked});
+  m_out.note(note::Locked{live.channel});
 }
 
 Refusal Services::apply(Instant now, const State& state, const Intent& intent) {

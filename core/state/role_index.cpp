@@ -27,10 +27,7 @@ bool RoleIndex::build(std::uint64_t atMost) {
   RoleWalk walk = m_end;
   lock.unlock();
 
-  std::vector<Note> notes = m_notes.between(begin, end);
-  std::erase_if(notes, [](const Note& note) {
-    return note.kind != NoteKind::DriveSaid && note.kind != NoteKind::DriveUnsaid;
-  });
+  const std::vector<Note> notes = m_notes.between(begin, end);
   std::vector<Change> changes;
   std::vector<RoleWalk> kept;
   const auto record = [&](const Change& change) {
@@ -44,10 +41,11 @@ bool RoleIndex::build(std::uint64_t atMost) {
       if (i == end) break;
       for (; nextNote < notes.size() && notes[nextNote].frame <= i; ++nextNote) {
         const Note& note = notes[nextNote];
+        const auto* said = std::get_if<note::DriveSaid>(&note.value);
+        if (said == nullptr) continue;
         if (walk.timeCame(note.time)) record({i, note.time, Change::Kind::Time, {}, {}});
-        const auto kind =
-            note.kind == NoteKind::DriveSaid ? Change::Kind::DriveSaid : Change::Kind::DriveUnsaid;
-        const Change change{i, note.time, kind, note.channel, note.address};
+        const auto kind = said->isDrive ? Change::Kind::DriveSaid : Change::Kind::DriveUnsaid;
+        const Change change{i, note.time, kind, said->channel, said->address};
         take(walk, change);
         record(change);
       }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/overload.h"
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "bus/load.h"
@@ -121,27 +122,22 @@ void State::applyStandard(const Frame& frame, Instant time, const Classified& wh
 
 void State::apply(const Note& note) {
   timeCame(std::max(note.time, m_cursor.time));
-  if (note.kind == NoteKind::Locked) m_locked = true;
-  if (note.kind == NoteKind::Unlocked) m_locked = false;
-  if (note.channel.value >= kMaxChannels) return;
-  ChannelState& channel = m_channels[note.channel.value];
-  switch (note.kind) {
-    case NoteKind::LinkUp:
-      channel.link = ChannelLink::Up;
-      channel.controller = ControllerState::Unknown;
-      break;
-    case NoteKind::LinkDown: channel.link = ChannelLink::Down; break;
-    case NoteKind::Dropped: channel.dropped += note.number; break;
-    case NoteKind::DriveSaid: channel.book.sayDrive(note.address, true); break;
-    case NoteKind::DriveUnsaid: channel.book.sayDrive(note.address, false); break;
-    case NoteKind::OwnAddress: channel.ownAddress = note.address; break;
-    case NoteKind::Locked:
-    case NoteKind::Unlocked:
-    case NoteKind::Mark:
-    case NoteKind::Asked:
-    case NoteKind::AskEnded:
-    case NoteKind::Pipe: break;
-  }
+  if (std::holds_alternative<note::Locked>(note.value)) m_locked = true;
+  if (std::holds_alternative<note::Unlocked>(note.value)) m_locked = false;
+  const auto about = channelOf(note.value);
+  if (!about || about->value >= kMaxChannels) return;
+  ChannelState& channel = m_channels[about->value];
+  std::visit(Overload{[&](const note::LinkUp&) {
+                        channel.link = ChannelLink::Up;
+                        channel.controller = ControllerState::Unknown;
+                      },
+                      [&](const note::LinkDown&) { channel.link = ChannelLink::Down; },
+                      [&](const note::Dropped& n) { channel.dropped += n.count; },
+                      [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
+                      [&](const note::OwnAddress& n) { channel.ownAddress = n.address; },
+                      [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
+                      [](const note::Asked&) {}, [](const note::AskEnded&) {}, [](const note::Pipe&) {}},
+             note.value);
 }
 
 void State::timeCame(Instant time) {

@@ -67,12 +67,6 @@ QStringList Witness::lines() {
   return lines;
 }
 
-std::vector<Note> Console::notes(NoteKind kind) const {
-  std::vector<Note> out = document().notes.all();
-  std::erase_if(out, [&](const Note& note) { return note.kind != kind; });
-  return out;
-}
-
 bool Console::hasHeard(std::uint32_t id) const {
   const FrameStore& frames = document().frames;
   for (std::uint64_t i = frames.count(); i-- > 0;) {

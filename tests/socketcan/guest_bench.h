@@ -94,7 +94,13 @@ struct Console {
   }
   const LogDocument& document() const { return *session.snapshot().view.document; }
   const ChannelState& channel() const { return session.snapshot().view.state->channel(Channel{0}); }
-  std::vector<Note> notes(NoteKind kind) const;
+  // All of one kind.
+  template <typename Kind>
+  std::vector<Note> notes() const {
+    std::vector<Note> out = document().notes.all();
+    std::erase_if(out, [](const Note& note) { return !std::holds_alternative<Kind>(note.value); });
+    return out;
+  }
   bool hasHeard(std::uint32_t id) const;
   // As candump -L would have written it, and into a file of the results.
   QStringList lines(const QString& saveAs) const;

@@ -23,7 +23,7 @@ void expectAllAccountedFor(Console& console, const char* interfaceName, std::uin
   QTest::qWait(300);  // more than was sent would be as wrong
   EXPECT_EQ(heard() + lost(), sent);
   std::uint64_t noted = 0;
-  for (const Note& note : console.notes(NoteKind::Dropped)) noted += note.number;
+  for (const Note& note : console.notes<note::Dropped>()) noted += std::get<note::Dropped>(note.value).count;
   EXPECT_EQ(noted, lost());
   EXPECT_EQ(console.channel().dropped, lost());
   std::printf("%s: %llu sent, %llu received, %llu counted as lost\n", interfaceName,

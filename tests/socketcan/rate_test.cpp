@@ -36,7 +36,10 @@ TEST_F(Rate, AnyOtherIsRefusedAndLeftAlone) {
     set(rate);
     Console console(QStringLiteral("can0"));
     ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Failed)) << rate;
-    EXPECT_TRUE(console.session.snapshot().source.reason.contains(QString::number(rate)));
+    const auto* error = std::get_if<LinkError>(&console.session.snapshot().source.error);
+    ASSERT_NE(error, nullptr);
+    EXPECT_EQ(error->fault, LinkFault::WrongBitRate);
+    EXPECT_NE(error->detail.find(std::to_string(rate)), std::string::npos) << error->detail;
     EXPECT_TRUE(isAt(rate));
   }
 }

@@ -86,8 +86,9 @@ int EventModel::columnCount(const QModelIndex& parent) const { return parent.isV
 
 QString EventModel::busText(const Row& row) const {
   const FrameStore& frames = m_view.document->frames;
-  const Channel channel = row.isNote ? m_notes[row.index].channel : m_events.list()[row.index].channel;
-  return toQString(frames.channelName(channel.value));
+  const auto channel =
+      row.isNote ? channelOf(m_notes[row.index].value) : std::optional(m_events.list()[row.index].channel);
+  return channel ? toQString(frames.channelName(channel->value)) : QString();
 }
 
 QString EventModel::whatText(const Row& row) const {

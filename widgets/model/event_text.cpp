@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "base/overload.h"
 #include "model/field_text.h"
 #include "text/age_text.h"
 #include "text/device_text.h"
@@ -70,67 +71,97 @@ EventWeight weightOf(const Event& event) {
 
 namespace {
 
-QString ownAddressText(const Note& note, const QString& address) {
-  if (note.address != kNullAddress) return EventText::tr("The console holds address %1").arg(address);
-  if (note.text == "lost") return EventText::tr("The console lost its address to a lower NAME");
-  if (note.text == "cannot claim") return EventText::tr("The console cannot claim any address");
-  if (note.text == "same name") return EventText::tr("Another node has the console's NAME");
-  return EventText::tr("The console gave up its address");
+using How = note::OwnAddress::How;
+
+QString ownAddressText(const note::OwnAddress& n) {
+  switch (n.how) {
+    case How::Claimed: return EventText::tr("The console holds address %1").arg(hexText(n.address.value));
+    case How::Lost: return EventText::tr("The console lost its address to a lower NAME");
+    case How::CannotClaim: return EventText::tr("The console cannot claim any address");
+    case How::SameName: return EventText::tr("Another node has the console's NAME");
+    case How::Locked:
+    case How::LinkLost: return EventText::tr("The console gave up its address");
+  }
+  return {};
+}
+
+EventWeight weightOf(How how) {
+  switch (how) {
+    case How::Claimed:
+    case How::Locked: return EventWeight::Plain;
+    case How::Lost:
+    case How::CannotClaim:
+    case How::SameName:
+    case How::LinkLost: return EventWeight::Attend;
+  }
+  return EventWeight::Attend;
 }
 
 // Of whom: the PIN, or where it has none the address.
-QString askedOf(const Note& note, const QString& address) {
-  return note.text.empty() ? EventText::tr("address %1").arg(address) : toQString(note.text);
+QString deviceText(const Pin& pin, Address address) {
+  return pin.isNull() ? EventText::tr("address %1").arg(hexText(address.value)) : toQString(pin.text());
+}
+
+QString pipeText(const note::Pipe& n) {
+  QString which = deviceText(n.pin, n.address);
+  if (!n.file.isEmpty()) which += QLatin1Char(' ') + toQString(n.file.str());
+  return EventText::tr("Data pipe %1: %2").arg(which, pipeEventText(n.event));
 }
 
 }  // namespace
 
 QString noteText(const LogDocument& log, const Note& note) {
-  const QString channel = toQString(log.frames.channelName(note.channel.value));
-  const QString said = toQString(note.text);
-  const auto withReason = [&said](const QString& text) {
-    return said.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, said);
-  };
-  const QString address = hexText(note.address.value);
-  switch (note.kind) {
-    case NoteKind::LinkUp: return EventText::tr("%1 up").arg(channel);
-    case NoteKind::LinkDown: return withReason(EventText::tr("%1 down").arg(channel));
-    case NoteKind::Dropped:
-      return EventText::tr("%1: %Ln frames lost", nullptr,
-                           static_cast<int>(std::min<std::uint64_t>(note.number, INT_MAX)))
-          .arg(channel);
-    case NoteKind::Locked: return EventText::tr("Transmit locked");
-    case NoteKind::Unlocked: return EventText::tr("Transmit unlocked");
-    case NoteKind::Mark: return said.isEmpty() ? EventText::tr("Mark") : said;
-    case NoteKind::DriveSaid: return EventText::tr("%1: address %2 is a drive").arg(channel, address);
-    case NoteKind::DriveUnsaid: return EventText::tr("%1: address %2 is no drive").arg(channel, address);
-    case NoteKind::OwnAddress: return ownAddressText(note, address);
-    case NoteKind::Asked:
-      return EventText::tr("%1 asked of %2")
-          .arg(askText(static_cast<Ask>(note.number)), askedOf(note, address));
-    case NoteKind::AskEnded:
-      return EventText::tr("%1 of %2: %3")
-          .arg(askText(static_cast<Ask>(note.number & 0xFF)), askedOf(note, address),
-               requestEndText(static_cast<RequestEnd>(note.number >> 8)));
-    case NoteKind::Pipe:
-      return EventText::tr("Data pipe %1: %2")
-          .arg(askedOf(note, address), pipeEventText(static_cast<PipeEvent>(note.number)));
-  }
-  return said;
+  const auto busOf = [&log](const auto& n) { return toQString(log.frames.channelName(n.channel.value)); };
+  return std::visit(
+      Overload{[](const note::Mark& n) {
+                 return n.text.isEmpty() ? EventText::tr("Mark") : toQString(n.text.str());
+               },
+               [&](const note::LinkUp& n) { return EventText::tr("%1 up").arg(busOf(n)); },
+               [&](const note::LinkDown& n) {
+                 const QString text = EventText::tr("%1 down").arg(busOf(n));
+                 return n.reason.isEmpty() ? text
+                                           : QStringLiteral("%1: %2").arg(text, toQString(n.reason.str()));
+               },
+               [&](const note::Dropped& n) {
+                 return EventText::tr("%1: %Ln frames lost", nullptr,
+                                      static_cast<int>(std::min<std::uint64_t>(n.count, INT_MAX)))
+                     .arg(busOf(n));
+               },
+               [](const note::Locked&) { return EventText::tr("Transmit locked"); },
+               [](const note::Unlocked&) { return EventText::tr("Transmit unlocked"); },
+               [&](const note::DriveSaid& n) {
+                 return (n.isDrive ? EventText::tr("%1: address %2 is a drive")
+                                   : EventText::tr("%1: address %2 is no drive"))
+                     .arg(busOf(n), hexText(n.address.value));
+               },
+               [](const note::OwnAddress& n) { return ownAddressText(n); },
+               [](const note::Asked& n) {
+                 return EventText::tr("%1 asked of %2").arg(askText(n.ask), deviceText(n.pin, n.address));
+               },
+               [](const note::AskEnded& n) {
+                 return EventText::tr("%1 of %2: %3")
+                     .arg(askText(n.ask), deviceText(n.pin, n.address), requestEndText(n.end));
+               },
+               [](const note::Pipe& n) { return pipeText(n); }},
+      note.value);
 }
 
 EventWeight weightOf(const Note& note) {
-  switch (note.kind) {
-    case NoteKind::LinkDown: return EventWeight::Fault;
-    case NoteKind::Dropped: return EventWeight::Attend;
-    case NoteKind::Mark: return EventWeight::Mark;
-    case NoteKind::AskEnded:
-      return static_cast<RequestEnd>(note.number >> 8) == RequestEnd::Answered ? EventWeight::Plain
-                                                                               : EventWeight::Attend;
-    case NoteKind::OwnAddress:
-      return note.text == "claimed" || note.text == "locked" ? EventWeight::Plain : EventWeight::Attend;
-    default: return EventWeight::Plain;
-  }
+  using Weight = EventWeight;
+  return std::visit(Overload{[](const note::Mark&) { return Weight::Mark; },
+                             [](const note::LinkUp&) { return Weight::Plain; },
+                             [](const note::LinkDown&) { return Weight::Fault; },
+                             [](const note::Dropped&) { return Weight::Attend; },
+                             [](const note::Locked&) { return Weight::Plain; },
+                             [](const note::Unlocked&) { return Weight::Plain; },
+                             [](const note::DriveSaid&) { return Weight::Plain; },
+                             [](const note::OwnAddress& n) { return weightOf(n.how); },
+                             [](const note::Asked&) { return Weight::Plain; },
+                             [](const note::AskEnded& n) {
+                               return n.end == RequestEnd::Answered ? Weight::Plain : Weight::Attend;
+                             },
+                             [](const note::Pipe&) { return Weight::Plain; }},
+                    note.value);
 }
 
 }  // namespace deckpipe

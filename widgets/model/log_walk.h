@@ -18,9 +18,8 @@ inline bool isPastChanged(const LogDocument& log, std::size_t& seen, std::uint64
   const std::size_t notes = log.notes.count();
   if (notes == std::exchange(seen, notes)) return false;
   const std::vector<Note> past = log.notes.between(0, end);
-  return std::any_of(past.begin(), past.end(), [](const Note& note) {
-    return note.kind == NoteKind::DriveSaid || note.kind == NoteKind::DriveUnsaid;
-  });
+  return std::any_of(past.begin(), past.end(),
+                     [](const Note& note) { return std::holds_alternative<note::DriveSaid>(note.value); });
 }
 
 class LogWalk {
@@ -35,7 +34,8 @@ class LogWalk {
     if (m_next >= m_noted) fetchNotes();
     for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame <= m_next; ++m_nextNote) {
       const Note& note = m_notes[m_nextNote];
-      m_walk.sayDrive(note.channel, note.address, note.kind == NoteKind::DriveSaid, note.time);
+      if (const auto* said = std::get_if<note::DriveSaid>(&note.value))
+        m_walk.sayDrive(said->channel, said->address, said->isDrive, note.time);
     }
     ++m_next;
     return m_walk.next(frame, time);
@@ -48,9 +48,6 @@ class LogWalk {
     // Notes of frames that are still to come may still come as well.
     const std::uint64_t end = std::max(m_next + 1, std::min(m_next + kNotesOf, m_log->frames.count()));
     m_notes = m_log->notes.between(m_noted, end);
-    std::erase_if(m_notes, [](const Note& note) {
-      return note.kind != NoteKind::DriveSaid && note.kind != NoteKind::DriveUnsaid;
-    });
     m_nextNote = 0;
     m_noted = end;
   }

@@ -80,14 +80,16 @@ bool LogMarks::takeNotes() {
   m_notesTaken = notes.size();
   m_notes.clear();
   m_lost.clear();
-  std::map<std::uint8_t, Instant> down;  // by channel
+  std::map<Channel, Instant> down;
   for (const Note& note : notes) {
-    const bool isLoss = note.kind == NoteKind::LinkDown || note.kind == NoteKind::Dropped;
+    const auto* linkDown = std::get_if<note::LinkDown>(&note.value);
+    const auto* linkUp = std::get_if<note::LinkUp>(&note.value);
+    const bool isLoss = linkDown != nullptr || std::holds_alternative<note::Dropped>(note.value);
     m_notes.push_back(
         {isLoss ? TimelineMark::Kind::Attend : TimelineMark::Kind::Note, note.time, noteText(*m_log, note)});
-    if (note.kind == NoteKind::LinkDown) down.emplace(note.channel.value, note.time);
-    if (const auto since = down.find(note.channel.value);
-        note.kind == NoteKind::LinkUp && since != down.end()) {
+    if (linkDown != nullptr) down.emplace(linkDown->channel, note.time);
+    if (linkUp == nullptr) continue;
+    if (const auto since = down.find(linkUp->channel); since != down.end()) {
       m_lost.push_back({TimelineGap::Kind::LinkLost, {since->second, note.time}});
       down.erase(since);
     }

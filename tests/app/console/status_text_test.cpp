@@ -140,7 +140,7 @@ TEST(NoticeText, TellsWrongTraffic) {
 
 TEST(NoticeText, SaysThatTheLinkIsLostAndOffersItAgain) {
   Snapshot snapshot = link(Progress::Lost);
-  snapshot.source.reason = QStringLiteral("Network is down");
+  snapshot.source.error = LinkError{LinkFault::Gone, "Network is down"};
   EXPECT_TRUE(says(notice(snapshot), "lost: Network is down"));
   EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::Reconnect);
 }
@@ -155,9 +155,15 @@ TEST(NoticeText, SaysThatTheCursorStandsInThePastOfALiveLog) {
 
 TEST(NoticeText, GivesTheCommandForAnInterfaceThatIsDown) {
   Snapshot snapshot = link(Progress::Failed, "");
-  snapshot.source.fault = LinkFault::InterfaceDown;
+  snapshot.source.error = LinkError{LinkFault::InterfaceDown, {}};
   EXPECT_EQ(noticeOf(snapshot, {}).command.toStdString(),
             "sudo ip link set can0 up type can bitrate 250000 listen-only on");
+}
+
+TEST(NoticeText, SaysThatTheLogIsFullAndNotThatTheInterfaceCannotBeOpened) {
+  Snapshot snapshot = link(Progress::Failed);
+  snapshot.source.error = StoreFull{};
+  EXPECT_TRUE(says(notice(snapshot), "Nothing more of can0 is recorded: there is no room"));
 }
 
 TEST(NoticeText, NamesTheLinesOfALogThatAreUnreadable) {
@@ -172,8 +178,12 @@ TEST(NoticeText, NamesTheLinesOfALogThatAreUnreadable) {
 TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {
   EXPECT_EQ(notice(file("")), "This log holds no frames.");
   Snapshot snapshot = file("", Progress::Failed);
-  snapshot.source.reason = QStringLiteral("No such file or directory");
-  EXPECT_EQ(notice(snapshot), "truck.log cannot be read: No such file or directory");
+  snapshot.source.error = ReadError{ReadError::Kind::CannotOpen, "No such file or directory"};
+  EXPECT_EQ(notice(snapshot), "truck.log cannot be read: cannot be opened: No such file or directory");
+  snapshot.source.error = ReadError{.kind = ReadError::Kind::UnknownFormat};
+  EXPECT_EQ(
+      notice(snapshot),
+      "truck.log cannot be read: not a log of this format. Deckpipe reads what candump writes or prints.");
 }
 
 TEST(ClockNotice, IsForAClockThatGoesBackAndNotForTheUsualSmallSteps) {

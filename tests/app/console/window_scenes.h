@@ -141,7 +141,7 @@ inline std::vector<Scene> windowScenes() {
   add("log_damaged", snapshotOf(truck + "rubbish\n(1) can0 123#1\n((\n", Kind::File, Progress::Done));
   add("log_empty", snapshotOf("", Kind::File, Progress::Done));
   Snapshot unreadable = snapshotOf("", Kind::File, Progress::Failed);
-  unreadable.source.reason = QStringLiteral("not a log of a known format");
+  unreadable.source.error = ReadError{.kind = ReadError::Kind::UnknownFormat};
   add("log_unreadable", unreadable);
   Snapshot reading = snapshotOf(truck, Kind::File, Progress::Opening);
   reading.source.fraction = 0.42;
@@ -169,10 +169,10 @@ inline std::vector<Scene> windowScenes() {
   off.source.controller = ControllerState::BusOff;
   add("live_bus_off", off);
   Snapshot lost = later(snapshotOf(truck, Kind::Link, Progress::Lost), 4s);
-  lost.source.reason = QStringLiteral("Network is down");
+  lost.source.error = LinkError{LinkFault::Gone, "Network is down"};
   add("link_lost", lost);
   Snapshot down = snapshotOf("", Kind::Link, Progress::Failed);
-  down.source.fault = LinkFault::InterfaceDown;
+  down.source.error = LinkError{LinkFault::InterfaceDown, "The interface is down."};
   add("link_down", down);
   Snapshot unsent = paused;
   unsent.notSent = Refusal::NotLive;

@@ -95,7 +95,7 @@ TEST_F(OpenedLog, ClosesWhenAnotherIsOpened) {
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
   EXPECT_EQ(view().frameCount, 0u);
-  EXPECT_FALSE(m_session.snapshot().source.reason.isEmpty());
+  EXPECT_TRUE(std::holds_alternative<ReadError>(m_session.snapshot().source.error));
 }
 
 TEST(SessionOnABadLog, SaysThatItIsNoLog) {
@@ -175,7 +175,10 @@ TEST(Link, SaysWhyAnAdapterCannotBeOpened) {
   session.openLink({QStringLiteral("socketcan"), QStringLiteral("no_such_can"), 250'000, {}});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
-  EXPECT_FALSE(session.snapshot().source.reason.isEmpty());
+  const auto* error = std::get_if<LinkError>(&session.snapshot().source.error);
+  ASSERT_NE(error, nullptr);
+  EXPECT_EQ(error->fault, LinkFault::NoInterface);
+  EXPECT_FALSE(error->detail.empty());
 }
 
 // What the console sends goes the whole way: intent, services, link, twin, and back into the log.

@@ -3,21 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <thread>
+
+#include "support/note_samples.h"
 
 namespace deckpipe {
 namespace {
 
 Note mark(std::uint64_t frame, std::string text) {
-  Note note;
-  note.frame = frame;
-  note.text = std::move(text);
-  return note;
+  return {.frame = frame, .value = note::Mark{std::move(text)}};
 }
+
+std::string textOf(const Note& note) { return std::get<note::Mark>(note.value).text.str(); }
 
 std::vector<std::string> texts(const std::vector<Note>& notes) {
   std::vector<std::string> all;
-  for (const Note& note : notes) all.push_back(note.text);
+  for (const Note& note : notes) all.push_back(textOf(note));
   return all;
 }
 
@@ -33,29 +35,14 @@ TEST(NoteStore, KeepsNotesInTheOrderOfTheirFramesAndOfArrivalAtOneFrame) {
   EXPECT_EQ(notes.count(), 5u);
 }
 
-TEST(NoteStore, KeepsEveryFieldOfANote) {
-  const Note note{7, {123}, NoteKind::DriveSaid, {2}, {0x80}, 41, "front"};
+TEST(NoteStore, KeepsEveryFieldOfEveryKind) {
   NoteStore notes;
-  notes.append(note);
-  EXPECT_EQ(notes.all(), std::vector{note});
-}
-
-TEST(NoteStore, CutsLongTextBetweenCharacters) {
-  NoteStore notes;
-  notes.append(mark(0, std::string(NoteStore::kMaxText, 'x')));
-  notes.append(mark(0, std::string(NoteStore::kMaxText - 1, 'x') + "ü"));
-  const auto all = notes.all();
-  EXPECT_EQ(all[0].text.size(), NoteStore::kMaxText);
-  EXPECT_EQ(all[1].text, std::string(NoteStore::kMaxText - 1, 'x'));
-}
-
-TEST(NoteStore, EveryKindHasAWordThatLeadsBack) {
-  for (int i = 0; i <= static_cast<int>(NoteKind::Pipe); ++i) {
-    const auto kind = static_cast<NoteKind>(i);
-    EXPECT_FALSE(noteKey(kind).empty()) << i;
-    EXPECT_EQ(noteKind(noteKey(kind)), kind);
+  std::vector<Note> expected;
+  for (const NoteValue& value : test::noteSamples()) {
+    expected.push_back({7, {123}, value});
+    notes.append(expected.back());
   }
-  EXPECT_FALSE(noteKind("no_such_kind"));
+  EXPECT_EQ(notes.all(), expected);
 }
 
 TEST(NoteStore, IsReadWhileItGrows) {
@@ -69,10 +56,23 @@ TEST(NoteStore, IsReadWhileItGrows) {
     ASSERT_GE(all.size(), last);
     last = all.size();
     if (last > 0) {
-      ASSERT_EQ(all.back().text, std::to_string(last - 1));
+      ASSERT_EQ(textOf(all.back()), std::to_string(last - 1));
     }
   }
   writer.join();
+}
+
+TEST(NoteText, CutsLongTextBetweenCharacters) {
+  constexpr std::size_t kMost = NoteText::kMaxBytes;
+  EXPECT_EQ(NoteText(std::string(kMost, 'x')).str().size(), kMost);
+  EXPECT_EQ(NoteText(std::string(kMost - 1, 'x') + "ü").str(), std::string(kMost - 1, 'x'));
+}
+
+TEST(NoteKey, IsAWordOfItsOwnForEveryKind) {
+  std::set<std::string_view> words;
+  for (const NoteValue& value : test::noteSamples()) words.insert(noteKey(value));
+  EXPECT_EQ(words.size(), std::variant_size_v<NoteValue>);
+  EXPECT_FALSE(words.contains(""));
 }
 
 }  // namespace

@@ -481,7 +481,7 @@ TEST_F(Moved, TwoThatBothHaveAPacketInFlightEndAndNoAckIsTakenForTheOthers) {
   EXPECT_EQ(packets(joined), (std::vector<std::string>{"new"}));
   std::vector<PipeEvent> events;
   for (const Note& note : pair.console().notes) {
-    if (note.kind == NoteKind::Pipe) events.push_back(static_cast<PipeEvent>(note.number));
+    if (const auto* pipe = std::get_if<note::Pipe>(&note.value)) events.push_back(pipe->event);
   }
   EXPECT_EQ(events, (std::vector{PipeEvent::FileBegan, PipeEvent::FileAborted, PipeEvent::Dropped}));
 }
@@ -521,7 +521,7 @@ TEST_F(Pipe, BeginAndEndOfAFileAndWhatThePersonDecidedAreNotes) {
   pair.run(5s);
   std::vector<PipeEvent> events;
   for (const Note& note : pair.console().notes) {
-    if (note.kind == NoteKind::Pipe) events.push_back(static_cast<PipeEvent>(note.number));
+    if (const auto* pipe = std::get_if<note::Pipe>(&note.value)) events.push_back(pipe->event);
   }
   EXPECT_EQ(events,
             (std::vector{PipeEvent::FileBegan, PipeEvent::Stalled, PipeEvent::Resent, PipeEvent::FileDone}));

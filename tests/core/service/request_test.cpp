@@ -182,7 +182,7 @@ TEST_F(Request, OfRepeatedPollsOnlyWhatChangesIsNoted) {
   pair.run(6s);
   std::vector<RequestEnd> ends;
   for (const Note& note : pair.console().notes) {
-    if (note.kind == NoteKind::AskEnded) ends.push_back(static_cast<RequestEnd>(note.number >> 8));
+    if (const auto* ended = std::get_if<note::AskEnded>(&note.value)) ends.push_back(ended->end);
   }
   EXPECT_EQ(ends, (std::vector{RequestEnd::Answered, RequestEnd::NoAnswer}));
 }
@@ -275,18 +275,17 @@ TEST_F(Request, OurAddressLostToAnotherEndsWhatIsOpen) {
 
 TEST_F(Request, ACopleyDriveIsNeverPolled) {
   pair.console().state.apply(
-      Note{.time = pair.now(), .kind = NoteKind::DriveSaid, .address = Address{monitorAddress()}});
+      Note{.time = pair.now(), .value = note::DriveSaid{Channel{}, Address{monitorAddress()}}});
   EXPECT_EQ(ask(Ask::Fault), Refusal::NotTaken);
 }
 
 TEST_F(Request, LockUnlockPollsAndTheirEndsAreNotes) {
   ask(Ask::Fault);
   pair.run(1s);
-  std::vector<NoteKind> kinds;
-  for (const Note& note : pair.console().notes) kinds.push_back(note.kind);
-  EXPECT_EQ(kinds,
-            (std::vector{NoteKind::Unlocked, NoteKind::OwnAddress, NoteKind::Asked, NoteKind::AskEnded}));
-  EXPECT_EQ(pair.console().notes[2].text, TruckPair::kMonitor);
+  std::vector<std::string_view> kinds;
+  for (const Note& note : pair.console().notes) kinds.push_back(noteKey(note.value));
+  ASSERT_EQ(kinds, (std::vector<std::string_view>{"unlocked", "own_address", "asked", "ask_ended"}));
+  EXPECT_EQ(std::get<note::Asked>(pair.console().notes[2].value).pin.text(), TruckPair::kMonitor);
 }
 
 TEST_F(Request, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPeriodLater) {
@@ -463,10 +462,10 @@ struct Crowd : ::testing::Test {
   Crowd() {
     pair.addConsole();
     for (int i = 0; i < 30; ++i) {
-      char pin[24];
-      std::snprintf(pin, sizeof pin, "1032AE%09d", 100 + i);
+      const auto pin = Pin::make(1032, 'A', 'E', 100 + static_cast<unsigned>(i));
       simulator::MonitorSettings settings;
-      pair.bench.add<simulator::Monitor6032>(i * 37ms, pin, settings, static_cast<std::uint64_t>(i) + 1);
+      pair.bench.add<simulator::Monitor6032>(i * 37ms, pin->text(), settings,
+                                             static_cast<std::uint64_t>(i) + 1);
     }
     pair.bench.powerOn(pair.now());
     pair.run(10s);

@@ -35,14 +35,15 @@ class AnyLog : public testing::Test {
     }
     ASSERT_TRUE(m_frames.append(batch));
     for (std::uint64_t i = 0; i < frames; i += 1 + random() % 97) {
-      constexpr NoteKind kKinds[] = {NoteKind::LinkUp, NoteKind::LinkDown,  NoteKind::Unlocked,
-                                     NoteKind::Locked, NoteKind::DriveSaid, NoteKind::DriveUnsaid,
-                                     NoteKind::Mark};
+      const Channel channel{static_cast<std::uint8_t>(random() % 4)};
+      const Address address{static_cast<std::uint8_t>(0x80 + random() % 4)};
+      const NoteValue any[] = {note::LinkUp{channel},   note::LinkDown{channel, {}},
+                               note::Unlocked{channel}, note::Locked{channel},
+                               note::Mark{"here"},      note::DriveSaid{channel, address, true},
+                               note::Dropped{channel},  note::DriveSaid{channel, address, false}};
       m_notes.append({.frame = i,
                       .time = i == 0 ? Instant{} : m_frames.timeAt(i - 1),
-                      .kind = kKinds[random() % std::size(kKinds)],
-                      .channel = {static_cast<std::uint8_t>(random() % 4)},
-                      .address = {static_cast<std::uint8_t>(0x80 + random() % 4)}});
+                      .value = any[random() % std::size(any)]});
     }
   }
   Cursor randomCursor(std::mt19937& random) const {

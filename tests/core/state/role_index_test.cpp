@@ -31,9 +31,7 @@ TEST(RoleIndex, ClassifiesFromAnyRowAsAWalkFromTheStartDoes) {
   for (std::uint64_t i = 50; i < batch.size(); i += 611) {
     notes.append({.frame = i,
                   .time = frames.timeAt(i - 1),
-                  .kind = i % 2 == 0 ? NoteKind::DriveSaid : NoteKind::DriveUnsaid,
-                  .channel = {static_cast<std::uint8_t>(random() % 6)},
-                  .address = {0x81}});
+                  .value = note::DriveSaid{{static_cast<std::uint8_t>(random() % 6)}, {0x81}, i % 2 == 0}});
   }
   RoleIndex index(frames, notes);
   while (index.build(777)) {
@@ -46,8 +44,8 @@ TEST(RoleIndex, ClassifiesFromAnyRowAsAWalkFromTheStartDoes) {
   std::size_t nextNote = 0;
   for (std::uint64_t i = 0; i < frames.count(); ++i) {
     for (; nextNote < all.size() && all[nextNote].frame == i; ++nextNote) {
-      straight.sayDrive(all[nextNote].channel, all[nextNote].address,
-                        all[nextNote].kind == NoteKind::DriveSaid, all[nextNote].time);
+      const auto& said = std::get<note::DriveSaid>(all[nextNote].value);
+      straight.sayDrive(said.channel, said.address, said.isDrive, all[nextNote].time);
     }
     expected.push_back(straight.next(frames[i], frames.timeAt(i)));
   }

@@ -313,16 +313,16 @@ TEST_F(StateOfOneChannel, CountsByMessage) {
 }
 
 TEST_F(StateOfOneChannel, TakesLinkDropsLockAndDrivesFromNotes) {
-  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::LinkUp});
-  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::Unlocked});
-  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::Dropped, .number = 7});
-  m_state.apply({.frame = 0, .time = m_now, .kind = NoteKind::DriveSaid, .address = {0x21}});
+  m_state.apply({.frame = 0, .time = m_now, .value = note::LinkUp{kCan0}});
+  m_state.apply({.frame = 0, .time = m_now, .value = note::Unlocked{kCan0}});
+  m_state.apply({.frame = 0, .time = m_now, .value = note::Dropped{kCan0, 7}});
+  m_state.apply({.frame = 0, .time = m_now, .value = note::DriveSaid{kCan0, {0x21}}});
   EXPECT_EQ(m_state.channel(kCan0).link, ChannelLink::Up);
   EXPECT_EQ(m_state.channel(kCan0).dropped, 7u);
   EXPECT_FALSE(m_state.isLocked());
   hear("18EF2105", "022101");
   EXPECT_EQ(m_state.counter(MessageId::CopleyGetParameter).count, 1u);
-  m_state.apply({.frame = 1, .time = m_now, .kind = NoteKind::LinkDown});
+  m_state.apply({.frame = 1, .time = m_now, .value = note::LinkDown{kCan0, {}}});
   EXPECT_EQ(m_state.channel(kCan0).link, ChannelLink::Down);
 }
 
@@ -337,7 +337,7 @@ TEST_F(StateOfOneChannel, TakesTheControllersStateFromErrorFramesUntilTheLinkCom
   error(0x02, "0500000000000000");  // lost arbitration: says nothing of it
   EXPECT_EQ(m_state.channel(kCan0).controller, ControllerState::ErrorPassive);
   EXPECT_EQ(m_state.channel(kCan0).errorFrames, 2u);
-  m_state.apply({.frame = 2, .time = m_now, .kind = NoteKind::LinkUp});
+  m_state.apply({.frame = 2, .time = m_now, .value = note::LinkUp{kCan0}});
   EXPECT_EQ(m_state.channel(kCan0).controller, ControllerState::Unknown);
 }
 

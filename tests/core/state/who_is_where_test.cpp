@@ -66,9 +66,9 @@ class ClaimTraffic : public testing::TestWithParam<bool> {
       const auto gap = (m_log.frames.timeAt(i) - from).count();
       m_log.notes.append({.frame = i,
                           .time = from + Duration(gap == 0 ? 0 : static_cast<std::int64_t>(random()) % gap),
-                          .kind = random() % 2 == 0 ? NoteKind::DriveSaid : NoteKind::DriveUnsaid,
-                          .channel = {static_cast<std::uint8_t>(random() % kChannels)},
-                          .address = {static_cast<std::uint8_t>(address())}});
+                          .value = note::DriveSaid{{static_cast<std::uint8_t>(random() % kChannels)},
+                                                   {static_cast<std::uint8_t>(address())},
+                                                   random() % 2 == 0}});
     }
     while (m_log.roles.build(777)) {
     }
@@ -81,8 +81,8 @@ class ClaimTraffic : public testing::TestWithParam<bool> {
     std::size_t nextNote = 0;
     for (std::uint64_t i = 0; i < m_log.frames.count(); ++i) {
       for (; nextNote < notes.size() && notes[nextNote].frame == i; ++nextNote) {
-        const Note& note = notes[nextNote];
-        walk.sayDrive(note.channel, note.address, note.kind == NoteKind::DriveSaid, note.time);
+        const auto& said = std::get<note::DriveSaid>(notes[nextNote].value);
+        walk.sayDrive(said.channel, said.address, said.isDrive, notes[nextNote].time);
       }
       const Instant time = m_log.frames.timeAt(i);
       walk.timeCame(time);

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 
 #include "support/logs.h"
+#include "support/note_samples.h"
 
 namespace deckpipe {
 namespace {
@@ -39,14 +40,51 @@ TEST_F(ModelOfEvents, PutsAMarkWhereItBelongs) {
   const auto log = logOfText(kLog);
   model.setView(viewOf(log));
   QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
-  log->notes.append(
-      {.frame = 1, .time = Instant{11'000'000'000}, .kind = NoteKind::Mark, .text = "valve opened"});
+  log->notes.append({.frame = 1, .time = Instant{11'000'000'000}, .value = note::Mark{"valve opened"}});
   model.setView(viewOf(log));
   ASSERT_EQ(model.rowCount(), 3);
   EXPECT_EQ(what(1), "valve opened");
   ASSERT_EQ(inserted.size(), 1);
   EXPECT_EQ(inserted[0][1].toInt(), 1);
   EXPECT_EQ(inserted[0][2].toInt(), 1);
+}
+
+// Of every kind, and of every way to an address of our own.
+TEST(NoteText, SaysEachInASentenceOfItsOwn) {
+  const auto log = logOfText("(1.0) can0 123#11\n(1.1) can1 123#11\n(1.2) can2 123#11\n");
+  std::vector<NoteValue> values = test::noteSamples();
+  for (const auto how : test::allOf<note::OwnAddress::How>())
+    values.push_back(note::OwnAddress{test::kNotedChannel, {0xF9}, how});
+  std::vector<std::string> sentences;
+  for (const NoteValue& value : values) sentences.push_back(noteText(*log, {.value = value}).toStdString());
+  EXPECT_EQ(sentences, (std::vector<std::string>{
+                           "water on",
+                           "can2 up",
+                           "can2 down: Network is down",
+                           "can2: 2147483647 frames lost",
+                           "Transmit locked",
+                           "Transmit unlocked",
+                           "can2: address 81 is no drive",
+                           "The console lost its address to a lower NAME",
+                           "Reset asked of 1032AE100801035",
+                           "Vista status of 1032AE100801035: answered too late",
+                           "Data pipe 1032AE100801035 axis.txt: file sent",
+                           "The console holds address F9",
+                           "The console lost its address to a lower NAME",
+                           "The console cannot claim any address",
+                           "Another node has the console's NAME",
+                           "The console gave up its address",
+                           "The console gave up its address",
+                       }));
+}
+
+TEST(NoteWeight, IsPlainOnlyForWhatWasMeant) {
+  using How = note::OwnAddress::How;
+  for (const How how : test::allOf<How>()) {
+    const bool isMeant = how == How::Claimed || how == How::Locked;
+    EXPECT_EQ(weightOf(Note{.value = note::OwnAddress{{}, {}, how}}),
+              isMeant ? EventWeight::Plain : EventWeight::Attend);
+  }
 }
 
 TEST_F(ModelOfEvents, KnowsWhatHasHappenedAtTheCursor) {

@@ -114,7 +114,7 @@ TEST(IdTableWalker, LooksAgainWhenADriveIsSaidInThePast) {
   walker.request(20);
   ASSERT_TRUE(QTest::qWaitFor([&] { return walker.latest()->frames() == 20; }));
   EXPECT_EQ(walker.latest()->passed(), 0u);
-  log->notes.append({.frame = 5, .kind = NoteKind::DriveSaid, .address = {0x20}});
+  log->notes.append({.frame = 5, .value = note::DriveSaid{{}, {0x20}}});
   walker.request(20);
   EXPECT_TRUE(QTest::qWaitFor([&] { return walker.latest()->passed() == 15; }));
 }

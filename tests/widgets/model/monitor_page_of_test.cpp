@@ -12,6 +12,7 @@ namespace deckpipe {
 namespace {
 
 using namespace test;
+using How = note::OwnAddress::How;
 
 MonitorPageValues pageOf(const Heard& bus, const DeviceKey& key = keyOfA()) {
   return monitorPageOf(bus.view(), key);
@@ -461,7 +462,7 @@ TEST(MonitorPageOf, DoesNotGuessWhichSourceIsAControlsOwn) {
 TEST(MonitorPageOf, SaysThatADriveIsOneBecauseAPersonSaidSo) {
   Heard bus;
   bus.hear("18EF0521", "8200");
-  bus.note({.frame = 1, .time = bus.now(), .kind = NoteKind::DriveSaid, .address = {0x21}});
+  bus.note({.frame = 1, .time = bus.now(), .value = note::DriveSaid{{}, {0x21}}});
   const MonitorPageValues page = pageOf(bus, addressKey(0x21));
   EXPECT_EQ(page.type, QStringLiteral("Copley drive"));
   EXPECT_EQ(fact(page, "Taken for").value, QStringLiteral("a Copley drive, because a person said so"));
@@ -470,10 +471,10 @@ TEST(MonitorPageOf, SaysThatADriveIsOneBecauseAPersonSaidSo) {
 
 TEST(MonitorPageOf, KnowsTheConsoleItselfWhileItHoldsItsAddress) {
   Heard bus;
-  bus.note({.frame = 0, .time = bus.now(), .kind = NoteKind::OwnAddress, .address = {0xF9}});
+  bus.note({.frame = 0, .time = bus.now(), .value = note::OwnAddress{{}, {0xF9}, How::Claimed}});
   bus.hear("18EEFFF9", "010000FF00810000");
   EXPECT_EQ(pageOf(bus, addressKey(0xF9)).type, QStringLiteral("This console"));
-  bus.note({.frame = 1, .time = bus.now(), .kind = NoteKind::OwnAddress, .address = kNullAddress});
+  bus.note({.frame = 1, .time = bus.now(), .value = note::OwnAddress{{}, kNullAddress, How::Locked}});
   EXPECT_NE(pageOf(bus, addressKey(0xF9)).type, QStringLiteral("This console"));
 }
 

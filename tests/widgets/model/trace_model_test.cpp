@@ -205,7 +205,7 @@ TEST_F(TraceModelTest, ReadsRowsAnewOnceMoreIsKnownOfTheirNodes) {
 TEST_F(TraceModelTest, TakesNotesWithinItsWindow) {
   const auto log =
       test::logOf({test::frame("18EF2105", "1160F0FFFF", 0, 1), test::frame("18EF2105", "1160F0FFFF", 0, 2)});
-  log->notes.append({.frame = 1, .kind = NoteKind::DriveSaid, .address = {0x21}});
+  log->notes.append({.frame = 1, .value = note::DriveSaid{{}, {0x21}}});
   log->roles.invalidateAfter(1);
   test::buildIndexes(*log);
   model.setWindow(0, 10);

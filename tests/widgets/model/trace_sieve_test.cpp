@@ -89,7 +89,7 @@ TEST(TraceSieve, LooksAgainWhenADriveIsSaidInThePast) {
   TraceSieve sieve(log, filterOf("family=copley"));
   ASSERT_TRUE(isThrough(sieve, *log));
   ASSERT_EQ(sieve.rows().rows(), 0u);
-  log->notes.append({.frame = 5, .kind = NoteKind::DriveSaid, .address = {0x20}});
+  log->notes.append({.frame = 5, .value = note::DriveSaid{{}, {0x20}}});
   sieve.wake();
   ASSERT_TRUE(QTest::qWaitFor([&] { return sieve.rows().rows() == 15; }));
   EXPECT_EQ(sieve.rows().frames(0, 1), std::vector<std::uint64_t>{5});

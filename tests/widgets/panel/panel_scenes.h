@@ -156,7 +156,7 @@ inline std::vector<PanelScene> panelScenes() {
     neighbours(bus.monitor()).hear("18EFFF82", announcementOf("1035AE100804442")).pass(4s);
     neighbours(bus.monitor());
     add("control_without_source", bus, pin("1035AE100804442"));
-    bus.note({.frame = 1, .time = bus.now(), .kind = NoteKind::DriveSaid, .address = {0x21}});
+    bus.note({.frame = 1, .time = bus.now(), .value = note::DriveSaid{{}, {0x21}}});
     bus.hear("18EF0521", "8200");
     add("drive", bus, address(0x21));
     add("labelled", bus, keyOfA());

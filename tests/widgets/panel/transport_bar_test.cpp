@@ -139,8 +139,8 @@ TEST_F(TransportBarTest, ControlsAreLargeEnoughAndHaveNames) {
 }
 
 TEST_F(TransportBarTest, FillsTheTimelineFromTheLog) {
-  log->notes.append({.frame = 30, .time = log->frames.timeAt(30), .text = "water on"});
-  log->notes.append({.frame = 60, .time = log->frames.timeAt(60), .kind = NoteKind::Dropped, .number = 12});
+  log->notes.append({.frame = 30, .time = log->frames.timeAt(30), .value = note::Mark{"water on"}});
+  log->notes.append({.frame = 60, .time = log->frames.timeAt(60), .value = note::Dropped{{}, 12}});
   bar.setView(test::viewOf(log, 50), {});
   const TimelineValues& values = timeline()->values();
   EXPECT_FALSE(values.isEmpty);
@@ -193,8 +193,8 @@ TEST(LogMarks, FindsSilenceAndLostLinks) {
   for (const std::int64_t s : {0, 1, 2, 3, 40, 41, 42, 100})
     frames.push_back(test::frame("123", "", 0, s * 1'000'000'000));
   const auto log = test::logOf(frames);
-  log->notes.append({.frame = 4, .time = {5'000'000'000}, .kind = NoteKind::LinkDown});
-  log->notes.append({.frame = 4, .time = {39'000'000'000}, .kind = NoteKind::LinkUp});
+  log->notes.append({.frame = 4, .time = {5'000'000'000}, .value = note::LinkDown{}});
+  log->notes.append({.frame = 4, .time = {39'000'000'000}, .value = note::LinkUp{}});
   const LogView view = test::viewOf(log);
   LogMarks marks;
   marks.take(view, {view.begin, view.end}, 100);

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes: facts of a log that no frame carries. Each kind is a small struct; Note puts one at its place in the
+// log. The window and the tool make sentences of them, State and the indexes take from them what they need,
+// note_codec.h writes and reads them as bytes. To add a kind: the struct, its place in NoteValue, its layout
+// in note_codec.cpp; the compiler names the other places.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "base/ids.h"
+#include "base/time.h"
+#include "control/ask.h"
+#include "control/pipe_event.h"
+
+namespace deckpipe {
+
+// A person's or an adapter's words, in UTF-8. Longer text is cut at a whole character.
+class NoteText {
+ public:
+  static constexpr std::size_t kMaxBytes = 200;
+
+  NoteText() = default;
+  NoteText(std::string text);
+  NoteText(const char* text) : NoteText(std::string(text)) {}
+
+  const std::string& str() const { return m_text; }
+  bool isEmpty() const { return m_text.empty(); }
+  friend bool operator==(const NoteText&, const NoteText&) = default;
+
+ private:
+  std::string m_text;
+};
+
+namespace note {
+
+// A person's own words at a place of the log.
+struct Mark {
+  NoteText text;
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+struct LinkUp {
+  Channel channel;
+  friend bool operator==(const LinkUp&, const LinkUp&) = default;
+};
+struct LinkDown {
+  Channel channel;
+  NoteText reason;  // the adapter's words; may be empty
+  friend bool operator==(const LinkDown&, const LinkDown&) = default;
+};
+// So many frames were lost before this place.
+struct Dropped {
+  Channel channel;
+  std::uint64_t count = 0;
+  friend bool operator==(const Dropped&, const Dropped&) = default;
+};
+// The transmit lock was set.
+struct Locked {
+  Channel channel;
+  friend bool operator==(const Locked&, const Locked&) = default;
+};
+// … and released.
+struct Unlocked {
+  Channel channel;
+  friend bool operator==(const Unlocked&, const Unlocked&) = default;
+};
+// A person said that a Copley drive is at this address, or that none is there after all.
+struct DriveSaid {
+  Channel channel;
+  Address address;
+  bool isDrive = true;
+  friend bool operator==(const DriveSaid&, const DriveSaid&) = default;
+};
+// The console's own address on the bus changed. The address is ours from here on; null = none.
+struct OwnAddress {
+  // Numbers stand in files: never renumber one, never use one again.
+  enum class How : std::uint8_t {
+    Claimed = 1,
+    Lost = 2,         // to a numerically lower NAME
+    CannotClaim = 3,  // none is free
+    SameName = 4,     // another node has our NAME
+    Locked = 5,       // given up by the transmit lock
+    LinkLost = 6,     // given up, as the link went
+  };
+  Channel channel;
+  Address address;
+  How how = How::Claimed;
+  friend bool operator==(const OwnAddress&, const OwnAddress&) = default;
+};
+// A device was asked something; of a repeated poll only its first end and changes of it are noted.
+struct Asked {
+  Channel channel;
+  Address address;
+  Pin pin;  // null where the device has none
+  Ask ask = Ask::Fault;
+  friend bool operator==(const Asked&, const Asked&) = default;
+};
+struct AskEnded {
+  Channel channel;
+  Address address;
+  Pin pin;  // null where the device has none
+  Ask ask = Ask::Fault;
+  RequestEnd end = RequestEnd::None;
+  friend bool operator==(const AskEnded&, const AskEnded&) = default;
+};
+// Something happened to the data pipe of a device.
+struct Pipe {
+  Channel channel;
+  Address address;
+  Pin pin;  // null where the device has none
+  PipeEvent event = PipeEvent::FileBegan;
+  NoteText file;  // its name, where the event is a file's
+  friend bool operator==(const Pipe&, const Pipe&) = default;
+};
+
+constexpr bool isKnown(OwnAddress::How how) {
+  using How = OwnAddress::How;
+  switch (how) {
+    case How::Claimed:
+    case How::Lost:
+    case How::CannotClaim:
+    case How::SameName:
+    case How::Locked:
+    case How::LinkLost: return true;
+  }
+  return false;
+}
+
+}  // namespace note
+
+using NoteValue =
+    std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
+                 note::DriveSaid, note::OwnAddress, note::Asked, note::AskEnded, note::Pipe>;
+
+struct Note {
+  std::uint64_t frame = 0;  // stands before this frame; the store's count where it is the last thing so far
+  Instant time{};
+  NoteValue value{};
+
+  friend bool operator==(const Note&, const Note&) = default;
+};
+
+// The word for a kind in machine-readable output; never changes once shipped.
+std::string_view noteKey(const NoteValue& value);
+
+// The channel that a note speaks of; nothing if it speaks of the whole log.
+inline std::optional<Channel> channelOf(const NoteValue& value) {
+  return std::visit(
+      [](const auto& n) -> std::optional<Channel> {
+        if constexpr (requires { n.channel; }) {
+          return n.channel;
+        } else {
+          return {};
+        }
+      },
+      value);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes of every kind, each field unlike its default. A kind without a sample does not compile.
+#pragma once
+
+#include <vector>
+
+#include "log/note.h"
+
+namespace deckpipe::test {
+
+// Every value of an enum of bytes that has isKnown().
+template <typename E>
+std::vector<E> allOf() {
+  std::vector<E> all;
+  for (unsigned n = 0; n <= 0xFF; ++n) {
+    if (isKnown(static_cast<E>(n))) all.push_back(static_cast<E>(n));
+  }
+  return all;
+}
+
+inline constexpr Channel kNotedChannel{2};
+inline constexpr Address kNotedAddress{0x81};
+inline const Pin kNotedPin = *Pin::parse("1032AE100801035");
+
+template <typename Kind>
+struct HasNoSample;
+template <typename Kind>
+inline const HasNoSample<Kind> kSample{};
+
+template <>
+inline const note::Mark kSample<note::Mark>{"water on"};
+template <>
+inline const note::LinkUp kSample<note::LinkUp>{kNotedChannel};
+template <>
+inline const note::LinkDown kSample<note::LinkDown>{kNotedChannel, "Network is down"};
+template <>
+inline const note::Dropped kSample<note::Dropped>{kNotedChannel, 0x1'0000'0002};
+template <>
+inline const note::Locked kSample<note::Locked>{kNotedChannel};
+template <>
+inline const note::Unlocked kSample<note::Unlocked>{kNotedChannel};
+template <>
+inline const note::DriveSaid kSample<note::DriveSaid>{kNotedChannel, kNotedAddress, false};
+template <>
+inline const note::OwnAddress kSample<note::OwnAddress>{kNotedChannel, kNotedAddress,
+                                                        note::OwnAddress::How::Lost};
+template <>
+inline const note::Asked kSample<note::Asked>{kNotedChannel, kNotedAddress, kNotedPin, Ask::Reset};
+template <>
+inline const note::AskEnded kSample<note::AskEnded>{kNotedChannel, kNotedAddress, kNotedPin, Ask::Vista,
+                                                    RequestEnd::AnsweredLate};
+template <>
+inline const note::Pipe kSample<note::Pipe>{kNotedChannel, kNotedAddress, kNotedPin, PipeEvent::FileDone,
+                                            "axis.txt"};
+
+template <typename... Kinds>
+std::vector<NoteValue> samplesOf(const std::variant<Kinds...>*) {
+  return {kSample<Kinds>...};
+}
+// One of each kind, in the order of NoteValue.
+inline std::vector<NoteValue> noteSamples() { return samplesOf(static_cast<const NoteValue*>(nullptr)); }
+
+}  // namespace deckpipe::test
