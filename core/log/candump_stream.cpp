@@ -88,6 +88,7 @@ bool CandumpStream::feed(std::span<const char> bytes) {
 Result<ReadSummary, ReadError> CandumpStream::finish() {
   State& s = *m_state;
   if (s.wantsMore() && !s.pending.empty() && !s.skipping) s.take(s.pending.size());
+  if (!s.appender.finish()) s.full = true;
   s.decideByWhatWasSeen();
   if (s.verdict == State::Verdict::NoLog) {
     return Failure{ReadError{ReadError::Kind::NotThisFormat, std::string(kNotCandump)}};

@@ -102,9 +102,10 @@ TEST(CandumpWriter, LogsItWroteAreReadBackFrameForFrame) {
   for (std::uint64_t i = 0; i < n; ++i) {
     Frame frame = randomFrame(random);
     if (i < 4) frame.channel = static_cast<std::uint8_t>(i);
-    ASSERT_TRUE(original.append({&frame, 1}));
-    writeCandump(original[i], original.channelName(frame.channel), text);
+    ASSERT_TRUE(original.append({&frame, 1}, Follows::More));
+    writeCandump(frame, original.channelName(frame.channel), text);
   }
+  ASSERT_TRUE(original.append({}, Follows::Nothing));
   FrameStore copy;
   UnkeptList unkept;
   ReadOptions options;
