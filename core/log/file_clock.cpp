@@ -3,13 +3,11 @@
 
 #include <algorithm>
 
-#include "log/saturated.h"
-
 namespace deckpipe {
 namespace {
 
 bool isNear(std::int64_t stamp, std::int64_t before) {
-  const std::int64_t step = minus(stamp, before);
+  const std::int64_t step = saturatedMinus(stamp, before);
   return step >= -FileClock::kBack.count() && step <= FileClock::kForward.count();
 }
 
@@ -22,15 +20,15 @@ FileClock::Verdict FileClock::next(std::span<const Frame> frames, Follows follow
   if (channel.isKnown) {
     if (!isNear(frame.stamp, channel.lastStamp)) return step(channel, frames, follows, now);
     channel.lastStamp = frame.stamp;
-    return {.time = plus(frame.stamp, channel.offset), .offset = channel.offset};
+    return {.time = saturatedPlus(frame.stamp, channel.offset), .offset = channel.offset};
   }
   channel.isKnown = true;
   channel.lastStamp = frame.stamp;
-  const std::int64_t away = minus(frame.stamp, now);
+  const std::int64_t away = saturatedMinus(frame.stamp, now);
   const bool isFar = m_isStamped && (away > kForward.count() || away < -kForward.count());
   m_isStamped = true;
   if (!isFar) return {.time = frame.stamp};
-  channel.offset = minus(now, frame.stamp);
+  channel.offset = saturatedMinus(now, frame.stamp);
   return {.kind = Kind::NewOffset, .time = now, .offset = channel.offset};
 }
 
@@ -51,21 +49,22 @@ FileClock::Verdict FileClock::step(Channel& channel, std::span<const Frame> fram
   if (isBack) {
     if (channel.earlier.size() == kMaxPieces) channel.earlier.erase(channel.earlier.begin());
     channel.earlier.push_back(left);
-    channel.offset = minus(now, frame.stamp);
+    channel.offset = saturatedMinus(now, frame.stamp);
     return {.kind = Kind::NewOffset, .isStep = true, .time = now, .offset = channel.offset};
   }
   const auto isMet = [&](const Piece& piece) {
-    const std::int64_t past = minus(frame.stamp, piece.lastStamp);
-    return past >= -kReturn.count() && past <= plus(minus(now, piece.ended), kReturn.count());
+    const std::int64_t past = saturatedMinus(frame.stamp, piece.lastStamp);
+    return past >= -kReturn.count() &&
+           past <= saturatedPlus(saturatedMinus(now, piece.ended), kReturn.count());
   };
   const auto met = std::ranges::find_if(channel.earlier, isMet);
   if (met == channel.earlier.end())
-    return {.isStep = true, .time = plus(frame.stamp, channel.offset), .offset = channel.offset};
+    return {.isStep = true, .time = saturatedPlus(frame.stamp, channel.offset), .offset = channel.offset};
   channel.offset = met->offset;
   channel.earlier.erase(met);
   return {.kind = Kind::NewOffset,
           .isStep = true,
-          .time = std::max(now, plus(frame.stamp, channel.offset)),
+          .time = std::max(now, saturatedPlus(frame.stamp, channel.offset)),
           .offset = channel.offset};
 }
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "log/saturated.h"
-
 namespace deckpipe {
 namespace {
 
@@ -58,15 +56,18 @@ FrameStore::Appended FrameStore::appendEach(std::span<const Frame> frames, TakeF
     for (; k < n; ++k) {
       const std::uint64_t i = first + k;
       const std::int64_t before = m_time;
-      const Take taken = take(i, frames.subspan(k));
-      if (taken == Take::Wait) {
+      const Taken taken = take(i, frames.subspan(k));
+      if (taken.mustWait) {
         done.isWaiting = true;
         break;
       }
       if (i % kBlock == 0) timeBefore[i % kChunkFrames / kBlock] = before;
-      const bool jump = taken == Take::Jump;
-      if (jump && m_jumps.size() < kMostJumps) m_jumps.append(i);
-      if (jump != ((frames[k].flags & Frame::kTimeJump) != 0)) to[k].flags ^= Frame::kTimeJump;
+      if (taken.isJump && m_jumps.size() < kMostJumps) m_jumps.append(i);
+      constexpr unsigned kOurs = Frame::kTimeJump | Frame::kLate;
+      unsigned flags = frames[k].flags & ~kOurs;
+      if (taken.isJump) flags |= Frame::kTimeJump;
+      if (taken.isLate) flags |= Frame::kLate;
+      if (flags != frames[k].flags) to[k].flags = static_cast<std::uint8_t>(flags);
     }
     m_count.store(first + k, std::memory_order_release);
     done.frames += k;
@@ -83,7 +84,7 @@ bool FrameStore::append(std::span<const Frame> frames, Follows follows) {
   const Appended done = appendEach(frames, [&](std::uint64_t i, std::span<const Frame> rest) {
     const FileClock::Verdict verdict = m_fileClock.next(rest, follows, m_time);
     switch (verdict.kind) {
-      case FileClock::Kind::Undecided: return Take::Wait;
+      case FileClock::Kind::Undecided: return Taken{.mustWait = true};
       case FileClock::Kind::Timeless:
         if (verdict.isStep) addOffset(rest.front().channel, {i, verdict.offset, kNoStamp});
         break;
@@ -92,7 +93,7 @@ bool FrameStore::append(std::span<const Frame> frames, Follows follows) {
         [[fallthrough]];
       case FileClock::Kind::Plain: m_time = std::max(m_time, verdict.time); break;
     }
-    return verdict.isStep ? Take::Jump : Take::Plain;
+    return Taken{.isJump = verdict.isStep};
   });
   std::vector<Frame> held(
       frames.begin() + static_cast<std::ptrdiff_t>(done.isWaiting ? done.frames : frames.size()),
@@ -101,27 +102,15 @@ bool FrameStore::append(std::span<const Frame> frames, Follows follows) {
   return !done.isFull;
 }
 
-bool FrameStore::append(std::span<const Frame> frames, Instant now) {
-  const Appended done = appendEach(frames, [this, now](std::uint64_t i, std::span<const Frame> rest) {
-    const Frame& frame = rest.front();
-    const bool known = offsetAt(frame.channel, i) != nullptr;
-    std::int64_t value = m_time;
-    if (frame.hasStamp() && known) value = valueOf(i, frame);
-    const bool drifted = std::max(minus(value, now.ns), minus(now.ns, value)) > kLiveDrift.count();
-    if (drifted || (frame.hasStamp() && !known)) {
-      setOffset(i, frame, now.ns);
-      value = now.ns;
-    }
-    m_time = std::max(m_time, value);
-    return drifted && known && frame.hasStamp() ? Take::Jump : Take::Plain;
+bool FrameStore::append(std::span<const Frame> frames, const Arrival& arrival) {
+  const Appended done = appendEach(frames, [&](std::uint64_t i, std::span<const Frame> rest) {
+    const LiveClock::Verdict verdict = m_liveClock.next(rest.front(), arrival, m_time);
+    if (verdict.kind == LiveClock::Kind::NewOffset)
+      addOffset(rest.front().channel, {i, verdict.offset, verdict.time});
+    if (verdict.kind != LiveClock::Kind::Timeless) m_time = std::max(m_time, verdict.time);
+    return Taken{.isJump = verdict.isJump, .isLate = verdict.isLate};
   });
   return !done.isFull;
-}
-
-void FrameStore::setOffset(std::uint64_t i, const Frame& frame, std::int64_t now) {
-  const Offset* before = offsetAt(frame.channel, i);
-  const std::int64_t offset = frame.hasStamp() ? minus(now, frame.stamp) : before ? before->offset : 0;
-  addOffset(frame.channel, {i, offset, now});
 }
 
 void FrameStore::addOffset(std::uint8_t channel, Offset offset) {
@@ -149,7 +138,7 @@ std::int64_t FrameStore::liveValueOf(std::uint64_t i, const Frame& frame) const 
   const Offset* offset = offsetAt(frame.channel, i);
   if (!offset) return frame.stamp;
   if (offset->frame == i) return offset->at;
-  return frame.hasStamp() ? plus(frame.stamp, offset->offset) : kNoStamp;
+  return frame.hasStamp() ? saturatedPlus(frame.stamp, offset->offset) : kNoStamp;
 }
 
 std::span<const Frame> FrameStore::run(std::uint64_t i) const {

@@ -8,12 +8,10 @@
 //     - its stamp plus the offset in force on its channel (0 until an offset was set),
 //     - the time that was set with the offset, for the frame at which an offset was set,
 //     - nothing for a frame without a time of its own: it keeps the time before.
-// Of a file (append without `now`) the rules for offsets are in file_clock.h. Live (append with `now`,
-// CLOCK_BOOTTIME) each channel's offset is set by its first frame and set anew only when log time would be
-// more than kLiveDrift away from `now`: the adapter's clock or the wall clock jumped.
+// The rules for offsets are in file_clock.h and, for live frames (append with an Arrival), in live_clock.h.
 //
-// Frame::kTimeJump is set here and only here: live on a frame at which an offset was set anew, of a file on
-// each step of a channel's clock.
+// Frame::kTimeJump and Frame::kLate are set here and only here: the first on each step of a channel's clock,
+// the second on a live frame that belongs before what was already shown.
 #pragma once
 
 #include <algorithm>
@@ -31,6 +29,7 @@
 #include "base/time.h"
 #include "bus/frame.h"
 #include "log/file_clock.h"
+#include "log/live_clock.h"
 #include "log/mapped_memory.h"
 #include "log/stable_list.h"
 
@@ -44,7 +43,6 @@ struct StoreLimits {
 class FrameStore {
  public:
   static constexpr std::uint64_t kChunkFrames = 65'536;
-  static constexpr Duration kLiveDrift = 100ms;
   // Of a log that jumps more often the others are found by their flag alone.
   static constexpr std::size_t kMostJumps = 10'000;
   // Names beyond the 255th share this index, so that no log has too many channels.
@@ -63,7 +61,8 @@ class FrameStore {
   // FileClock::kLookAhead frames then wait for the next call. The last call is Follows::Nothing, with no
   // frame perhaps, however the reading ended.
   [[nodiscard]] bool append(std::span<const Frame> frames, Follows follows = Follows::Nothing);
-  [[nodiscard]] bool append(std::span<const Frame> frames, Instant now);
+  // Live frames, as they arrive.
+  [[nodiscard]] bool append(std::span<const Frame> frames, const Arrival& arrival);
 
   // --- Readers, on any thread.
 
@@ -111,7 +110,11 @@ class FrameStore {
     std::int64_t offset = 0;  // log time = stamp + offset …
     std::int64_t at = 0;      // … and of this very frame it is this; kNoStamp: no time of its own
   };
-  enum class Take : std::uint8_t { Plain, Jump, Wait };
+  struct Taken {
+    bool isJump = false;
+    bool isLate = false;
+    bool mustWait = false;  // for more frames of the file
+  };
   struct Appended {
     std::size_t frames = 0;  // published
     bool isFull = false;     // there was no room for the next one
@@ -122,7 +125,6 @@ class FrameStore {
   template <typename TakeFrame>
   Appended appendEach(std::span<const Frame> frames, TakeFrame take);
   void addOffset(std::uint8_t channel, Offset offset);
-  void setOffset(std::uint64_t i, const Frame& frame, std::int64_t now);
   // The offset in force on a channel at a frame; null before the first.
   const Offset* offsetAt(std::uint8_t channel, std::uint64_t i) const;
   // What a frame says about the time; the lowest number where it says nothing, which kNoStamp is.
@@ -143,6 +145,7 @@ class FrameStore {
   std::atomic<std::uint64_t> m_spilled = 0;
   std::int64_t m_time = 0;  // log time after the last frame
   FileClock m_fileClock;
+  LiveClock m_liveClock;
   std::vector<Frame> m_held;  // of a file: from a step on that is not decided yet
 
   mutable std::mutex m_namesLock;

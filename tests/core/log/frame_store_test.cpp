@@ -93,69 +93,6 @@ TEST(FrameStore, DecidesItselfWhatIsATimeJump) {
   EXPECT_EQ(store[0].flags, Frame::kSent);
 }
 
-TEST(FrameStore, LiveTimeFollowsNowThroughTheOffsetOfTheFirstFrame) {
-  FrameStore store;
-  const std::int64_t wall = 1'700'000'000 * kSecond;
-  ASSERT_TRUE(store.append(std::vector{stamped(wall)}, Instant{100 * kSecond}));
-  // 30 ms by the stamps, 50 ms by our clock: within the drift, so the stamps count.
-  ASSERT_TRUE(store.append(std::vector{stamped(wall + 30'000'000)}, Instant{100 * kSecond + 50'000'000}));
-  EXPECT_EQ(times(store), (std::vector<std::int64_t>{100 * kSecond, 100 * kSecond + 30'000'000}));
-  EXPECT_TRUE(jumps(store).empty());
-}
-
-TEST(FrameStore, LiveOffsetIsSetAnewWhereTheStampsLeaveNow) {
-  struct Row {
-    const char* name;
-    std::int64_t stampStep, nowStep, timeStep;
-    bool jump;
-  };
-  const std::int64_t drift = FrameStore::kLiveDrift.count();
-  for (const Row& row :
-       {Row{"steady", 1000, 1000, 1000, false},
-        Row{"at the limit", kSecond + drift, kSecond, kSecond + drift, false},
-        Row{"clock set forward", 3600 * kSecond, kSecond, kSecond, true},
-        Row{"clock set back", -3600 * kSecond, kSecond, kSecond, true},
-        Row{"we slept, the adapter's clock did not run", 1000, 3600 * kSecond, 3600 * kSecond, true},
-        Row{"clock overflows", std::numeric_limits<std::int64_t>::max() - 8 * kSecond, kSecond, kSecond,
-            true}}) {
-    SCOPED_TRACE(row.name);
-    FrameStore store;
-    const Instant start{50 * kSecond};
-    const std::int64_t wall = 7 * kSecond;
-    ASSERT_TRUE(store.append(std::vector{stamped(wall)}, start));
-    ASSERT_TRUE(store.append(std::vector{stamped(wall + row.stampStep)}, Instant{start.ns + row.nowStep}));
-    ASSERT_TRUE(
-        store.append(std::vector{stamped(wall + row.stampStep + 5)}, Instant{start.ns + row.nowStep + 5}));
-    EXPECT_EQ(store.timeAt(1).ns, start.ns + row.timeStep);
-    EXPECT_EQ(store.timeAt(2).ns, start.ns + row.timeStep + 5);
-    EXPECT_EQ(jumps(store), row.jump ? std::vector<std::uint64_t>{1} : std::vector<std::uint64_t>{});
-  }
-}
-
-TEST(FrameStore, LiveChannelsHaveClocksOfTheirOwn) {
-  FrameStore store;
-  for (int i = 0; i < 200; ++i) {
-    const std::int64_t step = i * 1'000'000;
-    ASSERT_TRUE(store.append(std::vector{stamped(1'700'000'000 * kSecond + step, 0), stamped(step, 1)},
-                             Instant{kSecond + step}));
-  }
-  EXPECT_TRUE(jumps(store).empty());
-  for (std::uint64_t i = 0; i < store.count(); ++i) {
-    EXPECT_EQ(store.timeAt(i).ns, kSecond + static_cast<std::int64_t>(i / 2) * 1'000'000);
-  }
-}
-
-TEST(FrameStore, LiveFramesWithoutStampsStayWithinTheDriftOfNow) {
-  FrameStore store;
-  for (std::int64_t i = 0; i < 1000; ++i) {
-    const std::int64_t now = 5 * kSecond + i * 10'000'000;
-    ASSERT_TRUE(store.append(std::vector{Frame{}}, Instant{now}));
-    EXPECT_LE(now - store.lastTime().ns, FrameStore::kLiveDrift.count());
-    EXPECT_LE(store.lastTime().ns, now);
-  }
-  EXPECT_TRUE(jumps(store).empty());
-}
-
 // What the header says, frame by frame, without any index.
 std::vector<std::int64_t> plainTimes(const std::vector<Frame>& frames) {
   std::vector<std::int64_t> all;
@@ -220,7 +157,7 @@ TEST(FrameStore, LookUpsAgreeWithTheTimesOfALiveLogThatJumps) {
     if (random() % 500 == 0)
       clock[channel] += static_cast<std::int64_t>(random() % 100) * kSecond - 50 * kSecond;
     const Frame frame = random() % 10 == 0 ? Frame{} : stamped(clock[channel], channel);
-    ASSERT_TRUE(store.append({&frame, 1}, Instant{now}));
+    ASSERT_TRUE(store.append({&frame, 1}, Arrival{Instant{now}}));
   }
   EXPECT_FALSE(jumps(store).empty());
   const std::vector<std::int64_t> all = times(store);
@@ -295,7 +232,7 @@ TEST(FrameStore, ReadersSeeWholeFramesWhileItGrows) {
       frame.stamp = step + static_cast<std::int64_t>(i / 10'000) * kSecond;
       frame.id = static_cast<std::uint32_t>(i);
       frame.data = std::bit_cast<Payload>(i);
-      if (!store.append({&frame, 1}, Instant{kSecond + step})) break;
+      if (!store.append({&frame, 1}, Arrival{Instant{kSecond + step}})) break;
       if (i % 50'000 == 0) store.channel("can" + std::to_string(i));
     }
     done = true;
