@@ -19,6 +19,10 @@ bool pluginEchoes(const QString& plugin, const QString& interfaceName) {
 
 bool pluginTakesBitRate(const QString& plugin) { return plugin != QLatin1String("virtualcan"); }
 
+bool pluginStampsWallClock(const QString& plugin) {
+  return plugin == QLatin1String("socketcan") || plugin == QLatin1String("virtualcan");
+}
+
 QString pluginTitle(const QString& plugin) {
   static constexpr struct {
     const char* key;

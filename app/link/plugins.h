@@ -26,6 +26,10 @@ bool pluginEchoes(const QString& plugin, const QString& interfaceName);
 // Whether the plugin takes BitRateKey. All do but virtualcan, which has no bits; unknown plugins are asked.
 bool pluginTakesBitRate(const QString& plugin);
 
+// Whether the plugin stamps frames by the wall clock (CLOCK_REALTIME). socketcan: the kernel does.
+// virtualcan: the plugin does, in ms. The others count from a base of their own.
+bool pluginStampsWallClock(const QString& plugin);
+
 // The maker's name for a plugin, a proper name: not translated. The key itself for an unknown one.
 QString pluginTitle(const QString& plugin);
 

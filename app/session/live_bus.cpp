@@ -12,13 +12,15 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick{33};
 
-}  // namespace
-
-Instant bootTime() {
+Instant timeOf(clockid_t clock) {
   timespec now{};
-  ::clock_gettime(CLOCK_BOOTTIME, &now);
+  ::clock_gettime(clock, &now);
   return Instant{std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec};
 }
+
+}  // namespace
+
+Instant bootTime() { return timeOf(CLOCK_BOOTTIME); }
 
 LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim)
     : m_document(std::move(document)),
@@ -89,8 +91,14 @@ void LiveBus::stop() {
   m_link.reset();
 }
 
+Arrival LiveBus::arrival() const {
+  Arrival arrival{.now = bootTime(), .reached = m_state.cursor().time};
+  if (pluginStampsWallClock(m_settings.plugin)) arrival.wallOffset = arrival.now - timeOf(CLOCK_REALTIME);
+  return arrival;
+}
+
 void LiveBus::framesReceived(std::span<const Frame> frames) {
-  if (!m_document->frames.append(frames, bootTime())) {
+  if (!m_document->frames.append(frames, arrival())) {
     // What is not recorded is not known either: nothing is sent on a picture that stands still.
     m_storeFull = true;
     m_services.apply(bootTime(), m_state, {wish::Lock{}, bootTime(), 0});
@@ -130,14 +138,14 @@ void LiveBus::linkChanged(LinkState state, const std::string& reason) {
 
 void LiveBus::write(NoteValue value) {
   // Behind every cursor that was published: a note at a cursor's own time has happened there.
-  const Instant time = std::max(m_state.cursor().time, bootTime() - FrameStore::kLiveDrift) + 1ns;
+  const Instant time = std::max(m_state.cursor().time, bootTime() - kBehind) + 1ns;
   const Note note{.frame = m_document->frames.count(), .time = time, .value = std::move(value)};
   m_document->notes.append(note);
   m_state.apply(note);
 }
 
 void LiveBus::publish() {
-  m_state.timeCame(bootTime() - FrameStore::kLiveDrift);
+  m_state.timeCame(bootTime() - kBehind);
   auto state = std::make_shared<const State>(m_state);
   auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));
   const std::lock_guard lock(m_lock);

@@ -6,9 +6,8 @@
 // It runs the services too: each event of the link, an intent and their one timer are followed by writing
 // what they want sent. They see the State after the frames that came with the event.
 //
-// Time-outs are applied up to FrameStore::kLiveDrift before now: no later frame can get an earlier log time
-// than that (the store sets its offset anew first), so what was shown live is what a replay of the log will
-// show.
+// The live State stays kBehind before now, so that a frame that is handled a little late still finds its
+// place. A frame that comes later than that is marked late. Log time is what a replay of the log will show.
 #pragma once
 
 #include <QObject>
@@ -30,6 +29,8 @@ Instant bootTime();
 class LiveBus : public QObject, private PortListener {
   Q_OBJECT
  public:
+  static constexpr Duration kBehind = 100ms;
+
   struct Published {
     std::shared_ptr<const State> state;  // never null
     LinkStatus link;
@@ -53,6 +54,7 @@ class LiveBus : public QObject, private PortListener {
 
  private:
   void stop();
+  Arrival arrival() const;
   void framesReceived(std::span<const Frame> frames) override;
   void framesNotKept(NotKept reason, std::uint32_t count) override;
   void linkChanged(LinkState state, const std::string& reason) override;

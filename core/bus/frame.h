@@ -24,7 +24,8 @@ struct Frame {
   enum Flag : std::uint8_t {
     kSent = 1,       // by us (live) or marked as transmitted (file)
     kConfirmed = 2,  // a frame of ours that came back as an echo
-    kTimeJump = 4,   // log time does not follow this frame's stamp
+    kTimeJump = 4,   // the clock of the stamps steps at this frame
+    kLate = 8,       // handled so late (live) that its log time is later than its stamp says
   };
 
   std::int64_t stamp = kNoStamp;  // ns; what the adapter or the file says; shown, never used for order

@@ -12,8 +12,9 @@ namespace deckpipe {
 
 // One line of log form with its line feed, appended to `out`: what reading makes the same frame of, but for
 // kConfirmed (the form knows sent or not) and kTimeJump (which the store works out). The stamp has six
-// decimals where that is exact, otherwise nine. A frame without a stamp becomes a line of the screen form,
-// the only one that programs read without. Of a name, what would not be read back becomes '_'.
+// decimals, as can-utils reads nine as if they were microseconds; what is finer is cut off. A frame without a
+// stamp becomes a line of the screen form, the only one that programs read without. Of a name, what would not
+// be read back becomes '_'.
 void writeCandump(const Frame& frame, std::string_view channelName, std::string& out);
 
 inline constexpr LogFormat kCandumpFormat =

@@ -48,11 +48,7 @@ void logForm(const Frame& frame, std::string_view name, Writer& w) {
   w.text(frame.stamp < 0 ? "(-" : "(");
   w.decimal(ns / 1'000'000'000, 10);
   w.character('.');
-  if (ns % 1000 == 0) {
-    w.decimal(ns / 1000 % 1'000'000, 6);
-  } else {
-    w.decimal(ns % 1'000'000'000, 9);
-  }
+  w.decimal(ns / 1000 % 1'000'000, 6);
   w.text(") ");
   w.name(name);
   w.character(' ');

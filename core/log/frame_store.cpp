@@ -2,24 +2,11 @@
 #include "log/frame_store.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace deckpipe {
 namespace {
 
 constexpr std::uint64_t kChunkBytes = FrameStore::kChunkFrames * sizeof(Frame);
-
-// A hostile log may stamp anything: no sum of times overflows.
-std::int64_t plus(std::int64_t a, std::int64_t b) {
-  std::int64_t sum = 0;
-  if (!__builtin_add_overflow(a, b, &sum)) return sum;
-  return b > 0 ? std::numeric_limits<std::int64_t>::max() : std::numeric_limits<std::int64_t>::min();
-}
-std::int64_t minus(std::int64_t a, std::int64_t b) {
-  std::int64_t difference = 0;
-  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
-  return b < 0 ? std::numeric_limits<std::int64_t>::max() : std::numeric_limits<std::int64_t>::min();
-}
 
 }  // namespace
 
@@ -52,65 +39,84 @@ std::span<Frame> FrameStore::room() {
 }
 
 // Copies what fits into one chunk after the other and publishes each chunk's part at once. `take(index,
-// frame)` moves log time on and says whether that was a jump.
-template <typename Take>
-bool FrameStore::appendEach(std::span<const Frame> frames, Take take) {
-  while (!frames.empty()) {
+// rest)` moves log time on for the first frame of `rest`, and says whether that frame is a jump. Take::Wait
+// ends it.
+template <typename TakeFrame>
+FrameStore::Appended FrameStore::appendEach(std::span<const Frame> frames, TakeFrame take) {
+  Appended done;
+  while (!frames.empty() && !done.isWaiting) {
     const std::span<Frame> to = room();
-    if (to.empty()) return false;
+    if (to.empty()) return {.frames = done.frames, .isFull = true};
     const std::size_t n = std::min(to.size(), frames.size());
     const std::uint64_t first = m_count.load(std::memory_order_relaxed);
     std::int64_t* timeBefore = m_chunks[first / kChunkFrames].timeBefore.get();
     // Copied as a whole, which memory likes best; the flags are touched where they differ.
     std::copy_n(frames.begin(), n, to.begin());
-    for (std::size_t k = 0; k < n; ++k) {
+    std::size_t k = 0;
+    for (; k < n; ++k) {
       const std::uint64_t i = first + k;
-      if (i % kBlock == 0) timeBefore[i % kChunkFrames / kBlock] = m_time;
-      const bool jump = take(i, frames[k]);
-      if (jump && m_jumps.size() < kMostJumps) m_jumps.append(i);
-      if (jump != ((frames[k].flags & Frame::kTimeJump) != 0)) to[k].flags ^= Frame::kTimeJump;
+      const std::int64_t before = m_time;
+      const Taken taken = take(i, frames.subspan(k));
+      if (taken.mustWait) {
+        done.isWaiting = true;
+        break;
+      }
+      if (i % kBlock == 0) timeBefore[i % kChunkFrames / kBlock] = before;
+      if (taken.isJump && m_jumps.size() < kMostJumps) m_jumps.append(i);
+      constexpr unsigned kOurs = Frame::kTimeJump | Frame::kLate;
+      unsigned flags = frames[k].flags & ~kOurs;
+      if (taken.isJump) flags |= Frame::kTimeJump;
+      if (taken.isLate) flags |= Frame::kLate;
+      if (flags != frames[k].flags) to[k].flags = static_cast<std::uint8_t>(flags);
     }
-    m_count.store(first + n, std::memory_order_release);
-    frames = frames.subspan(n);
+    m_count.store(first + k, std::memory_order_release);
+    done.frames += k;
+    frames = frames.subspan(k);
   }
-  return true;
+  return done;
 }
 
-bool FrameStore::append(std::span<const Frame> frames) {
-  return appendEach(frames, [this](std::uint64_t i, const Frame& frame) {
-    if (!frame.hasStamp()) return false;
-    const std::int64_t value = m_live ? valueOf(i, frame) : frame.stamp;
-    const bool behind = value < m_time;
-    const bool leap = !behind && m_stamped && value - m_time > kLeap.count();
-    if (!behind) m_time = value;
-    m_stamped = true;
-    return behind || leap;
-  });
-}
-
-bool FrameStore::append(std::span<const Frame> frames, Instant now) {
-  return appendEach(frames, [this, now](std::uint64_t i, const Frame& frame) {
-    const bool known = offsetAt(frame.channel, i) != nullptr;
-    std::int64_t value = m_time;
-    if (frame.hasStamp() && known) value = valueOf(i, frame);
-    const bool drifted = std::max(minus(value, now.ns), minus(now.ns, value)) > kLiveDrift.count();
-    if (drifted || (frame.hasStamp() && !known)) {
-      setOffset(i, frame, now.ns);
-      value = now.ns;
+bool FrameStore::append(std::span<const Frame> frames, Follows follows) {
+  if (!m_held.empty()) {
+    m_held.insert(m_held.end(), frames.begin(), frames.end());
+    frames = m_held;
+  }
+  const Appended done = appendEach(frames, [&](std::uint64_t i, std::span<const Frame> rest) {
+    const FileClock::Verdict verdict = m_fileClock.next(rest, follows, m_time);
+    switch (verdict.kind) {
+      case FileClock::Kind::Undecided: return Taken{.mustWait = true};
+      case FileClock::Kind::Timeless:
+        if (verdict.isStep) addOffset(rest.front().channel, {i, verdict.offset, kNoStamp});
+        break;
+      case FileClock::Kind::NewOffset:
+        addOffset(rest.front().channel, {i, verdict.offset, verdict.time});
+        [[fallthrough]];
+      case FileClock::Kind::Plain: m_time = std::max(m_time, verdict.time); break;
     }
-    m_time = std::max(m_time, value);
-    m_stamped |= frame.hasStamp();
-    return drifted && known && frame.hasStamp();
+    return Taken{.isJump = verdict.isStep};
   });
+  std::vector<Frame> held(
+      frames.begin() + static_cast<std::ptrdiff_t>(done.isWaiting ? done.frames : frames.size()),
+      frames.end());
+  m_held = std::move(held);
+  return !done.isFull;
 }
 
-void FrameStore::setOffset(std::uint64_t i, const Frame& frame, std::int64_t now) {
-  m_live = true;
-  const Offset* before = offsetAt(frame.channel, i);
-  const std::int64_t offset = frame.hasStamp() ? minus(now, frame.stamp) : before ? before->offset : 0;
-  auto& list = m_offsets[frame.channel];
+bool FrameStore::append(std::span<const Frame> frames, const Arrival& arrival) {
+  const Appended done = appendEach(frames, [&](std::uint64_t i, std::span<const Frame> rest) {
+    const LiveClock::Verdict verdict = m_liveClock.next(rest.front(), arrival, m_time);
+    if (verdict.kind == LiveClock::Kind::NewOffset)
+      addOffset(rest.front().channel, {i, verdict.offset, verdict.time});
+    if (verdict.kind != LiveClock::Kind::Timeless) m_time = std::max(m_time, verdict.time);
+    return Taken{.isJump = verdict.isJump, .isLate = verdict.isLate};
+  });
+  return !done.isFull;
+}
+
+void FrameStore::addOffset(std::uint8_t channel, Offset offset) {
+  auto& list = m_offsets[channel];
   if (!list.load(std::memory_order_relaxed)) list.store(new StableList<Offset>, std::memory_order_release);
-  list.load(std::memory_order_relaxed)->append({i, offset, now});
+  list.load(std::memory_order_relaxed)->append(offset);
 }
 
 const FrameStore::Offset* FrameStore::offsetAt(std::uint8_t channel, std::uint64_t i) const {
@@ -132,7 +138,7 @@ std::int64_t FrameStore::liveValueOf(std::uint64_t i, const Frame& frame) const 
   const Offset* offset = offsetAt(frame.channel, i);
   if (!offset) return frame.stamp;
   if (offset->frame == i) return offset->at;
-  return frame.hasStamp() ? plus(frame.stamp, offset->offset) : kNoStamp;
+  return frame.hasStamp() ? saturatedPlus(frame.stamp, offset->offset) : kNoStamp;
 }
 
 std::span<const Frame> FrameStore::run(std::uint64_t i) const {

@@ -5,16 +5,13 @@
 //
 // Log time (design: "Two times") is a pure function of what the store holds, so every reader sees the same:
 //   time(i) = max(0, the values of all frames up to i), where the value of a frame is
-//     - its stamp plus the offset in force on its channel (0 as long as append() got no `now`),
-//     - the `now` of the append, for the frame at which an offset was set,
-//     - nothing for a frame without a stamp: it keeps the time before.
-// Of a file (append without `now`) log time is therefore the running maximum of the stamps. Live (append with
-// `now`, CLOCK_BOOTTIME) each channel's offset is set by its first frame and set anew only when log time
-// would be more than kLiveDrift away from `now`: the adapter's clock or the wall clock jumped.
+//     - its stamp plus the offset in force on its channel (0 until an offset was set),
+//     - the time that was set with the offset, for the frame at which an offset was set,
+//     - nothing for a frame without a time of its own: it keeps the time before.
+// The rules for offsets are in file_clock.h and, for live frames (append with an Arrival), in live_clock.h.
 //
-// Frame::kTimeJump is set here and only here: live on a frame at which an offset was set anew; of a file on a
-// frame stamped before the running maximum, or more than kLeap after it. Small steps back are usual in logs
-// of several interfaces and a leap follows its stamp; both are marked so that a person can look for them.
+// Frame::kTimeJump and Frame::kLate are set here and only here: the first on each step of a channel's clock,
+// the second on a live frame that belongs before what was already shown.
 #pragma once
 
 #include <algorithm>
@@ -31,6 +28,8 @@
 
 #include "base/time.h"
 #include "bus/frame.h"
+#include "log/file_clock.h"
+#include "log/live_clock.h"
 #include "log/mapped_memory.h"
 #include "log/stable_list.h"
 
@@ -44,8 +43,6 @@ struct StoreLimits {
 class FrameStore {
  public:
   static constexpr std::uint64_t kChunkFrames = 65'536;
-  static constexpr Duration kLiveDrift = 100ms;
-  static constexpr Duration kLeap = 1h;
   // Of a log that jumps more often the others are found by their flag alone.
   static constexpr std::size_t kMostJumps = 10'000;
   // Names beyond the 255th share this index, so that no log has too many channels.
@@ -60,8 +57,12 @@ class FrameStore {
   // --- The writer; one thread at a time.
 
   // False where neither memory nor disk had room: then the frames up to count() are kept, the rest is not.
-  [[nodiscard]] bool append(std::span<const Frame> frames);
-  [[nodiscard]] bool append(std::span<const Frame> frames, Instant now);
+  // A reader that has more of the file says so: where a clock steps near the end of `frames`, up to
+  // FileClock::kLookAhead frames then wait for the next call. The last call is Follows::Nothing, with no
+  // frame perhaps, however the reading ended.
+  [[nodiscard]] bool append(std::span<const Frame> frames, Follows follows = Follows::Nothing);
+  // Live frames, as they arrive.
+  [[nodiscard]] bool append(std::span<const Frame> frames, const Arrival& arrival);
 
   // --- Readers, on any thread.
 
@@ -107,13 +108,23 @@ class FrameStore {
   struct Offset {
     std::uint64_t frame = 0;  // from this frame of the channel on
     std::int64_t offset = 0;  // log time = stamp + offset …
-    std::int64_t at = 0;      // … and of this very frame it is this
+    std::int64_t at = 0;      // … and of this very frame it is this; kNoStamp: no time of its own
+  };
+  struct Taken {
+    bool isJump = false;
+    bool isLate = false;
+    bool mustWait = false;  // for more frames of the file
+  };
+  struct Appended {
+    std::size_t frames = 0;  // published
+    bool isFull = false;     // there was no room for the next one
+    bool isWaiting = false;  // the next one waits for more frames
   };
 
   std::span<Frame> room();
-  template <typename Take>
-  bool appendEach(std::span<const Frame> frames, Take take);
-  void setOffset(std::uint64_t i, const Frame& frame, std::int64_t now);
+  template <typename TakeFrame>
+  Appended appendEach(std::span<const Frame> frames, TakeFrame take);
+  void addOffset(std::uint8_t channel, Offset offset);
   // The offset in force on a channel at a frame; null before the first.
   const Offset* offsetAt(std::uint8_t channel, std::uint64_t i) const;
   // What a frame says about the time; the lowest number where it says nothing, which kNoStamp is.
@@ -133,8 +144,9 @@ class FrameStore {
   SpillFile m_spill;
   std::atomic<std::uint64_t> m_spilled = 0;
   std::int64_t m_time = 0;  // log time after the last frame
-  bool m_stamped = false;   // whether any frame had a stamp yet
-  bool m_live = false;      // whether any offset was ever set
+  FileClock m_fileClock;
+  LiveClock m_liveClock;
+  std::vector<Frame> m_held;  // of a file: from a step on that is not decided yet
 
   mutable std::mutex m_namesLock;
   std::map<std::string, std::uint8_t, std::less<>> m_indexOfName;

@@ -54,10 +54,18 @@ class TextAppender {
       frame.spare = 0;
     }
     const std::uint64_t before = m_store.count();
-    const bool fits = m_store.append(frames);
+    const bool fits = m_store.append(frames, Follows::More);
     m_unkept->add(block.unkept, m_lines);
     m_frames += m_store.count() - before;
     m_lines += block.lines;
+    return fits;
+  }
+
+  // The end of the text, however it was reached. False where the store had no room.
+  bool finish() {
+    const std::uint64_t before = m_store.count();
+    const bool fits = m_store.append({}, Follows::Nothing);
+    m_frames += m_store.count() - before;
     return fits;
   }
 

@@ -35,6 +35,7 @@ class BlockReading {
     }
     work();
     if (second.joinable()) second.join();
+    if (!m_appender.finish() && !m_failed) end({ReadError::Kind::StoreFull, {}});
     if (m_failed) return Failure{m_error};
     return ReadSummary{m_appender.frames(), m_appender.lines(), m_cancelled};
   }

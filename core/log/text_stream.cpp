@@ -30,6 +30,7 @@ bool TextStream::feed(std::string_view bytes) {
 
 Result<ReadSummary, ReadError> TextStream::finish() {
   if (!m_isFull && !m_pending.empty()) take(m_pending.size());
+  if (!m_appender.finish()) m_isFull = true;
   if (m_isFull) return Failure{ReadError{ReadError::Kind::StoreFull, {}}};
   return ReadSummary{m_appender.frames(), m_appender.lines(), false};
 }

@@ -7,7 +7,7 @@ namespace deckpipe::guest {
 namespace {
 
 // A note's time is when it was written, put back by the drift that the store allows.
-Instant writtenAt(const Note& note) { return note.time + FrameStore::kLiveDrift; }
+Instant writtenAt(const Note& note) { return note.time + LiveBus::kBehind; }
 
 struct Loss : ::testing::Test {
   // Every gap begins and ends: Up, then Down and Up in turn.
