@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/ask.h"
+#include "control/status.h"
 #include "protocol/catalogue.h"
 #include "service/live.h"
 
@@ -39,5 +40,7 @@ constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[static_cast<std::siz
 AskSet asksTakenBy(const Live& live, const Device& device);
 // Everyone on this channel that takes something, in order of first appearance.
 std::vector<DeviceKey> askableDevices(const Live& live);
+// The entry of a device in the whole, made where there was none.
+DeviceServices& statusOf(const Live& live, const DeviceKey& device, ServiceStatus& in);
 
 }  // namespace deckpipe

@@ -7,22 +7,27 @@ namespace deckpipe {
 namespace {
 
 constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
-constexpr std::uint8_t kFirstDynamic = 0x80, kLastDynamic = 0xF7;
-constexpr Address kServiceTool2{0xFA};
 
 Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8}; }
 
 }  // namespace
 
-Name consoleName(std::uint32_t identityNumber) {
-  constexpr std::uint64_t kNoManufacturer = 0x7FF, kServiceTool = 129;
-  return {(identityNumber & 0x1F'FFFFu) | kNoManufacturer << 21 | kServiceTool << 40 | 1ull << 63};
+Name nameOf(const ClaimSettings& settings) {
+  constexpr std::uint64_t kNoManufacturer = 0x7FF;
+  return {(settings.identityNumber & kLargestIdentity) | kNoManufacturer << 21 |
+          (settings.functionInstance & 0x1Full) << 35 | std::uint64_t{settings.function} << 40 | 1ull << 63};
 }
 
 ClaimService::ClaimService(const ClaimSettings& settings)
     : m_settings(settings), m_spread(settings.identityNumber) {
-  m_status.name = consoleName(settings.identityNumber).value;
+  m_status.name = nameOf(settings).value;
 }
+
+void ClaimService::linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) {
+  isOpen ? start(now, live, out) : stop(live, "link lost", out);
+}
+
+void ClaimService::end(Instant, const Live& live, EndReason, Outgoing& out) { stop(live, "locked", out); }
 
 void ClaimService::start(Instant now, const Live& live, Outgoing& out) {
   const std::uint64_t name = m_status.name;
@@ -34,24 +39,36 @@ void ClaimService::start(Instant now, const Live& live, Outgoing& out) {
   askNames(live, out);
 }
 
-void ClaimService::stop() {
+void ClaimService::stop(const Live& live, const char* why, Outgoing& out) {
+  if (address() != kNullAddress) noteAddress(live, kNullAddress, why, out);
   m_status.progress = Progress::Off;
   m_status.address = kNullAddress;
   m_deadline = kNever;
 }
 
+std::optional<Refusal> ClaimService::wants(Instant, const Live& live, const Wish& wish, Outgoing& out) {
+  if (!m_settings.isConsole || !std::holds_alternative<wish::AskNames>(wish)) return {};
+  askNames(live, out);
+  return Refusal::None;
+}
+
+void ClaimService::status(const Live&, ServiceStatus& into) const {
+  if (m_settings.isConsole) into.claim = m_status;
+}
+
+void ClaimService::noteAddress(const Live& live, Address address, const char* why, Outgoing& out) const {
+  if (m_settings.isConsole) out.note(NoteKind::OwnAddress, live.channel, address, 0, why);
+}
+
+// From our address, or the null address before there is one.
 void ClaimService::askNames(const Live& live, Outgoing& out) {
   Encoded data{.length = 3};
   writeBits(data.data, kRequested, pgn::kAddressClaimed);
-  Live from = live;
-  from.own = address();
-  out.send(from, MessageId::Request, kGlobalAddress, data);
+  out.send(live, address(), MessageId::Request, kGlobalAddress, data);
 }
 
 void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const {
-  Live sender = live;
-  sender.own = from;
-  out.send(sender, MessageId::Name, kGlobalAddress, encodedName({m_status.name}));
+  out.send(live, from, MessageId::Name, kGlobalAddress, encodedName({m_status.name}));
 }
 
 // Taken by a NAME, or in use without one.
@@ -64,11 +81,10 @@ bool ClaimService::isFree(const Live& live, Address address) const {
 }
 
 void ClaimService::claimNext(Instant now, const Live& live, Outgoing& out) {
-  for (const Address candidate : {m_settings.preferred, kServiceTool2}) {
+  for (const Address candidate : {m_settings.preferred, m_settings.second}) {
     if (isFree(live, candidate)) return claim(now, live, candidate, out);
   }
-  // From the top: Akron's devices claim theirs from 80 hex up.
-  for (unsigned a = kLastDynamic; a >= kFirstDynamic; --a) {
+  for (unsigned a = m_settings.highest.value; a >= m_settings.lowest.value && a > 0; --a) {
     const Address candidate{static_cast<std::uint8_t>(a)};
     if (isFree(live, candidate)) return claim(now, live, candidate, out);
   }
@@ -85,8 +101,7 @@ void ClaimService::claim(Instant now, const Live& live, Address address, Outgoin
 
 // J1939-81 spreads these over 153 ms, because all of them have the same identifier.
 void ClaimService::cannotClaim(Instant now, const Live& live, Outgoing& out) {
-  if (m_status.progress != Progress::CannotClaim)
-    out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "cannot claim");
+  if (m_status.progress != Progress::CannotClaim) noteAddress(live, kNullAddress, "cannot claim", out);
   m_status.progress = Progress::CannotClaim;
   m_status.address = kNullAddress;
   m_spread = m_spread * 1'664'525u + 1'013'904'223u;
@@ -100,7 +115,7 @@ void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
     case Progress::Asking: return claimNext(now, live, out);
     case Progress::Claiming:
       m_status.progress = Progress::Claimed;
-      out.note(NoteKind::OwnAddress, live.channel, m_status.address, 0, "claimed");
+      noteAddress(live, m_status.address, "claimed", out);
       return;
     case Progress::CannotClaim: return sendName(live, kNullAddress, out);
     case Progress::Off:
@@ -130,7 +145,7 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
     m_status.progress = Progress::SameName;
     m_status.address = kNullAddress;
     m_deadline = kNever;
-    out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "same name");
+    noteAddress(live, kNullAddress, "same name", out);
     return;
   }
   if (source == kNullAddress || m_status.address == kNullAddress || source != m_status.address) return;
@@ -141,7 +156,7 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
   }
   ++m_status.lost;
   m_lost.set(source.value);
-  out.note(NoteKind::OwnAddress, live.channel, kNullAddress, 0, "lost");
+  noteAddress(live, kNullAddress, "lost", out);
   claimNext(now, live, out);
 }
 

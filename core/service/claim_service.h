@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The console's own address on the bus (SAE J1939-81; CAN Messaging manual, Appendix A). Started when sending
-// is unlocked on a link that is up, stopped when it is locked or the link goes. Services calls it.
+// An address of our own on the bus (SAE J1939-81; CAN Messaging manual, Appendix A), claimed as long as
+// sending is unlocked on a link that is up. Others send from it. There may be several: each controller
+// application has a NAME and an address of its own.
 //
 // 1. First it asks who is there, from the null address, and listens kListen, so as to disturb nobody.
 // 2. An address may be used kClaimTime after it was claimed, unless a numerically lower NAME claimed it too.
@@ -13,37 +14,50 @@
 #include <bitset>
 
 #include "control/status.h"
-#include "service/live.h"
+#include "service/service.h"
 
 namespace deckpipe {
 
 inline constexpr std::uint32_t kLargestIdentity = 0x1F'FFFF;  // 21 bits of a NAME
 
+// Which controller application of this installation it is, and which addresses it takes. By default the
+// console itself, as a service tool.
 struct ClaimSettings {
   std::uint32_t identityNumber = 1;  // 21 bits, this installation's own
   Address preferred{0xF9};           // off-board service tool 1
+  Address second{0xFA};              // … 2
+  // Then the free one with the highest number: Akron's devices claim theirs from 80 hex up.
+  Address lowest{0x80}, highest{0xF7};
+  std::uint8_t function = 129;  // of the NAME: off-board service tool
+  std::uint8_t functionInstance = 0;
+  // Its address is the console's own in the log and in ServiceStatus::claim, and it asks for NAMEs.
+  bool isConsole = true;
 };
 
-// Our NAME: function 129 (off-board service tool), industry group 0, may take any address. Manufacturer code
-// 2047, all ones, as Deckpipe has none from SAE: it also loses every contest against an equal NAME that has.
-Name consoleName(std::uint32_t identityNumber);
+// Our NAME: industry group 0, may take any address. Manufacturer code 2047, all ones, as Deckpipe has none
+// from SAE: it also loses every contest against an equal NAME that has.
+Name nameOf(const ClaimSettings& settings);
+// The console's own, with the default function.
+inline Name consoleName(std::uint32_t identityNumber) {
+  return nameOf(ClaimSettings{.identityNumber = identityNumber});
+}
 
-class ClaimService {
+class ClaimService : public Service {
  public:
   static constexpr Duration kListen = 250ms;
 
   explicit ClaimService(const ClaimSettings& settings);
 
-  void start(Instant now, const Live& live, Outgoing& out);
-  void stop();
-  void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
-  void timeCame(Instant now, const Live& live, Outgoing& out);
-  Instant nextTime() const { return m_deadline; }
-  // From our address, or the null address before there is one.
-  void askNames(const Live& live, Outgoing& out);
+  void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
+  std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) override;
+  void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) override;
+  void timeCame(Instant now, const Live& live, Outgoing& out) override;
+  Instant nextTime() const override { return m_deadline; }
+  void end(Instant now, const Live& live, EndReason reason, Outgoing& out) override;
+  Address source() const override { return kNullAddress; }
+  void status(const Live& live, ServiceStatus& into) const override;
 
-  const ClaimStatus& status() const { return m_status; }
-  // To send from; null unless claimed.
+  // For others to send from; null unless claimed.
   Address address() const {
     return m_status.progress == ClaimStatus::Progress::Claimed ? m_status.address : kNullAddress;
   }
@@ -51,6 +65,10 @@ class ClaimService {
  private:
   using Progress = ClaimStatus::Progress;
 
+  void start(Instant now, const Live& live, Outgoing& out);
+  void stop(const Live& live, const char* why, Outgoing& out);
+  void askNames(const Live& live, Outgoing& out);
+  void noteAddress(const Live& live, Address address, const char* why, Outgoing& out) const;
   void claimNext(Instant now, const Live& live, Outgoing& out);
   void claim(Instant now, const Live& live, Address address, Outgoing& out);
   void cannotClaim(Instant now, const Live& live, Outgoing& out);

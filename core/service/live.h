@@ -16,8 +16,6 @@ namespace deckpipe {
 struct Live {
   const State& state;
   Channel channel;
-  // Ours on the bus; null while there is none to send from.
-  Address own = kNullAddress;
 
   const ChannelState& bus() const { return state.channel(channel); }
   const Device* find(const DeviceKey& key) const;
@@ -36,8 +34,9 @@ struct Outgoing {
     notes.push_back(
         {.kind = kind, .channel = channel, .address = address, .number = number, .text = std::move(text)});
   }
-  void send(const Live& live, MessageId id, Address to, const Encoded& data) {
-    Frame frame = j1939Frame(messageOf(id), data, live.own, to);
+  // `from`: an address that the sender claimed, or the null address for a claim.
+  void send(const Live& live, Address from, MessageId id, Address to, const Encoded& data) {
+    Frame frame = j1939Frame(messageOf(id), data, from, to);
     frame.channel = live.channel.value;
     frames.push_back(frame);
   }

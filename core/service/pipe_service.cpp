@@ -6,6 +6,7 @@
 
 #include "bus/j1939.h"
 #include "control/pipe_event.h"
+#include "service/ask_rules.h"
 
 namespace deckpipe {
 namespace {
@@ -38,9 +39,29 @@ PipeService::Pipe& PipeService::pipe(const DeviceKey& device) {
   return made;
 }
 
-const PipeStatus* PipeService::statusOf(const DeviceKey& device) const {
-  const auto found = std::ranges::find(m_pipes, device, &Pipe::device);
-  return found == m_pipes.end() ? nullptr : &found->status;
+void PipeService::linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) {
+  if (!isOpen) dropAll(now, live, out);
+}
+
+void PipeService::end(Instant now, const Live& live, EndReason, Outgoing& out) { dropAll(now, live, out); }
+
+void PipeService::status(const Live& live, ServiceStatus& into) const {
+  for (const Pipe& pipe : m_pipes) statusOf(live, pipe.device, into).pipe = pipe.status;
+}
+
+std::optional<Refusal> PipeService::wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) {
+  const auto ifAddressed = [&](auto&& carryOut) {
+    if (source() == kNullAddress) return Refusal::NoAddress;
+    adopt(now, live, out);
+    return carryOut();
+  };
+  if (const auto* it = std::get_if<wish::PipeWrite>(&wish))
+    return ifAddressed([&] { return write(now, live, *it, out); });
+  if (const auto* it = std::get_if<wish::PipeFile>(&wish))
+    return ifAddressed([&] { return sendFile(now, live, *it, out); });
+  if (const auto* it = std::get_if<wish::PipeAction>(&wish))
+    return ifAddressed([&] { return act(now, live, *it, out); });
+  return {};
 }
 
 Refusal PipeService::write(Instant now, const Live& live, const wish::PipeWrite& wish, Outgoing& out) {
@@ -111,7 +132,7 @@ void PipeService::fly(Instant now, const Live& live, Pipe& pipe, Outgoing& out) 
   data.data[0] = kType;
   std::ranges::transform(packet.bytes, data.data.begin() + 1,
                          [](char c) { return static_cast<std::uint8_t>(c); });
-  out.send(live, MessageId::PipeData, *to, data);
+  out.send(live, source(), MessageId::PipeData, *to, data);
 }
 
 void PipeService::acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoing& out) {
@@ -252,7 +273,7 @@ void PipeService::drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out)
   if (wasFlying) settle(now, pipe);
 }
 
-void PipeService::endAll(Instant now, const Live& live, Outgoing& out) {
+void PipeService::dropAll(Instant now, const Live& live, Outgoing& out) {
   for (Pipe& pipe : m_pipes) drop(now, live, pipe, out);
 }
 
@@ -263,14 +284,15 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
   }
   if (!frame.isExtended() || frame.isRemote() || frame.isError() || frame.length == 0) return;
   const J1939Id id = J1939Id::of(frame.identifier());
-  if (id.pgn != pgn::kProprietaryA || frame.data[0] != kType || live.own == kNullAddress) return;
+  if (id.pgn != pgn::kProprietaryA || frame.data[0] != kType || source() == kNullAddress) return;
+  adopt(now, live, out);
   if ((frame.flags & Frame::kSent) != 0) {
     for (Pipe& pipe : m_pipes) {
       if (pipe.flying && pipe.flying->to == id.destination && frame.length > 1) pipe.flying->isOnBus = true;
     }
     return;
   }
-  if (id.destination != live.own || !live.bus().roles.isAkron(id.source)) return;
+  if (id.destination != source() || !live.bus().roles.isAkron(id.source)) return;
   const DeviceKey device = live.canonical(DeviceKey::at(live.channel, id.source));
   if (frame.length > 1) return dataHeard(live, device, id.source, frame, out);
   Pipe* at = find(device);
@@ -283,12 +305,12 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
   }
 }
 
-void PipeService::dataHeard(const Live& live, const DeviceKey& device, Address source, const Frame& frame,
+void PipeService::dataHeard(const Live& live, const DeviceKey& device, Address from, const Frame& frame,
                             Outgoing& out) {
   pipe(device).status.received += frame.length - 1u;
   Encoded ack{.length = 1};
   ack.data[0] = kType;
-  out.send(live, MessageId::PipeAck, source, ack);
+  out.send(live, source(), MessageId::PipeAck, from, ack);
 }
 
 void PipeService::adopt(Instant now, const Live& live, Outgoing& out) {
@@ -330,11 +352,14 @@ void PipeService::join(Instant now, const Live& live, Pipe& from, Pipe& into, Ou
 
 Instant PipeService::nextTime() const {
   Instant next = kNever;
+  if (source() == kNullAddress) return next;
   for (const Pipe& pipe : m_pipes) next = std::min(next, pipe.deadline);
   return next;
 }
 
 void PipeService::timeCame(Instant now, const Live& live, Outgoing& out) {
+  if (source() == kNullAddress) return;
+  adopt(now, live, out);
   for (Pipe& pipe : m_pipes) {
     if (pipe.deadline > now) continue;
     pipe.deadline = kNever;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data pipe (CAN Messaging manual, message type FE): up to 7 characters a packet, one packet in flight to
 // a device, the next only after its ack; what comes in is acknowledged at once; both directions interleave,
-// and several devices at once. Services calls it. What was said is in the log; here is how it goes.
+// and several devices at once. What was said is in the log; here is how it goes.
 //
 // 1. There is no sequence number, so nothing is ever sent twice by itself: a missing ack stops the pipe until
 //    the person says resend, skip or abort. An ack that comes late after all resolves the doubt.
@@ -18,40 +18,29 @@
 #include <string>
 #include <vector>
 
-#include "control/intent.h"
-#include "control/status.h"
-#include "service/live.h"
+#include "service/claim_service.h"
 
 namespace deckpipe {
 
-class PipeService {
+class PipeService : public Service {
  public:
   static constexpr std::size_t kPacket = 7;
   static constexpr Duration kAckTimeout = 1s;
   static constexpr Duration kSettle = 1s;
   static constexpr std::size_t kMostTyped = 65'536;  // characters that may wait
 
-  // `echoes`: our own frames come back from the link.
-  explicit PipeService(bool echoes) : m_echoes(echoes) {}
+  // `echoes`: our own frames come back from the link. Sends from the address that `own` claims.
+  PipeService(bool echoes, const ClaimService& own) : m_echoes(echoes), m_own(own) {}
 
-  Refusal write(Instant now, const Live& live, const wish::PipeWrite& wish, Outgoing& out);
-  Refusal sendFile(Instant now, const Live& live, const wish::PipeFile& wish, Outgoing& out);
-  Refusal act(Instant now, const Live& live, const wish::PipeAction& wish, Outgoing& out);
-  // Locked, or the link is lost: what is in flight is in doubt, what waits is dropped.
-  void endAll(Instant now, const Live& live, Outgoing& out);
-
-  // The pipe of an address is the device's there once its PIN is known.
-  void adopt(Instant now, const Live& live, Outgoing& out);
-  void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
-  void timeCame(Instant now, const Live& live, Outgoing& out);
-  Instant nextTime() const;
-
-  // Null where nothing was ever sent or received.
-  const PipeStatus* statusOf(const DeviceKey& device) const;
-  template <typename F>
-  void forEachDevice(F&& f) const {
-    for (const Pipe& pipe : m_pipes) f(pipe.device);
-  }
+  void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
+  std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) override;
+  void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) override;
+  void timeCame(Instant now, const Live& live, Outgoing& out) override;
+  Instant nextTime() const override;
+  // What is in flight is in doubt then, what waits is dropped.
+  void end(Instant now, const Live& live, EndReason reason, Outgoing& out) override;
+  Address source() const override { return m_own.address(); }
+  void status(const Live& live, ServiceStatus& into) const override;
 
  private:
   struct Packet {
@@ -79,6 +68,13 @@ class PipeService {
     }
   };
 
+  Refusal write(Instant now, const Live& live, const wish::PipeWrite& wish, Outgoing& out);
+  Refusal sendFile(Instant now, const Live& live, const wish::PipeFile& wish, Outgoing& out);
+  Refusal act(Instant now, const Live& live, const wish::PipeAction& wish, Outgoing& out);
+  void dropAll(Instant now, const Live& live, Outgoing& out);
+  // The pipe of an address is the device's there once its PIN is known.
+  void adopt(Instant now, const Live& live, Outgoing& out);
+
   Pipe& pipe(const DeviceKey& device);
   Pipe* find(const DeviceKey& device);
   void sendNext(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
@@ -94,10 +90,10 @@ class PipeService {
   void drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
   static void hold(Instant now, Pipe& pipe, PipeStatus::Progress progress);
   static void release(Instant now, Pipe& pipe);
-  void dataHeard(const Live& live, const DeviceKey& device, Address source, const Frame& frame,
-                 Outgoing& out);
+  void dataHeard(const Live& live, const DeviceKey& device, Address from, const Frame& frame, Outgoing& out);
 
   bool m_echoes;
+  const ClaimService& m_own;
   std::vector<Pipe> m_pipes;
 };
 

@@ -48,11 +48,39 @@ RequestService::Asked& RequestService::asked(const DeviceKey& device) {
   return m_devices.emplace_back(Asked{device, {}});
 }
 
-const std::array<RequestStatus, kAsks>* RequestService::statusOf(const DeviceKey& device) const {
+const RequestService::Asked* RequestService::find(const DeviceKey& device) const {
   for (const Asked& known : m_devices) {
-    if (known.device == device) return &known.statuses;
+    if (known.device == device) return &known;
   }
   return nullptr;
+}
+
+void RequestService::linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) {
+  if (!isOpen) endAll(now, live, RequestEnd::LinkLost, out);
+}
+
+void RequestService::end(Instant now, const Live& live, EndReason reason, Outgoing& out) {
+  endAll(now, live, reason == EndReason::AddressLost ? RequestEnd::AddressLost : RequestEnd::Cancelled, out);
+}
+
+std::optional<Refusal> RequestService::wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) {
+  const auto ifAddressed = [&](auto&& carryOut) {
+    if (source() == kNullAddress) return Refusal::NoAddress;
+    adopt(now, live, out);
+    return carryOut();
+  };
+  if (const auto* it = std::get_if<wish::AskDevice>(&wish))
+    return ifAddressed([&] { return ask(now, live, *it, out); });
+  if (const auto* it = std::get_if<wish::Repeat>(&wish))
+    return ifAddressed([&] { return repeat(now, live, *it, out); });
+  if (const auto* it = std::get_if<wish::Cancel>(&wish))
+    return ifAddressed([&] { return cancel(now, live, *it, out); });
+  return {};
+}
+
+void RequestService::status(const Live& live, ServiceStatus& into) const {
+  for (const DeviceKey& key : askableDevices(live)) statusOf(live, key, into);
+  for (const Asked& known : m_devices) statusOf(live, known.device, into).requests = known.statuses;
 }
 
 void RequestService::queue(RequestStatus& status, Timing& timing, Instant due) {
@@ -96,7 +124,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   }
   const DeviceKey key = live.canonical(wish.device);
   if (wish.period == 0ns) {
-    if (statusOf(key) == nullptr) return Refusal::None;
+    if (find(key) == nullptr) return Refusal::None;
     Asked& at = asked(key);
     forEachAsk(wish.asks, [&](Ask ask) {
       RequestStatus& status = at.status(ask);
@@ -127,11 +155,12 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   return Refusal::None;
 }
 
-void RequestService::cancel(Instant now, const Live& live, const DeviceKey& device, Outgoing& out) {
-  const DeviceKey key = live.canonical(device);
+Refusal RequestService::cancel(Instant now, const Live& live, const wish::Cancel& wish, Outgoing& out) {
+  const DeviceKey key = live.canonical(wish.device);
   for (Asked& at : m_devices) {
     if (key.isNull() || at.device == key) endDevice(now, live, at, RequestEnd::Cancelled, out);
   }
+  return Refusal::None;
 }
 
 void RequestService::endAll(Instant now, const Live& live, RequestEnd how, Outgoing& out) {
@@ -161,7 +190,7 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   timing.lastStatus = now;
   Encoded data{.length = 1};
   data.data[0] = static_cast<std::uint8_t>(messageOf(rule.request).firstByte);
-  out.send(live, rule.request, *to, data);
+  out.send(live, source(), rule.request, *to, data);
   m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(ask));
   // Of what is repeated only changes are noted, at its end.
   if (status.tries == 1 && status.period == 0ns)
@@ -203,6 +232,7 @@ void RequestService::expire(Instant now, const Live& live, Asked& at, Ask ask, O
 
 Instant RequestService::nextTime() const {
   Instant next = kNever;
+  if (source() == kNullAddress) return next;
   for (const Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
       if (at.statuses[i].progress == Progress::Waiting) next = std::min(next, at.timings[i].deadline);
@@ -214,6 +244,8 @@ Instant RequestService::nextTime() const {
 }
 
 void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
+  if (source() == kNullAddress) return;
+  adopt(now, live, out);
   for (Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
       if (at.statuses[i].progress == Progress::Waiting && at.timings[i].deadline <= now)
@@ -242,9 +274,10 @@ void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
 void RequestService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
   if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
   const J1939Id id = J1939Id::of(frame.identifier());
-  if (id.pgn != pgn::kProprietaryA || frame.length == 0) return;
+  if (source() == kNullAddress || id.pgn != pgn::kProprietaryA || frame.length == 0) return;
+  adopt(now, live, out);
   if (id.destination == kGlobalAddress) return broadcastHeard(now, live, id.source, frame, out);
-  if (live.own == kNullAddress || id.destination != live.own) return;
+  if (id.destination != source()) return;
   for (Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
       if (askAt(i) == Ask::Reset || at.timings[i].to != id.source) continue;
@@ -320,7 +353,7 @@ void RequestService::adopt(Instant now, const Live& live, Outgoing& out) {
     if (m_devices[i].device.kind != DeviceKey::Kind::Address) continue;
     const DeviceKey key = live.canonical(m_devices[i].device);
     if (key == m_devices[i].device) continue;
-    const bool isKnown = statusOf(key) != nullptr;
+    const bool isKnown = find(key) != nullptr;
     if (!isKnown) {
       m_devices[i].device = key;
     } else {  // the device was asked under its PIN before: of two in flight to it one has to end

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that this console sends on one channel, behind the one transmit lock. The bus thread owns it and
 // gives it every live frame, the time when it asked for it, what the person wants and how the link is; it
-// takes from it the frames to write and the notes to put into the log. No clock, no IO.
+// takes from it the frames to write and the notes to put into the log. No clock, no IO. It calls the services
+// as service.h says, and knows none of them but where it makes them.
 //
 //   1. Locked, nothing is sent at all: no claim, no ack, no answer to a request for the NAME.
 //   2. Unlocking lasts for this run and this link; a link that is lost and comes back is claimed on anew.
 //   3. What a person wants is done or refused at once, with the reason; nothing waits for an address.
 #pragma once
 
+#include <memory>
 #include <span>
 
-#include "control/intent.h"
 #include "service/bus_budget.h"
 #include "service/claim_service.h"
-#include "service/pipe_service.h"
-#include "service/request_service.h"
 
 namespace deckpipe {
 
@@ -28,6 +27,8 @@ struct ServiceSettings {
 class Services {
  public:
   explicit Services(const ServiceSettings& settings);
+  // One more, behind those that it depends on; before the link comes up.
+  Service& add(std::unique_ptr<Service> service);
 
   void linkChanged(Instant now, const State& live, bool isUp);
   Refusal apply(Instant now, const State& live, const Intent& intent);
@@ -44,19 +45,22 @@ class Services {
   ServiceStatus status(Instant now, const State& live);
 
  private:
-  Live liveOf(const State& state) const { return {state, m_settings.channel, m_claim.address()}; }
+  struct Entry {
+    std::unique_ptr<Service> service;
+    Address source = kNullAddress;  // that it had after the last call
+  };
+  bool isOpen() const { return !m_status.locked && m_status.linkUp; }
+  Live liveOf(const State& state) const { return {state, m_settings.channel}; }
   Refusal carryOut(Instant now, const Live& live, const Intent& intent);
   void unlock(Instant now, const Live& live);
   void lock(Instant now, const Live& live);
-  // Without an address of our own nothing goes on.
-  void addressChanged(Instant now, const Live& live, Address before);
+  // Who sent from an address that is no longer ours ends.
+  void followAddresses(Instant now, const Live& live);
 
   ServiceSettings m_settings;
   ServiceStatus m_status;
   BusBudget m_budget;
-  ClaimService m_claim;
-  RequestService m_requests;
-  PipeService m_pipes;
+  std::vector<Entry> m_services;
   Outgoing m_out;
 };
 

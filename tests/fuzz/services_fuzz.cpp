@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 
+#include "service/pipe_service.h"
 #include "service/services.h"
 
 namespace {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "control/pipe_event.h"
+#include "service/pipe_service.h"
 #include "simulator/crc32.h"
 #include "simulator/random.h"
 #include "support/pair.h"

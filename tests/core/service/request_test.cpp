@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "service/request_service.h"
 #include "support/pair.h"
 
 namespace deckpipe::test {
@@ -463,7 +464,7 @@ struct Crowd : ::testing::Test {
   Crowd() {
     pair.addConsole();
     for (int i = 0; i < 30; ++i) {
-      char pin[16];
+      char pin[24];
       std::snprintf(pin, sizeof pin, "1032AE%09d", 100 + i);
       simulator::MonitorSettings settings;
       pair.bench.add<simulator::Monitor6032>(i * 37ms, pin, settings, static_cast<std::uint64_t>(i) + 1);

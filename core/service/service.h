@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One thing that this console says on a bus by itself or for a person: an address claim, polls and commands,
+// data pipes. Services (services.h) owns all of them and is their only caller.
+//
+// The contract, in the order of a service's life. Time is passed in; no call happens inside another. Every
+// call may put frames to send and notes into `out`, unless it is said otherwise here; Services hands them on
+// when the call has returned. After every call but nextTime() and status() all of nextTime(), source(),
+// hasEnded() and status() may have changed.
+//
+//   linkChanged(true)   Sending is unlocked and the link is up: the service begins, and may send.
+//   wants(wish)         A person's intent. Nothing is returned for a wish that is for another service; any
+//                       other answer is final. A refused wish changes nothing.
+//   received(frame)     A frame was on the bus. The State has it already. Our own frames come too, with
+//                       Frame::kSent. `now` is the frame's own log time, which may lie before the `now` of
+//                       an earlier call when the thread was late, but never before that of an earlier frame.
+//   timeCame()          `now` has reached nextTime(), or passed it. Every frame that was on the bus until
+//                       `now` was handed over before: what is missing now has not come in time.
+//   end(reason)         Stop: what is open ends now, with this reason.
+//                         Locked       nothing may be sent any more; calls go on until linkChanged(true)
+//                         AddressLost  source() was lost to another node. The service goes on by itself when
+//                                      source() is there again
+//   linkChanged(false)  The link is gone. Everything ends at once; nothing can be sent.
+//
+// The services stand in a list, each behind those that it depends on: a frame reaches the claim of an address
+// before it reaches who sends from that address.
+#pragma once
+
+#include <optional>
+
+#include "control/intent.h"
+#include "control/status.h"
+#include "service/live.h"
+
+namespace deckpipe {
+
+enum class EndReason : std::uint8_t { Locked, AddressLost };
+
+class Service {
+ public:
+  virtual ~Service() = default;
+
+  virtual void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) = 0;
+  virtual std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) = 0;
+  virtual void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) = 0;
+  virtual void timeCame(Instant now, const Live& live, Outgoing& out) = 0;
+  // When timeCame() is due next; kNever if nothing is.
+  virtual Instant nextTime() const = 0;
+  virtual void end(Instant now, const Live& live, EndReason reason, Outgoing& out) = 0;
+  // The claimed address that it sends from; null while it has none, and for a claim itself.
+  virtual Address source() const = 0;
+  // What it has to say of itself, into its own part of the whole.
+  virtual void status(const Live& live, ServiceStatus& into) const = 0;
+};
+
+}  // namespace deckpipe
