@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <ctime>
+#include <utility>
 
 #include "link/plugins.h"
 
@@ -45,10 +46,7 @@ void LiveBus::start() {
   m_serviceTimer = new QTimer(this);
   m_serviceTimer->setTimerType(Qt::PreciseTimer);
   m_serviceTimer->setSingleShot(true);
-  connect(m_serviceTimer, &QTimer::timeout, this, [this] {
-    m_services.timeCame(bootTime(), m_state);
-    serve();
-  });
+  connect(m_serviceTimer, &QTimer::timeout, this, &LiveBus::deadlineCame);
   m_link = std::make_unique<CanLink>(m_settings);
   m_link->open(*this);
 }
@@ -76,10 +74,26 @@ void LiveBus::serve() {
     if (m_link == nullptr || m_link->write(frame) != WriteResult::Accepted) m_services.notTaken();
   }
   m_toSend.clear();
+  if (m_isJudging) return;  // the timer is set anew after that
   const Instant next = m_services.nextTime();
   if (next == kNever) return m_serviceTimer->stop();
   const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - bootTime());
   m_serviceTimer->start(std::max(wait, std::chrono::milliseconds{0}));
+}
+
+// Frames first. Those that arrived while the thread was held up are read in the next turn of the event loop,
+// which does not judge yet, and are handed over in the one after it: this call is queued behind them.
+void LiveBus::deadlineCame() {
+  if (!std::exchange(m_isJudging, true)) return m_serviceTimer->start(0);
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        m_isJudging = false;
+        if (m_link == nullptr) return;
+        m_services.timeCame(bootTime(), m_state);
+        serve();
+      },
+      Qt::QueuedConnection);
 }
 
 void LiveBus::stop() {
@@ -101,9 +115,10 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
   }
   const std::uint64_t count = m_document->frames.count();
   for (std::uint64_t i = m_state.cursor().frames; i < count; ++i) {
-    m_state.apply(m_document->frames[i], m_times.at(i));
+    const Instant at = m_times.at(i);
+    m_state.apply(m_document->frames[i], at);
+    m_services.received(at, m_state, m_document->frames[i]);
   }
-  m_services.received(bootTime(), m_state, frames);
   serve();
 }
 

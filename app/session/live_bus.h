@@ -4,7 +4,8 @@
 // queued calls; only latest() is for other threads.
 //
 // It runs the services too: each event of the link, an intent and their one timer are followed by writing
-// what they want sent. They see the State after the frames that came with the event.
+// what they want sent. They get each frame with its own log time when the State has it, and are asked about
+// deadlines only when every frame that has arrived was handed over.
 //
 // Time-outs are applied up to FrameStore::kLiveDrift before now: no later frame can get an earlier log time
 // than that (the store sets its offset anew first), so what was shown live is what a replay of the log will
@@ -60,6 +61,7 @@ class LiveBus : public QObject, private PortListener {
   void write(Note note);
   // What the services want sent and noted, and when they want to be called again.
   void serve();
+  void deadlineCame();
   void publish();
 
   std::shared_ptr<LogDocument> m_document;
@@ -73,6 +75,7 @@ class LiveBus : public QObject, private PortListener {
   LinkState m_linkState = LinkState::Closed;
   std::uint64_t m_notKept = 0;
   bool m_storeFull = false;
+  bool m_isJudging = false;  // a deadline has come; frames that have arrived are handed over first
   std::vector<Frame> m_toSend;
   std::vector<Note> m_toNote;
 

@@ -109,7 +109,7 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
     refusal = Refusal::None;
     if (isCommand(ask)) send(now, live, at, ask, out);
   });
-  timeCame(now, live, out);
+  sendDue(now, live, out);
   return refusal;
 }
 
@@ -151,7 +151,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
       at.timing(ask).due = std::min(at.timing(ask).due, now);
     }
   });
-  timeCame(now, live, out);
+  sendDue(now, live, out);
   return Refusal::None;
 }
 
@@ -252,7 +252,11 @@ void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
         expire(now, live, at, askAt(i), out);
     }
   }
-  // Who has waited longest is next; of two the one that is first in the list.
+  sendDue(now, live, out);
+}
+
+// Who has waited longest is next; of two the one that is first in the list.
+void RequestService::sendDue(Instant now, const Live& live, Outgoing& out) {
   while (m_nextPoll <= now) {
     Asked* next = nullptr;
     std::size_t kind = 0;

@@ -70,6 +70,8 @@ class RequestService : public Service {
   const Asked* find(const DeviceKey& device) const;
   static void queue(RequestStatus& status, Timing& timing, Instant due);
   void send(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
+  // Polls whose turn has come.
+  void sendDue(Instant now, const Live& live, Outgoing& out);
   void expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
   void end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out);
   void endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out);

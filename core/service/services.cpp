@@ -78,17 +78,14 @@ void Services::followAddresses(Instant now, const Live& live) {
   }
 }
 
-void Services::received(Instant now, const State& state, std::span<const Frame> frames) {
-  timeCame(now, state);
-  for (const Frame& frame : frames) {
-    if (frame.channel != m_settings.channel.value) continue;
-    m_budget.heard(now, frame);
-    if (!isOpen()) continue;
-    const Live live = liveOf(state);
-    for (Entry& entry : m_services) {
-      entry.service->received(now, live, frame, m_out);
-      followAddresses(now, live);
-    }
+void Services::received(Instant at, const State& state, const Frame& frame) {
+  if (frame.channel != m_settings.channel.value) return;
+  m_budget.heard(at, frame);
+  if (!isOpen()) return;
+  const Live live = liveOf(state);
+  for (Entry& entry : m_services) {
+    entry.service->received(at, live, frame, m_out);
+    followAddresses(at, live);
   }
 }
 

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
 #include "service/bus_budget.h"
 #include "service/claim_service.h"
@@ -32,8 +31,10 @@ class Services {
 
   void linkChanged(Instant now, const State& live, bool isUp);
   Refusal apply(Instant now, const State& live, const Intent& intent);
-  // Frames that the State has taken already, our own echoes among them.
-  void received(Instant now, const State& live, std::span<const Frame> frames);
+  // A frame that the State has taken already, with its own log time; our own echoes too. In order.
+  void received(Instant at, const State& live, const Frame& frame);
+  // Only when every frame that was on the bus until `now` was handed over: an answer that came in time is in
+  // time, however late the thread is.
   void timeCame(Instant now, const State& live);
   Instant nextTime() const;
   // Appends what is to be written, in order, and forgets it.

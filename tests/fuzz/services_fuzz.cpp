@@ -34,7 +34,7 @@ class Console {
   }
   void hear(const Frame& frame) {
     m_state.apply(frame, now);
-    m_services.received(now, m_state, {&frame, 1});
+    m_services.received(now, m_state, frame);
     const J1939Id id = J1939Id::of(frame.identifier());
     // At the latest now it may be taken for an ack.
     if (frame.isExtended() && id.pgn == pgn::kProprietaryA && frame.length == 1 && frame.data[0] == 0xFE)
@@ -84,7 +84,7 @@ class Console {
       if (losesFrames) continue;
       frame.flags |= Frame::kSent;
       m_state.apply(frame, now);
-      m_services.received(now, m_state, {&frame, 1});
+      m_services.received(now, m_state, frame);
     }
     if (!frames.empty()) take();
   }

@@ -24,6 +24,7 @@ struct Console {
   Services services;
   std::vector<Note> notes;
   std::uint64_t serial = 0;
+  Instant frozenUntil = kNotYet;
 
   ServiceStatus status(Instant now) { return services.status(now, state); }
   RequestStatus request(Instant now, const DeviceKey& key, Ask ask) {
@@ -87,6 +88,8 @@ class Pair {
     post(m_now, frame, nullptr, true);
     pump();
   }
+  // Its thread stands still: frames wait for it, and then come with the times at which they came.
+  void freeze(Console& console, Duration d) { console.frozenUntil = m_now + d; }
   void setLink(Console& console, bool isUp) {
     console.services.linkChanged(m_now, console.state, isUp);
     pump();
@@ -162,21 +165,23 @@ class Pair {
 
   Instant nextTime() const {
     Instant next = bench.nextTime();
-    for (const Flying& flying : m_flying) next = std::min(next, flying.due);
-    for (const auto& console : m_consoles) next = std::min(next, console->services.nextTime());
+    for (const Flying& flying : m_flying) next = std::min(next, timeFor(flying.to, flying.due));
+    for (const auto& console : m_consoles)
+      next = std::min(next, timeFor(console.get(), console->services.nextTime()));
     return next;
   }
 
+  static Instant timeFor(const Console* console, Instant time) {
+    return console != nullptr ? std::max(time, console->frozenUntil) : time;
+  }
+
+  // Frames before deadlines, as the contract of the services wants it.
   void step() {
     bench.timeCame(m_now);
-    for (auto& console : m_consoles) {
-      console->state.timeCame(m_now);
-      console->services.timeCame(m_now, console->state);
-    }
     pump();
     std::vector<Flying> due;
     std::erase_if(m_flying, [&](const Flying& flying) {
-      if (flying.due > m_now) return false;
+      if (timeFor(flying.to, flying.due) > m_now) return false;
       due.push_back(flying);
       return true;
     });
@@ -185,11 +190,18 @@ class Pair {
       if (flying.to == nullptr) {
         bench.received(m_now, flying.frame);
       } else {
-        flying.to->state.apply(flying.frame, m_now);
-        flying.to->services.received(m_now, flying.to->state, {&flying.frame, 1});
+        const Instant at = std::max(flying.due, flying.to->state.cursor().time);
+        flying.to->state.apply(flying.frame, at);
+        flying.to->services.received(at, flying.to->state, flying.frame);
       }
       pump();
     }
+    for (auto& console : m_consoles) {
+      if (console->frozenUntil > m_now) continue;
+      console->state.timeCame(m_now);
+      console->services.timeCame(m_now, console->state);
+    }
+    pump();
   }
 
   // What everyone wants sent now goes onto the bus.

@@ -147,6 +147,19 @@ TEST_F(Pipe, WhileAFileGoesNothingElseGetsIntoIt) {
   EXPECT_EQ(type("y"), Refusal::None);
 }
 
+TEST_F(Pipe, AnAckThatCameInTimeIsInTimeHoweverLateTheThreadIs) {
+  acks([](int) { return Pair::Fate{1, 900ms}; });
+  type("0123456789");
+  pair.run(700ms);
+  pair.freeze(pair.console(), 500ms);  // the ack comes meanwhile
+  pair.run(600ms);
+  EXPECT_EQ(status().progress, Progress::Sending);
+  EXPECT_EQ(packets(), (std::vector<std::string>{"0123456", "789"}));
+  EXPECT_EQ(status().lateAcks, 0u);
+  EXPECT_GE(status().ackLast, 900ms);
+  EXPECT_LT(status().ackLast, 910ms) << "when it came, not when it was read";
+}
+
 TEST_F(Pipe, AMissingAckStopsItAndNothingIsSentAgainByItself) {
   acks([](int n) { return Pair::Fate{n == 1 ? 0 : 1, 0ns}; });
   send("0123456789abcdefghijk");
@@ -267,7 +280,7 @@ TEST_F(Stalled, WithoutADecisionOnlyThoseOfAStallAreRefused) {
 TEST_F(Pipe, AnAckFromBeforeThePacketWasOnTheBusIsNotItsOwn) {
   type("0123456789abcd");
   // Before our own echo has come back.
-  pair.console().services.received(pair.now(), pair.console().state, std::array{fromDevice("FE", address())});
+  pair.console().services.received(pair.now(), pair.console().state, fromDevice("FE", address()));
   EXPECT_EQ(packets().size(), 1u);
   EXPECT_EQ(status().strayAcks, 1u);
   pair.run(1s);
@@ -374,7 +387,7 @@ TEST_P(NoAck, LetsNothingPassAndStopsInTime) {
   GetParam().spoil(ack, address());
   pair.wire = [](const Frame& f) { return Pair::Fate{isAck(f) && isOfDevice(f) ? 0 : 1, 0ns}; };
   pair.console().state.apply(ack, pair.now());
-  pair.console().services.received(pair.now(), pair.console().state, {&ack, 1});
+  pair.console().services.received(pair.now(), pair.console().state, ack);
   pair.run(900ms);
   EXPECT_EQ(packets().size(), 1u);
   EXPECT_EQ(status().progress, Progress::Sending);
@@ -393,7 +406,7 @@ TEST_F(Pipe, AnAckTwiceOrTooManyNeverLetsAPacketPassThatIsNotOnTheBus) {
   pair.run(2 * Pair::kFlight);
   for (int i = 0; i < 5; ++i) {
     const Frame ack = fromDevice("FE", address());
-    pair.console().services.received(pair.now(), pair.console().state, {&ack, 1});
+    pair.console().services.received(pair.now(), pair.console().state, ack);
   }
   pair.run(Pair::kFlight / 2);
   EXPECT_EQ(packets().size(), 2u);

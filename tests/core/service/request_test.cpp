@@ -165,6 +165,34 @@ TEST_F(Request, AnAnswerAfterItWasGivenUpIsSaidToBeLate) {
   EXPECT_EQ(end(Ask::Fault), RequestEnd::AnsweredLate);
 }
 
+TEST_F(Request, AnAnswerThatCameInTimeIsNoSilenceHoweverLateTheThreadIs) {
+  pair.wire = [](const Frame& f) {
+    return Pair::Fate{1, f.data[0] == 0x02 && f.length == 7 ? Duration(400ms) : Duration(0ns)};
+  };
+  ask(Ask::Fault);
+  pair.run(200ms);
+  pair.freeze(pair.console(), 500ms);  // the answer comes meanwhile
+  pair.run(600ms);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
+  EXPECT_EQ(status(Ask::Fault).tries, 1);
+  EXPECT_LT(status(Ask::Fault).latency, 410ms) << "when it came, not when it was read";
+  EXPECT_EQ(sent(0x02), 1u);
+}
+
+// What a person asks for meanwhile judges nothing either.
+TEST_F(Request, AWishOfALateThreadEndsNothingWhoseAnswerWaits) {
+  pair.wire = [](const Frame& f) {
+    return Pair::Fate{1, f.data[0] == 0x02 && f.length == 7 ? Duration(400ms) : Duration(0ns)};
+  };
+  ask(Ask::Fault);
+  pair.run(200ms);
+  pair.freeze(pair.console(), 500ms);
+  pair.run(450ms);
+  ask(Ask::Firmware);
+  EXPECT_EQ(status(Ask::Fault).progress, Progress::Waiting);
+  EXPECT_EQ(sent(0x02), 1u);
+}
+
 TEST_F(Request, RepeatedPollsKeepTheirPeriodUntilTheyAreEnded) {
   pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
   pair.run(10500ms);
