@@ -25,10 +25,10 @@
 #include <utility>
 #include <vector>
 
+#include "bus/own_frames.h"
 #include "bus/port.h"
 #include "link/interface_source.h"
 #include "link/kernel_socket.h"
-#include "link/own_frames.h"
 
 class QCanBusDevice;
 class QCanBusFrame;

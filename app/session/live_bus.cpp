@@ -66,14 +66,15 @@ void LiveBus::sayDrive(Address address, bool isDrive) {
 }
 
 void LiveBus::serve() {
+  m_services.takeFrames(m_toSend);
+  for (const OutFrame& out : m_toSend) {
+    const WriteResult result = m_link != nullptr ? m_link->write(out.frame) : WriteResult::NotOpen;
+    m_services.wrote(bootTime(), m_state, out, result);
+  }
+  m_toSend.clear();
   m_services.takeNotes(m_toNote);
   for (Note& note : m_toNote) write(std::move(note));
   m_toNote.clear();
-  m_services.takeFrames(m_toSend);
-  for (const Frame& frame : m_toSend) {
-    if (m_link == nullptr || m_link->write(frame) != WriteResult::Accepted) m_services.notTaken();
-  }
-  m_toSend.clear();
   if (m_isJudging) return;  // the timer is set anew after that
   const Instant next = m_services.nextTime();
   if (next == kNever) return m_serviceTimer->stop();

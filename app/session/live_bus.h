@@ -76,7 +76,7 @@ class LiveBus : public QObject, private PortListener {
   std::uint64_t m_notKept = 0;
   bool m_storeFull = false;
   bool m_isJudging = false;  // a deadline has come; frames that have arrived are handed over first
-  std::vector<Frame> m_toSend;
+  std::vector<OutFrame> m_toSend;
   std::vector<Note> m_toNote;
 
   mutable std::mutex m_lock;

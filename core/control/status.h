@@ -123,9 +123,10 @@ struct ServiceStatus {
   ClaimStatus claim;
   std::vector<DeviceServices> devices;  // that can be asked something, or were
   double busLoad = 0;                   // of the last second, 0..1
-  std::uint64_t sent = 0;               // frames handed to the link
+  std::uint64_t sent = 0;               // frames handed to the link, second tries too
   std::uint64_t notTaken = 0;           // of these the link did not take
-  Refusal refusal = Refusal::None;      // of the last intent; None where it was carried out
+  std::uint64_t unconfirmed = 0;    // handed over 100 ms ago or earlier, and no echo yet: may still go out
+  Refusal refusal = Refusal::None;  // of the last intent; None where it was carried out
   std::uint64_t refusedSerial = 0;
 
   // An address of our own to send from.

@@ -68,7 +68,7 @@ void ClaimService::askNames(const Live& live, Outgoing& out) {
 }
 
 void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const {
-  out.send(live, from, MessageId::Name, kGlobalAddress, encodedName({m_status.name}));
+  out.send(live, from, MessageId::Name, kGlobalAddress, encodedName({m_status.name}), true);
 }
 
 // Taken by a NAME, or in use without one.
@@ -107,6 +107,8 @@ void ClaimService::cannotClaim(Instant now, const Live& live, Outgoing& out) {
   m_spread = m_spread * 1'664'525u + 1'013'904'223u;
   m_deadline = now + (m_spread >> 24) * Duration(600us);
 }
+
+void ClaimService::writeEnded(Instant, const Live&, FrameTag, WriteOutcome, Outgoing&) {}
 
 void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
   if (now < m_deadline) return;

@@ -51,6 +51,7 @@ class ClaimService : public Service {
   void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
   std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) override;
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) override;
+  void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome, Outgoing& out) override;
   void timeCame(Instant now, const Live& live, Outgoing& out) override;
   Instant nextTime() const override { return m_deadline; }
   void end(Instant now, const Live& live, EndReason reason, Outgoing& out) override;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/device_key.h"
-#include "bus/frame.h"
+#include "bus/own_frames.h"
 #include "protocol/encode.h"
 #include "state/state.h"
 
@@ -25,20 +25,34 @@ struct Live {
   DeviceKey canonical(const DeviceKey& key) const;
 };
 
+// A frame to be written, and whose it is.
+struct OutFrame {
+  Frame frame;
+  FrameTag tag;
+  // When the adapter's queue is full it is tried again once, kTryAgain later.
+  bool triesAgain = false;
+};
+
 struct Outgoing {
-  std::vector<Frame> frames;
+  std::vector<OutFrame> frames;
   std::vector<Note> notes;
+  std::uint32_t owner = 0;  // place of the service that is called, in the list; Services sets it
+  std::uint64_t lastNumber = 0;
 
   // Placed in the log (frame, time) by whoever writes them down.
   void note(NoteKind kind, Channel channel, Address address, std::uint64_t number, std::string text = {}) {
     notes.push_back(
         {.kind = kind, .channel = channel, .address = address, .number = number, .text = std::move(text)});
   }
-  // `from`: an address that the sender claimed, or the null address for a claim.
-  void send(const Live& live, Address from, MessageId id, Address to, const Encoded& data) {
+  // `from`: an address that the sender claimed, or the null address for a claim. What becomes of the frame
+  // is told by Service::writeEnded() with this tag.
+  FrameTag send(const Live& live, Address from, MessageId id, Address to, const Encoded& data,
+                bool triesAgain = false) {
     Frame frame = j1939Frame(messageOf(id), data, from, to);
     frame.channel = live.channel.value;
-    frames.push_back(frame);
+    const FrameTag tag{owner, ++lastNumber};
+    frames.push_back({frame, tag, triesAgain});
+    return tag;
   }
 };
 

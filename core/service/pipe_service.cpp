@@ -132,7 +132,7 @@ void PipeService::fly(Instant now, const Live& live, Pipe& pipe, Outgoing& out) 
   data.data[0] = kType;
   std::ranges::transform(packet.bytes, data.data.begin() + 1,
                          [](char c) { return static_cast<std::uint8_t>(c); });
-  out.send(live, source(), MessageId::PipeData, *to, data);
+  packet.tag = out.send(live, source(), MessageId::PipeData, *to, data);
 }
 
 void PipeService::acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoing& out) {
@@ -282,26 +282,29 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
   for (Pipe& pipe : m_pipes) {
     if (pipe.status.progress == Progress::Stalled && pipe.flying) pipe.status.stall = whyNoAck(live, pipe);
   }
-  if (!frame.isExtended() || frame.isRemote() || frame.isError() || frame.length == 0) return;
+  if (!frame.isExtended() || frame.isRemote() || frame.isError() || frame.length == 0 ||
+      (frame.flags & Frame::kSent) != 0)
+    return;
   const J1939Id id = J1939Id::of(frame.identifier());
   if (id.pgn != pgn::kProprietaryA || frame.data[0] != kType || source() == kNullAddress) return;
   adopt(now, live, out);
-  if ((frame.flags & Frame::kSent) != 0) {
-    for (Pipe& pipe : m_pipes) {
-      if (pipe.flying && pipe.flying->to == id.destination && frame.length > 1) pipe.flying->isOnBus = true;
-    }
-    return;
-  }
   if (id.destination != source() || !live.bus().roles.isAkron(id.source)) return;
   const DeviceKey device = live.canonical(DeviceKey::at(live.channel, id.source));
   if (frame.length > 1) return dataHeard(live, device, id.source, frame, out);
   Pipe* at = find(device);
   if (at == nullptr) return;
-  const bool isAck = at->flying && at->flying->to == id.source && (at->flying->isOnBus || !m_echoes);
+  const bool isAck = at->flying && at->flying->to == id.source && at->flying->isOnBus;
   if (isAck) {
     acknowledged(now, live, *at, out);
   } else {
     ++at->status.strayAcks;
+  }
+}
+
+void PipeService::writeEnded(Instant, const Live&, FrameTag tag, WriteOutcome outcome, Outgoing&) {
+  if (outcome != WriteOutcome::OnBus && outcome != WriteOutcome::CannotTell) return;
+  for (Pipe& pipe : m_pipes) {
+    if (pipe.flying && pipe.flying->tag == tag) pipe.flying->isOnBus = true;
   }
 }
 
@@ -310,7 +313,7 @@ void PipeService::dataHeard(const Live& live, const DeviceKey& device, Address f
   pipe(device).status.received += frame.length - 1u;
   Encoded ack{.length = 1};
   ack.data[0] = kType;
-  out.send(live, source(), MessageId::PipeAck, from, ack);
+  out.send(live, source(), MessageId::PipeAck, from, ack, true);
 }
 
 void PipeService::adopt(Instant now, const Live& live, Outgoing& out) {

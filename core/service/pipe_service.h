@@ -29,12 +29,13 @@ class PipeService : public Service {
   static constexpr Duration kSettle = 1s;
   static constexpr std::size_t kMostTyped = 65'536;  // characters that may wait
 
-  // `echoes`: our own frames come back from the link. Sends from the address that `own` claims.
-  PipeService(bool echoes, const ClaimService& own) : m_echoes(echoes), m_own(own) {}
+  // Sends from the address that `own` claims.
+  explicit PipeService(const ClaimService& own) : m_own(own) {}
 
   void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
   std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) override;
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) override;
+  void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome, Outgoing& out) override;
   void timeCame(Instant now, const Live& live, Outgoing& out) override;
   Instant nextTime() const override;
   // What is in flight is in doubt then, what waits is dropped.
@@ -47,6 +48,7 @@ class PipeService : public Service {
     std::string bytes;
     Address to;
     Instant sent = kNotYet;
+    FrameTag tag;
     bool isOnBus = false;
     bool isOfFile = false;
     bool wasResent = false;
@@ -92,7 +94,6 @@ class PipeService : public Service {
   static void release(Instant now, Pipe& pipe);
   void dataHeard(const Live& live, const DeviceKey& device, Address from, const Frame& frame, Outgoing& out);
 
-  bool m_echoes;
   const ClaimService& m_own;
   std::vector<Pipe> m_pipes;
 };

@@ -243,6 +243,8 @@ Instant RequestService::nextTime() const {
   return next;
 }
 
+void RequestService::writeEnded(Instant, const Live&, FrameTag, WriteOutcome, Outgoing&) {}
+
 void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
   if (source() == kNullAddress) return;
   adopt(now, live, out);

@@ -13,13 +13,18 @@
 //   received(frame)     A frame was on the bus. The State has it already. Our own frames come too, with
 //                       Frame::kSent. `now` is the frame's own log time, which may lie before the `now` of
 //                       an earlier call when the thread was late, but never before that of an earlier frame.
+//   writeEnded(tag)     What became of a frame that the service put into `out`; exactly once for each, also
+//                       after the end. The outcomes stand below. After one that says that the adapter did not
+//                       take the frame nothing is sent at once, but from timeCame() on.
 //   timeCame()          `now` has reached nextTime(), or passed it. Every frame that was on the bus until
 //                       `now` was handed over before: what is missing now has not come in time.
 //   end(reason)         Stop: what is open ends now, with this reason.
 //                         Locked       nothing may be sent any more; calls go on until linkChanged(true)
 //                         AddressLost  source() was lost to another node. The service goes on by itself when
 //                                      source() is there again
-//   linkChanged(false)  The link is gone. Everything ends at once; nothing can be sent.
+//   linkChanged(false)  The link is gone. Everything ends at once; nothing can be sent. What was still
+//   waiting
+//                       for its echo was told before, by writeEnded(Gone).
 //
 // The services stand in a list, each behind those that it depends on: a frame reaches the claim of an address
 // before it reaches who sends from that address.
@@ -35,6 +40,20 @@ namespace deckpipe {
 
 enum class EndReason : std::uint8_t { Locked, AddressLost };
 
+// Of a frame. Handing it over proves nothing: only an echo does.
+enum class WriteOutcome : std::uint8_t {
+  OnBus,       // its echo came; `now` is the echo's log time
+  CannotTell,  // the adapter took it and tells no more: this counts as on the bus from now on
+  QueueFull,   // not sent, for want of room
+  NotTaken,    // not sent
+  Gone,        // the interface went down first: whether it went out before is not known
+};
+
+// A frame whose echo has not come by then is said to be 'not on the bus yet'.
+inline constexpr Duration kOnBusTime = 100ms;
+// From a full queue to the second try of what is tried again.
+inline constexpr Duration kTryAgain = 20ms;
+
 class Service {
  public:
   virtual ~Service() = default;
@@ -42,6 +61,8 @@ class Service {
   virtual void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) = 0;
   virtual std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) = 0;
   virtual void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) = 0;
+  virtual void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
+                          Outgoing& out) = 0;
   virtual void timeCame(Instant now, const Live& live, Outgoing& out) = 0;
   // When timeCame() is due next; kNever if nothing is.
   virtual Instant nextTime() const = 0;

@@ -11,6 +11,7 @@
 
 #include <memory>
 
+#include "bus/port.h"
 #include "service/bus_budget.h"
 #include "service/claim_service.h"
 
@@ -37,15 +38,19 @@ class Services {
   // time, however late the thread is.
   void timeCame(Instant now, const State& live);
   Instant nextTime() const;
-  // Appends what is to be written, in order, and forgets it.
-  void takeFrames(std::vector<Frame>& out);
+  // Appends what is to be written, in order, and forgets it. Each is to be written at once and followed by
+  // wrote(); then there may be more.
+  void takeFrames(std::vector<OutFrame>& out);
+  void wrote(Instant now, const State& live, const OutFrame& frame, WriteResult result);
   void takeNotes(std::vector<Note>& out);
-  // The link did not take a frame. It counts as sent and lost: whoever waits for its answer will time out.
-  void notTaken() { ++m_status.notTaken; }
 
   ServiceStatus status(Instant now, const State& live);
 
  private:
+  struct Again {
+    OutFrame frame;
+    Instant due;
+  };
   struct Entry {
     std::unique_ptr<Service> service;
     Address source = kNullAddress;  // that it had after the last call
@@ -55,6 +60,14 @@ class Services {
   Refusal carryOut(Instant now, const Live& live, const Intent& intent);
   void unlock(Instant now, const Live& live);
   void lock(Instant now, const Live& live);
+  void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome);
+  // What waits for its second try will not have one.
+  void dropAgain(Instant now, const Live& live);
+  // Calls every service, in order or backwards, as the owner of what it sends.
+  template <typename F>
+  void forEach(F&& call);
+  template <typename F>
+  void forEachBackwards(F&& call);
   // Who sent from an address that is no longer ours ends.
   void followAddresses(Instant now, const Live& live);
 
@@ -63,6 +76,8 @@ class Services {
   BusBudget m_budget;
   std::vector<Entry> m_services;
   Outgoing m_out;
+  OwnFrames m_own;
+  std::vector<Again> m_again;
 };
 
 }  // namespace deckpipe

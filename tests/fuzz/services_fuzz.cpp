@@ -64,7 +64,7 @@ class Console {
                                                       : DeviceKey::at(Channel{}, address);
   }
   void take() {
-    std::vector<Frame> frames;
+    std::vector<OutFrame> frames;
     m_services.takeFrames(frames);
     std::vector<Note> notes;
     m_services.takeNotes(notes);
@@ -73,7 +73,9 @@ class Console {
       m_state.apply(note);
     }
     const ServiceStatus after = status();
-    for (Frame frame : frames) {
+    for (const OutFrame& out : frames) {
+      Frame frame = out.frame;
+      m_services.wrote(now, m_state, out, WriteResult::Accepted);
       demand(!after.locked && after.linkUp);
       const J1939Id id = J1939Id::of(frame.identifier());
       if (id.pgn == pgn::kProprietaryA && frame.length > 1 && frame.data[0] == 0xFE) {
@@ -82,7 +84,7 @@ class Console {
         flight->second = now;
       }
       if (losesFrames) continue;
-      frame.flags |= Frame::kSent;
+      frame.flags |= Frame::kSent | Frame::kConfirmed;
       m_state.apply(frame, now);
       m_services.received(now, m_state, frame);
     }
