@@ -20,6 +20,13 @@
             <numerusform>%1: %Ln frames lost</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %Ln frames are not on the bus yet and may still go out</source>
+        <translation>
+            <numerusform>%1: %Ln frame is not on the bus yet and may still go out</numerusform>
+            <numerusform>%1: %Ln frames are not on the bus yet and may still go out</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>

@@ -26,6 +26,9 @@ constexpr std::string_view endWord(RequestEnd end) {
     case RequestEnd::Gone: return "gone";
     case RequestEnd::AnsweredLate: return "answered_late";
     case RequestEnd::AddressLost: return "address_lost";
+    case RequestEnd::NotOnBus: return "not_on_bus";
+    case RequestEnd::WentOutLate: return "went_out_late";
+    case RequestEnd::GoneWithInterface: return "gone_with_interface";
   }
   return "open";
 }

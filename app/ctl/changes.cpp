@@ -89,11 +89,13 @@ void Changes::noteCame(const Note& note) {
     case NoteKind::Unlocked: break;
     case NoteKind::LinkDown: line.add("reason", note.text); break;
     case NoteKind::Dropped: line.add("frames", static_cast<std::int64_t>(note.number)); break;
+    case NoteKind::StillWaits: line.add("frames", static_cast<std::int64_t>(note.number)); break;
     case NoteKind::OwnAddress: line.add("address", note.address).add("reason", note.text); break;
     case NoteKind::Mark:
     case NoteKind::DriveSaid:
     case NoteKind::DriveUnsaid:
     case NoteKind::Asked:
+    case NoteKind::AskWaits:
     case NoteKind::AskEnded:
     case NoteKind::Pipe: return;
   }

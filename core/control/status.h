@@ -39,20 +39,28 @@ struct ClaimStatus {
     SameName,     // another node on the bus has our NAME: the identity number must be changed
   };
   Progress progress = Progress::Off;
-  Address address;         // claiming or claimed; null otherwise
-  std::uint64_t name = 0;  // our NAME
-  std::uint16_t lost = 0;  // addresses lost to a lower NAME since unlocking
-  std::uint16_t won = 0;   // contests won
+  Address address;              // claiming or claimed; null otherwise
+  std::uint64_t name = 0;       // our NAME
+  std::uint16_t lost = 0;       // addresses lost to a lower NAME since unlocking
+  std::uint16_t won = 0;        // contests won
+  std::uint16_t conflicts = 0;  // times that another was heard sending from our address
+  bool isOnBus = false;         // the claim was on the bus; also where the adapter cannot tell
   friend bool operator==(const ClaimStatus&, const ClaimStatus&) = default;
 };
 
 struct RequestStatus {
-  enum class Progress : std::uint8_t { Idle, Queued, Waiting, Ended };
+  enum class Progress : std::uint8_t {
+    Idle,
+    Queued,
+    Waiting,
+    NotOnBusYet,  // a command whose echo has not come: it may still go out
+    Ended,
+  };
   Progress progress = Progress::Idle;
   RequestEnd end = RequestEnd::None;  // of the last one that ended
   std::uint8_t tries = 0;             // sent so often for the present request
-  Instant firstSent = kNotYet;        // the first try
-  Instant sent = kNotYet;             // the last try
+  Instant firstSent = kNotYet;        // the first try was on the bus; handed over, until that is known
+  Instant sent = kNotYet;             // the last try …
   Instant ended = kNotYet;
   Duration latency{0};      // from the last try to the whole answer
   Duration period{0};       // repeated so often; 0 = once
@@ -73,9 +81,11 @@ struct PipeStatus {
   };
   enum class Stall : std::uint8_t {
     None,
-    NoAck,  // in time
-    Moved,  // and the device is at another address now
-    Gone,   // and the device has none
+    NoAck,     // in time
+    Moved,     // and the device is at another address now
+    Gone,      // and the device has none
+    NotOnBus,  // the packet itself is not on the bus yet; it may still go out
+    NotTaken,  // the adapter did not take the packet: it was not sent
   };
   enum class FileEnd : std::uint8_t { None, Done, Cancelled, Aborted };
 
@@ -94,7 +104,7 @@ struct PipeStatus {
   std::uint32_t fileSkipped = 0, fileResent = 0;  // packets of it: whether all arrived is not known then
   bool isPaused = false;                          // by the person, also while it is stalled
 
-  // Of the acks of this pipe, from a packet's being written to its ack.
+  // Of the acks of this pipe, from a packet's being on the bus to its ack.
   std::uint32_t acks = 0;
   Duration ackLast{0}, ackWorst{0}, ackSum{0};
 
@@ -117,14 +127,26 @@ struct DeviceServices {
   friend bool operator==(const DeviceServices&, const DeviceServices&) = default;
 };
 
+// A command that was handed to the adapter and is not on the bus yet. Nothing takes it back: it may still go
+// out, until the interface is taken down.
+struct WaitingCommand {
+  DeviceKey device;
+  Ask ask{};
+  Instant since;
+  friend bool operator==(const WaitingCommand&, const WaitingCommand&) = default;
+};
+
 struct ServiceStatus {
   bool locked = true;
   bool linkUp = false;
+  // The adapter gives back what was on the bus; otherwise nobody can tell whether our frames reach it.
+  bool echoes = true;
   ClaimStatus claim;
   std::vector<DeviceServices> devices;  // that can be asked something, or were
-  double busLoad = 0;                   // of the last second, 0..1
-  std::uint64_t sent = 0;               // frames handed to the link, second tries too
-  std::uint64_t notTaken = 0;           // of these the link did not take
+  std::vector<WaitingCommand> waitingCommands;
+  double busLoad = 0;               // of the last second, 0..1
+  std::uint64_t sent = 0;           // frames handed to the link, second tries too
+  std::uint64_t notTaken = 0;       // of these the link did not take
   std::uint64_t unconfirmed = 0;    // handed over 100 ms ago or earlier, and no echo yet: may still go out
   Refusal refusal = Refusal::None;  // of the last intent; None where it was carried out
   std::uint64_t refusedSerial = 0;

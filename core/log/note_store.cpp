@@ -21,6 +21,8 @@ constexpr auto kKeys = std::to_array<std::pair<NoteKind, std::string_view>>({
     {NoteKind::OwnAddress, "own_address"},
     {NoteKind::Asked, "asked"},
     {NoteKind::AskEnded, "ask_ended"},
+    {NoteKind::AskWaits, "ask_waits"},
+    {NoteKind::StillWaits, "still_waits"},
     {NoteKind::Pipe, "pipe"},
 });
 

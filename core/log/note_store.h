@@ -29,6 +29,8 @@ enum class NoteKind : std::uint8_t {
   OwnAddress,   // channel; address: ours from here on, null = none; text: how it came to that
   Asked,        // channel, address; number: Ask; text: the PIN
   AskEnded,     // channel, address; number: Ask, in its second byte RequestEnd; text: the PIN
+  AskWaits,     // channel, address; number: Ask; text: the PIN. Handed over, but not on the bus yet
+  StillWaits,   // channel; number: frames handed over and not on the bus yet, at a lock or the like
   Pipe,         // channel, address; number: PipeEvent; text: the PIN, and the file's name
 };
 

@@ -18,8 +18,8 @@ Name nameOf(const ClaimSettings& settings) {
           (settings.functionInstance & 0x1Full) << 35 | std::uint64_t{settings.function} << 40 | 1ull << 63};
 }
 
-ClaimService::ClaimService(const ClaimSettings& settings)
-    : m_settings(settings), m_spread(settings.identityNumber) {
+ClaimService::ClaimService(const ClaimSettings& settings, bool echoes)
+    : m_settings(settings), m_echoes(echoes), m_spread(settings.identityNumber) {
   m_status.name = nameOf(settings).value;
 }
 
@@ -35,6 +35,7 @@ void ClaimService::start(Instant now, const Live& live, Outgoing& out) {
   m_status.name = name;
   m_status.progress = Progress::Asking;
   m_lost.reset();
+  m_conflict = kNotYet;
   m_deadline = now + kListen;
   askNames(live, out);
 }
@@ -67,8 +68,8 @@ void ClaimService::askNames(const Live& live, Outgoing& out) {
   out.send(live, address(), MessageId::Request, kGlobalAddress, data);
 }
 
-void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const {
-  out.send(live, from, MessageId::Name, kGlobalAddress, encodedName({m_status.name}), true);
+FrameTag ClaimService::sendName(const Live& live, Address from, Outgoing& out) const {
+  return out.send(live, from, MessageId::Name, kGlobalAddress, encodedName({m_status.name}), true);
 }
 
 // Taken by a NAME, or in use without one.
@@ -82,21 +83,22 @@ bool ClaimService::isFree(const Live& live, Address address) const {
 
 void ClaimService::claimNext(Instant now, const Live& live, Outgoing& out) {
   for (const Address candidate : {m_settings.preferred, m_settings.second}) {
-    if (isFree(live, candidate)) return claim(now, live, candidate, out);
+    if (isFree(live, candidate)) return claim(live, candidate, out);
   }
   for (unsigned a = m_settings.highest.value; a >= m_settings.lowest.value && a > 0; --a) {
     const Address candidate{static_cast<std::uint8_t>(a)};
-    if (isFree(live, candidate)) return claim(now, live, candidate, out);
+    if (isFree(live, candidate)) return claim(live, candidate, out);
   }
   cannotClaim(now, live, out);
 }
 
-void ClaimService::claim(Instant now, const Live& live, Address address, Outgoing& out) {
+void ClaimService::claim(const Live& live, Address address, Outgoing& out) {
   m_status.progress = Progress::Claiming;
   m_status.address = address;
   m_ours.set(address.value);
-  m_deadline = now + kClaimTime;
-  sendName(live, address, out);
+  m_status.isOnBus = false;
+  m_deadline = kNever;  // until it is known what became of the claim
+  m_claim = sendName(live, address, out);
 }
 
 // J1939-81 spreads these over 153 ms, because all of them have the same identifier.
@@ -108,7 +110,15 @@ void ClaimService::cannotClaim(Instant now, const Live& live, Outgoing& out) {
   m_deadline = now + (m_spread >> 24) * Duration(600us);
 }
 
-void ClaimService::writeEnded(Instant, const Live&, FrameTag, WriteOutcome, Outgoing&) {}
+void ClaimService::writeEnded(Instant now, const Live&, FrameTag tag, WriteOutcome outcome, Outgoing&) {
+  if (m_status.progress != Progress::Claiming || tag != m_claim) return;
+  m_status.isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell;
+  if (m_status.isOnBus) {
+    m_deadline = now + kClaimTime;
+  } else if (outcome != WriteOutcome::Gone) {
+    m_deadline = now + kClaimAgain;
+  }
+}
 
 void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
   if (now < m_deadline) return;
@@ -116,10 +126,11 @@ void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
   switch (m_status.progress) {
     case Progress::Asking: return claimNext(now, live, out);
     case Progress::Claiming:
+      if (!m_status.isOnBus) return claimNext(now, live, out);
       m_status.progress = Progress::Claimed;
       noteAddress(live, m_status.address, "claimed", out);
       return;
-    case Progress::CannotClaim: return sendName(live, kNullAddress, out);
+    case Progress::CannotClaim: sendName(live, kNullAddress, out); return;
     case Progress::Off:
     case Progress::Claimed:
     case Progress::SameName: return;
@@ -132,10 +143,12 @@ void ClaimService::received(Instant now, const Live& live, const Frame& frame, O
   const J1939Id id = J1939Id::of(frame.identifier());
   if (id.pgn == pgn::kAddressClaimed && frame.length == 8)
     return claimHeard(now, live, id.source, Name::of(frame), out);
+  const bool hasAddress = m_status.address != kNullAddress;
+  if (m_echoes && hasAddress && id.source == m_status.address && id.pgn != pgn::kAddressClaimed)
+    return strangerHeard(now, live, out);
   if (id.pgn != pgn::kRequest || frame.length != 3 ||
       readBits(frame.data, kRequested) != pgn::kAddressClaimed)
     return;
-  const bool hasAddress = m_status.address != kNullAddress;
   if (id.destination != kGlobalAddress && (!hasAddress || id.destination != m_status.address)) return;
   if (hasAddress) sendName(live, m_status.address, out);
   if (m_status.progress == Progress::CannotClaim) cannotClaim(now, live, out);
@@ -154,12 +167,29 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
   if (m_status.name < name.value) {
     ++m_status.won;
     // Who has the address already keeps using it while it defends it.
-    return sendName(live, m_status.address, out);
+    sendName(live, m_status.address, out);
+    return;
   }
+  leave(now, live, "lost", out);
+}
+
+void ClaimService::leave(Instant now, const Live& live, const char* why, Outgoing& out) {
   ++m_status.lost;
-  m_lost.set(source.value);
-  noteAddress(live, kNullAddress, "lost", out);
+  m_lost.set(m_status.address.value);
+  m_conflict = kNotYet;
+  noteAddress(live, kNullAddress, why, out);
   claimNext(now, live, out);
+}
+
+// It may not have heard our claim; then our NAME tells it.
+void ClaimService::strangerHeard(Instant now, const Live& live, Outgoing& out) {
+  if (m_conflict == kNotYet || now - m_conflict > kConflictOver) {
+    m_conflict = now;
+    ++m_status.conflicts;
+    sendName(live, m_status.address, out);
+  } else if (now - m_conflict >= kClaimTime) {
+    leave(now, live, "in use", out);
+  }
 }
 
 }  // namespace deckpipe

@@ -4,11 +4,15 @@
 // application has a NAME and an address of its own.
 //
 // 1. First it asks who is there, from the null address, and listens kListen, so as to disturb nobody.
-// 2. An address may be used kClaimTime after it was claimed, unless a numerically lower NAME claimed it too.
+// 2. An address may be used kClaimTime after its claim was on the bus, unless a numerically lower NAME
+// claimed
+//    it too. Where the adapter has no echo the time counts from when it took the claim.
 // 3. The loser claims the next address that nobody is known to use; where there is none it says 'cannot
 //    claim' from the null address, 0-153 ms later, and whenever it is asked.
 // 4. Every request for the NAME, to all or to our address, is answered.
-// 5. Another node with our very NAME cannot be contested: it is reported, and nothing more is sent.
+// 5. A frame from our address that we did not send is a conflict: we claim again, and move when it goes on.
+//    Without echoes our own frames cannot be told from another's, and this is not watched.
+// 6. Another node with our very NAME cannot be contested: it is reported, and nothing more is sent.
 #pragma once
 
 #include <bitset>
@@ -46,7 +50,12 @@ class ClaimService : public Service {
  public:
   static constexpr Duration kListen = 250ms;
 
-  explicit ClaimService(const ClaimSettings& settings);
+  // From a claim that the adapter refused twice to the next try.
+  static constexpr Duration kClaimAgain = 1s;
+  // A conflict is over when nobody else was heard at our address for so long.
+  static constexpr Duration kConflictOver = 10s;
+
+  explicit ClaimService(const ClaimSettings& settings, bool echoes = true);
 
   void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
   std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) override;
@@ -71,9 +80,11 @@ class ClaimService : public Service {
   void askNames(const Live& live, Outgoing& out);
   void noteAddress(const Live& live, Address address, const char* why, Outgoing& out) const;
   void claimNext(Instant now, const Live& live, Outgoing& out);
-  void claim(Instant now, const Live& live, Address address, Outgoing& out);
+  void claim(const Live& live, Address address, Outgoing& out);
   void cannotClaim(Instant now, const Live& live, Outgoing& out);
-  void sendName(const Live& live, Address from, Outgoing& out) const;
+  FrameTag sendName(const Live& live, Address from, Outgoing& out) const;
+  void leave(Instant now, const Live& live, const char* why, Outgoing& out);
+  void strangerHeard(Instant now, const Live& live, Outgoing& out);
   void claimHeard(Instant now, const Live& live, Address source, Name name, Outgoing& out);
   bool isFree(const Live& live, Address address) const;
 
@@ -82,6 +93,9 @@ class ClaimService : public Service {
   std::bitset<256> m_ours;  // we used it: that it was heard says nothing
   std::bitset<256> m_lost;  // and others hold it since
   Instant m_deadline = kNever;
+  FrameTag m_claim;              // the NAME that claims the present address
+  Instant m_conflict = kNotYet;  // we claimed again because another sends from our address
+  bool m_echoes;
   std::uint32_t m_spread;  // of the delays of 'cannot claim'
 };
 

@@ -137,7 +137,7 @@ void PipeService::fly(Instant now, const Live& live, Pipe& pipe, Outgoing& out) 
 
 void PipeService::acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoing& out) {
   PipeStatus& status = pipe.status;
-  const Duration took = now - pipe.flying->sent;
+  const Duration took = std::max<Duration>(now - pipe.flying->sent, 0ns);
   ++status.acks;
   status.ackLast = took;
   status.ackWorst = std::max(status.ackWorst, took);
@@ -208,7 +208,9 @@ void PipeService::stall(Instant now, const Live& live, Pipe& pipe, Stall why, Ou
 
 PipeStatus::Stall PipeService::whyNoAck(const Live& live, const Pipe& pipe) {
   const auto address = live.addressOf(pipe.device);
-  return !address ? Stall::Gone : *address != pipe.flying->to ? Stall::Moved : Stall::NoAck;
+  if (!address) return Stall::Gone;
+  if (!pipe.flying->isOnBus) return pipe.status.stall == Stall::NotTaken ? Stall::NotTaken : Stall::NotOnBus;
+  return *address != pipe.flying->to ? Stall::Moved : Stall::NoAck;
 }
 
 Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& wish, Outgoing& out) {
@@ -223,7 +225,7 @@ Refusal PipeService::act(Instant now, const Live& live, const wish::PipeAction& 
       break;
     case What::Cancel: cancelFile(now, live, *at, out); break;
     case What::Resend:
-      if (!isStalled) return Refusal::Busy;
+      if (!isStalled || at->status.stall == Stall::NotOnBus) return Refusal::Busy;
       release(now, *at);
       ++at->status.resent;
       if (at->flying->isOfFile) ++at->status.fileResent;
@@ -301,10 +303,22 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
   }
 }
 
-void PipeService::writeEnded(Instant, const Live&, FrameTag tag, WriteOutcome outcome, Outgoing&) {
-  if (outcome != WriteOutcome::OnBus && outcome != WriteOutcome::CannotTell) return;
+void PipeService::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
+                             Outgoing& out) {
   for (Pipe& pipe : m_pipes) {
-    if (pipe.flying && pipe.flying->tag == tag) pipe.flying->isOnBus = true;
+    if (!pipe.flying || pipe.flying->tag != tag) continue;
+    switch (outcome) {
+      case WriteOutcome::OnBus:
+      case WriteOutcome::CannotTell:
+        pipe.flying->isOnBus = true;
+        pipe.flying->sent = now;
+        pipe.deadline = now + kAckTimeout;
+        if (pipe.status.progress == Progress::Stalled) release(now, pipe);
+        break;
+      case WriteOutcome::QueueFull:
+      case WriteOutcome::NotTaken: stall(now, live, pipe, Stall::NotTaken, out); break;
+      case WriteOutcome::Gone: break;  // a lost link ends the pipe
+    }
   }
 }
 

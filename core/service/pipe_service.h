@@ -5,8 +5,8 @@
 //
 // 1. There is no sequence number, so nothing is ever sent twice by itself: a missing ack stops the pipe until
 //    the person says resend, skip or abort. An ack that comes late after all resolves the doubt.
-// 2. Where the link gives back our frames, an ack counts only once the packet was on the bus: one that came
-//    before cannot be its own.
+// 2. An ack counts only once the packet was on the bus, and its time runs from there: one that came before
+//    cannot be its own. A packet that is not on the bus yet is not sent a second time.
 // 3. After a packet was sent again, skipped or given up, an ack of it may still come. The next packet waits
 //    kSettle for it, lest it be taken for its own.
 // 4. Only who is known to be Akron's is answered: other makers' frames look the same.
@@ -48,7 +48,7 @@ class PipeService : public Service {
     std::string bytes;
     Address to;
     Instant sent = kNotYet;
-    FrameTag tag;
+    FrameTag tag{};
     bool isOnBus = false;
     bool isOfFile = false;
     bool wasResent = false;

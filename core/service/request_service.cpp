@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "bus/j1939.h"
 
@@ -13,7 +14,7 @@ using Progress = RequestStatus::Progress;
 
 constexpr Ask askAt(std::size_t i) { return static_cast<Ask>(i); }
 constexpr bool isOpen(Progress progress) {
-  return progress == Progress::Queued || progress == Progress::Waiting;
+  return progress == Progress::Queued || progress == Progress::Waiting || progress == Progress::NotOnBusYet;
 }
 
 template <typename F>
@@ -81,6 +82,9 @@ std::optional<Refusal> RequestService::wants(Instant now, const Live& live, cons
 void RequestService::status(const Live& live, ServiceStatus& into) const {
   for (const DeviceKey& key : askableDevices(live)) statusOf(live, key, into);
   for (const Asked& known : m_devices) statusOf(live, known.device, into).requests = known.statuses;
+  for (const Handed& command : m_commands) {
+    if (command.isSaid) into.waitingCommands.push_back({command.device, command.ask, command.since});
+  }
 }
 
 void RequestService::queue(RequestStatus& status, Timing& timing, Instant due) {
@@ -105,6 +109,7 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
     RequestStatus& status = at.status(ask);
     // A repeated poll that waits for its turn may as well come now.
     if (status.progress == Progress::Waiting || (isOpen(status.progress) && status.period == 0ns)) return;
+    if (isHanded(at.device, ask)) return;
     queue(status, at.timing(ask), now);
     refusal = Refusal::None;
     if (isCommand(ask)) send(now, live, at, ask, out);
@@ -165,6 +170,7 @@ Refusal RequestService::cancel(Instant now, const Live& live, const wish::Cancel
 
 void RequestService::endAll(Instant now, const Live& live, RequestEnd how, Outgoing& out) {
   for (Asked& at : m_devices) endDevice(now, live, at, how, out);
+  for (Handed& command : m_commands) sayNotOnBus(live, command, out);
 }
 
 void RequestService::endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out) {
@@ -186,11 +192,12 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   if (status.tries == 1) status.firstSent = now;
   timing.to = *to;
   timing.answers = 0;
-  timing.deadline = now + rule.patience;
-  timing.lastStatus = now;
+  timing.isOnBus = false;
+  timing.deadline = isCommand(ask) ? kNever : now + rule.patience;
   Encoded data{.length = 1};
   data.data[0] = static_cast<std::uint8_t>(messageOf(rule.request).firstByte);
-  out.send(live, source(), rule.request, *to, data);
+  timing.tag = out.send(live, source(), rule.request, *to, data);
+  if (isCommand(ask)) m_commands.push_back({timing.tag, at.device, ask, *to, now});
   m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(ask));
   // Of what is repeated only changes are noted, at its end.
   if (status.tries == 1 && status.period == 0ns)
@@ -207,12 +214,9 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
   status.ended = now;
   if (how == RequestEnd::Answered) {
     ++status.answered;
-    status.latency = now - status.sent;
+    status.latency = std::max<Duration>(now - status.sent, 0ns);
   }
-  if (isNews)
-    out.note(NoteKind::AskEnded, live.channel, timing.to,
-             static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(how) << 8,
-             std::string(at.device.pin.text()));
+  if (isNews) noteEnd(live, at.device, timing.to, ask, how, out);
   // Each try may still be answered.
   const int tries = how == RequestEnd::Answered ? status.tries - 1 : 0;
   timing = {.to = timing.to,
@@ -224,8 +228,16 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
   queue(status, timing, std::max(next, now));
 }
 
+void RequestService::noteEnd(const Live& live, const DeviceKey& device, Address to, Ask ask, RequestEnd how,
+                             Outgoing& out) {
+  out.note(NoteKind::AskEnded, live.channel, to,
+           static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(how) << 8,
+           std::string(device.pin.text()));
+}
+
 void RequestService::expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out) {
   const AskRule& rule = ruleOf(ask);
+  if (!at.timing(ask).isOnBus) return end(now, live, at, ask, RequestEnd::NotOnBus, out);
   if (at.status(ask).tries < rule.tries) return send(now, live, at, ask, out);
   end(now, live, at, ask, at.timing(ask).wrong ? RequestEnd::WrongAnswer : RequestEnd::NoAnswer, out);
 }
@@ -233,6 +245,9 @@ void RequestService::expire(Instant now, const Live& live, Asked& at, Ask ask, O
 Instant RequestService::nextTime() const {
   Instant next = kNever;
   if (source() == kNullAddress) return next;
+  for (const Handed& command : m_commands) {
+    if (!command.isSaid) next = std::min(next, command.since + kOnBusTime);
+  }
   for (const Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
       if (at.statuses[i].progress == Progress::Waiting) next = std::min(next, at.timings[i].deadline);
@@ -243,11 +258,73 @@ Instant RequestService::nextTime() const {
   return next;
 }
 
-void RequestService::writeEnded(Instant, const Live&, FrameTag, WriteOutcome, Outgoing&) {}
+bool RequestService::isHanded(const DeviceKey& device, Ask ask) const {
+  return std::ranges::any_of(m_commands, [&](const Handed& c) { return c.device == device && c.ask == ask; });
+}
+
+RequestService::Asked* RequestService::openWith(FrameTag tag, Ask& ask) {
+  for (Asked& at : m_devices) {
+    for (std::size_t i = 0; i < kAsks; ++i) {
+      if (at.timings[i].tag != tag || !isOpen(at.statuses[i].progress)) continue;
+      ask = askAt(i);
+      return &at;
+    }
+  }
+  return nullptr;
+}
+
+void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
+                                Outgoing& out) {
+  const bool isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell;
+  const auto handed = std::ranges::find(m_commands, tag, &Handed::tag);
+  if (handed != m_commands.end()) {
+    const Handed command = *handed;
+    m_commands.erase(handed);
+    if (isOnBus && command.isSaid) return commandEnded(now, live, command, RequestEnd::WentOutLate, out);
+    if (outcome == WriteOutcome::Gone)
+      return commandEnded(now, live, command, RequestEnd::GoneWithInterface, out);
+  }
+  Ask ask{};
+  Asked* at = openWith(tag, ask);
+  if (at == nullptr || outcome == WriteOutcome::Gone) return;  // a lost link ends the polls
+  RequestStatus& status = at->status(ask);
+  Timing& timing = at->timing(ask);
+  if (!isOnBus) {
+    if (!timing.wasOnBus) end(now, live, *at, ask, RequestEnd::NotOnBus, out);
+    return;
+  }
+  timing.isOnBus = timing.wasOnBus = true;
+  timing.deadline = now + ruleOf(ask).patience;
+  timing.lastStatus = now;
+  status.sent = now;
+  if (status.tries == 1) status.firstSent = now;
+}
+
+void RequestService::commandEnded(Instant now, const Live& live, const Handed& command, RequestEnd how,
+                                  Outgoing& out) {
+  Ask ask{};
+  if (Asked* at = openWith(command.tag, ask)) return end(now, live, *at, ask, how, out);
+  // Its asker was told an end before, by a lock or the like; this is the truth.
+  RequestStatus& status = asked(command.device).status(command.ask);
+  status.end = how;
+  status.ended = now;
+  noteEnd(live, command.device, command.to, command.ask, how, out);
+}
+
+void RequestService::sayNotOnBus(const Live& live, Handed& command, Outgoing& out) {
+  if (std::exchange(command.isSaid, true)) return;
+  out.note(NoteKind::AskWaits, live.channel, command.to, static_cast<std::uint64_t>(command.ask),
+           std::string(command.device.pin.text()));
+  Ask ask{};
+  if (Asked* at = openWith(command.tag, ask)) at->status(ask).progress = Progress::NotOnBusYet;
+}
 
 void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
   if (source() == kNullAddress) return;
   adopt(now, live, out);
+  for (Handed& command : m_commands) {
+    if (command.since + kOnBusTime <= now) sayNotOnBus(live, command, out);
+  }
   for (Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
       if (at.statuses[i].progress == Progress::Waiting && at.timings[i].deadline <= now)
@@ -295,7 +372,7 @@ void RequestService::received(Instant now, const Live& live, const Frame& frame,
         if (live.addressOf(at.device) != id.source) continue;
         if (!allows(messageOf(rule.answers[part]).lengths, frame.length)) {
           ++at.statuses[i].wrong;
-          at.timings[i].wrong = true;
+          if (at.timings[i].wasOnBus) at.timings[i].wrong = true;
         } else {
           answered(now, live, at, askAt(i), part, out);
         }
@@ -309,13 +386,18 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
   RequestStatus& status = at.status(ask);
   Timing& timing = at.timing(ask);
   if (status.progress == Progress::Waiting) {
+    if (!timing.wasOnBus) {  // it answers nothing of ours
+      ++status.unasked;
+      return;
+    }
     const unsigned whole = wholeAnswer(ruleOf(ask));
     if ((timing.answers >> part & 1u) != 0) ++status.unasked;
     timing.answers = static_cast<std::uint8_t>(timing.answers | 1u << part);
     if (timing.answers == whole) end(now, live, at, ask, RequestEnd::Answered, out);
     return;
   }
-  const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer;
+  const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer ||
+                          status.end == RequestEnd::NotOnBus || status.end == RequestEnd::WentOutLate;
   if (!wasGivenUp || now - status.ended > kLate) {
     if (timing.spare > 0) {
       --timing.spare;
@@ -325,11 +407,9 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
     return;
   }
   status.end = RequestEnd::AnsweredLate;
-  status.latency = now - status.sent;
+  status.latency = std::max<Duration>(now - status.sent, 0ns);
   status.ended = now;
-  out.note(NoteKind::AskEnded, live.channel, timing.to,
-           static_cast<std::uint64_t>(ask) | static_cast<std::uint64_t>(status.end) << 8,
-           std::string(at.device.pin.text()));
+  noteEnd(live, at.device, timing.to, ask, status.end, out);
 }
 
 // A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address. It
@@ -341,8 +421,8 @@ void RequestService::broadcastHeard(Instant now, const Live& live, Address sourc
   const bool isAnnouncement = frame.data[0] == message.firstByte && allows(message.lengths, frame.length);
   const auto pin = isAnnouncement ? announcedPin(frame) : std::nullopt;
   for (Asked& at : m_devices) {
-    if (at.status(Ask::Reset).progress != Progress::Waiting) continue;
     Timing& timing = at.timing(Ask::Reset);
+    if (at.status(Ask::Reset).progress != Progress::Waiting || !timing.isOnBus) continue;
     if (!isAnnouncement) {
       if (source == timing.to) timing.lastStatus = now;
       continue;
@@ -355,6 +435,7 @@ void RequestService::broadcastHeard(Instant now, const Live& live, Address sourc
 }
 
 void RequestService::adopt(Instant now, const Live& live, Outgoing& out) {
+  for (Handed& command : m_commands) command.device = live.canonical(command.device);
   for (std::size_t i = 0; i < m_devices.size(); ++i) {
     if (m_devices[i].device.kind != DeviceKey::Kind::Address) continue;
     const DeviceKey key = live.canonical(m_devices[i].device);

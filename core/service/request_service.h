@@ -5,8 +5,12 @@
 // 1. Never two requests of one kind are in flight to one device.
 // 2. Polls wait for their turn so that they and their answers keep within the budget of the bus, in order of
 //    their being due; commands go out at once, and are never repeated by themselves.
-// 3. A try goes to where the device is at that moment, and only an answer from there, sent to us, counts.
-// 4. A device that loses its address, a link that is lost, and locking end what is open.
+// 3. A try goes to where the device is at that moment, and only an answer from there, sent to us, counts. Its
+//    clock starts when it is on the bus; an answer before that cannot be its own.
+// 4. A poll that does not reach the bus within its patience ends so. A command stays, since nothing takes it
+//    back: it is 'not on the bus yet' until its frame goes out or goes with the interface, also after whoever
+//    asked for it was told another end. Until then there is no second one.
+// 5. A device that loses its address, a link that is lost, and locking end what is open.
 #pragma once
 
 #include <array>
@@ -48,8 +52,20 @@ class RequestService : public Service {
     Instant deadline = kNever;
     Instant lastStatus = kNotYet;  // from there since it was sent
     std::uint8_t answers = 0;      // bit n: the rule's n-th answer came
+    FrameTag tag{};                // of the last try
+    bool isOnBus = false;          // the last try
+    bool wasOnBus = false;         // any try
     bool wrong = false;            // an answer of a wrong length came
     std::uint8_t spare = 0;        // answers that may yet come to tries before the one that was answered
+  };
+  // A command whose frame was handed over and has not ended.
+  struct Handed {
+    FrameTag tag{};
+    DeviceKey device;
+    Ask ask;
+    Address to;
+    Instant since;
+    bool isSaid = false;  // that it is not on the bus yet
   };
   struct Asked {
     DeviceKey device;
@@ -73,6 +89,12 @@ class RequestService : public Service {
   void send(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
   // Polls whose turn has come.
   void sendDue(Instant now, const Live& live, Outgoing& out);
+  void commandEnded(Instant now, const Live& live, const Handed& command, RequestEnd how, Outgoing& out);
+  void sayNotOnBus(const Live& live, Handed& command, Outgoing& out);
+  bool isHanded(const DeviceKey& device, Ask ask) const;
+  // The request whose last try this frame is; null where it has ended.
+  Asked* openWith(FrameTag tag, Ask& ask);
+  void noteEnd(const Live& live, const DeviceKey& device, Address to, Ask ask, RequestEnd how, Outgoing& out);
   void expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
   void end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out);
   void endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out);
@@ -82,6 +104,7 @@ class RequestService : public Service {
   BusBudget& m_budget;
   const ClaimService& m_own;
   std::vector<Asked> m_devices;
+  std::vector<Handed> m_commands;
   Instant m_nextPoll = kNotYet;  // not before: the budget
 };
 

@@ -10,11 +10,12 @@
 namespace deckpipe {
 
 Services::Services(const ServiceSettings& settings) : m_settings(settings), m_budget(settings.bitRate) {
-  auto claim = std::make_unique<ClaimService>(settings.claim);
+  auto claim = std::make_unique<ClaimService>(settings.claim, settings.echoes);
   const ClaimService& own = *claim;
   add(std::move(claim));
   add(std::make_unique<RequestService>(m_budget, own));
   add(std::make_unique<PipeService>(own));
+  m_status.echoes = settings.echoes;
 }
 
 Service& Services::add(std::unique_ptr<Service> service) {
@@ -62,6 +63,7 @@ void Services::unlock(Instant now, const Live& live) {
 void Services::lock(Instant now, const Live& live) {
   if (std::exchange(m_status.locked, true)) return;
   dropAgain(now, live);
+  noteWaiting(live);
   forEachBackwards([&](Service& service) { service.end(now, live, EndReason::Locked, m_out); });
   for (Entry& entry : m_services) entry.source = kNullAddress;
   m_out.frames.clear();
@@ -88,13 +90,21 @@ Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) 
 }
 
 void Services::followAddresses(Instant now, const Live& live) {
+  bool isLost = false;
   for (std::size_t i = 0; i < m_services.size(); ++i) {
     Entry& entry = m_services[i];
     const Address before = std::exchange(entry.source, entry.service->source());
     if (before == kNullAddress || before == entry.source) continue;
     m_out.owner = static_cast<std::uint32_t>(i);
     entry.service->end(now, live, EndReason::AddressLost, m_out);
+    isLost = true;
   }
+  if (isLost) noteWaiting(live);
+}
+
+// Nothing takes back what the adapter has.
+void Services::noteWaiting(const Live& live) {
+  if (m_own.waiting() > 0) m_out.note(NoteKind::StillWaits, live.channel, {}, m_own.waiting());
 }
 
 void Services::received(Instant at, const State& state, const Frame& frame) {
@@ -178,6 +188,7 @@ ServiceStatus Services::status(Instant now, const State& state) {
   m_status.unconfirmed = m_own.waitingSince(now - kOnBusTime);
   m_status.busLoad = m_budget.load(now);
   m_status.devices.clear();
+  m_status.waitingCommands.clear();
   for (const Entry& entry : m_services) entry.service->status(live, m_status);
   return m_status;
 }

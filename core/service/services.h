@@ -18,10 +18,10 @@
 namespace deckpipe {
 
 struct ServiceSettings {
-  Channel channel;
+  Channel channel{};
   int bitRate = 250'000;
   bool echoes = true;  // our own frames come back from the link
-  ClaimSettings claim;
+  ClaimSettings claim{};
 };
 
 class Services {
@@ -63,6 +63,7 @@ class Services {
   void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome);
   // What waits for its second try will not have one.
   void dropAgain(Instant now, const Live& live);
+  void noteWaiting(const Live& live);
   // Calls every service, in order or backwards, as the owner of what it sends.
   template <typename F>
   void forEach(F&& call);

@@ -156,6 +156,8 @@ void State::apply(const Note& note) {
     case NoteKind::Mark:
     case NoteKind::Asked:
     case NoteKind::AskEnded:
+    case NoteKind::AskWaits:
+    case NoteKind::StillWaits:
     case NoteKind::Pipe: break;
   }
 }

@@ -74,6 +74,7 @@ QString ownAddressText(const Note& note, const QString& address) {
   if (note.address != kNullAddress) return EventText::tr("The console holds address %1").arg(address);
   if (note.text == "lost") return EventText::tr("The console lost its address to a lower NAME");
   if (note.text == "cannot claim") return EventText::tr("The console cannot claim any address");
+  if (note.text == "in use") return EventText::tr("The console left its address: another node sends from it");
   if (note.text == "same name") return EventText::tr("Another node has the console's NAME");
   return EventText::tr("The console gave up its address");
 }
@@ -112,6 +113,13 @@ QString noteText(const LogDocument& log, const Note& note) {
       return EventText::tr("%1 of %2: %3")
           .arg(askText(static_cast<Ask>(note.number & 0xFF)), askedOf(note, address),
                requestEndText(static_cast<RequestEnd>(note.number >> 8)));
+    case NoteKind::AskWaits:
+      return EventText::tr("%1 of %2: not on the bus yet; it may still go out")
+          .arg(askText(static_cast<Ask>(note.number)), askedOf(note, address));
+    case NoteKind::StillWaits:
+      return EventText::tr("%1: %Ln frames are not on the bus yet and may still go out", nullptr,
+                           static_cast<int>(std::min<std::uint64_t>(note.number, INT_MAX)))
+          .arg(channel);
     case NoteKind::Pipe:
       return EventText::tr("Data pipe %1: %2")
           .arg(askedOf(note, address), pipeEventText(static_cast<PipeEvent>(note.number)));
@@ -121,7 +129,9 @@ QString noteText(const LogDocument& log, const Note& note) {
 
 EventWeight weightOf(const Note& note) {
   switch (note.kind) {
-    case NoteKind::LinkDown: return EventWeight::Fault;
+    case NoteKind::LinkDown:
+    case NoteKind::AskWaits:
+    case NoteKind::StillWaits: return EventWeight::Fault;
     case NoteKind::Dropped: return EventWeight::Attend;
     case NoteKind::Mark: return EventWeight::Mark;
     case NoteKind::AskEnded:

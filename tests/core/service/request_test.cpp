@@ -68,10 +68,10 @@ TEST_F(Request, NoAnswerIsSaidAfterThreeTries) {
   ask(Ask::Firmware);
   pair.run(499ms);
   EXPECT_EQ(sent(0x03), 1u);
-  pair.run(1001ms);
+  pair.run(1010ms);
   EXPECT_EQ(end(Ask::Firmware), RequestEnd::NoAnswer);
   EXPECT_EQ(sent(0x03), 3u);
-  EXPECT_EQ(status(Ask::Firmware).ended - begin, 1500ms);
+  EXPECT_EQ(status(Ask::Firmware).ended - begin, 3 * (500ms + Pair::kFlight)) << "each from its echo";
   pair.run(5s);
   EXPECT_EQ(sent(0x03), 3u);
 }
