@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/live_bus.h"
 
+#include <QThread>
 #include <QTimer>
 #include <algorithm>
 #include <ctime>
@@ -75,6 +76,17 @@ void LiveBus::serve() {
   m_services.takeNotes(m_toNote);
   for (Note& note : m_toNote) write(std::move(note));
   m_toNote.clear();
+  if (m_isClosing && m_services.isLocked()) {
+    // Not from inside a call of the link, which ends with it.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          stop();
+          thread()->quit();
+        },
+        Qt::QueuedConnection);
+    return m_serviceTimer->stop();
+  }
   if (m_isJudging) return;  // the timer is set anew after that
   const Instant next = m_services.nextTime();
   if (next == kNever) return m_serviceTimer->stop();
@@ -95,6 +107,12 @@ void LiveBus::deadlineCame() {
         serve();
       },
       Qt::QueuedConnection);
+}
+
+void LiveBus::close() {
+  if (std::exchange(m_isClosing, true)) return;
+  m_services.close(bootTime(), m_state);
+  serve();
 }
 
 void LiveBus::stop() {

@@ -51,6 +51,9 @@ class LiveBus : public QObject, private PortListener {
   void apply(const deckpipe::Intent& intent);
   // By the person: only a drive's own manual tells.
   void sayDrive(deckpipe::Address address, bool isDrive);
+  // Ends the services, waits for what they still have to say (Services: 1 s at most), closes the link and
+  // quits this thread's event loop.
+  void close();
 
  private:
   void stop();
@@ -75,6 +78,7 @@ class LiveBus : public QObject, private PortListener {
   LinkState m_linkState = LinkState::Closed;
   std::uint64_t m_notKept = 0;
   bool m_storeFull = false;
+  bool m_isClosing = false;
   bool m_isJudging = false;  // a deadline has come; frames that have arrived are handed over first
   std::vector<OutFrame> m_toSend;
   std::vector<Note> m_toNote;

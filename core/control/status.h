@@ -138,6 +138,7 @@ struct WaitingCommand {
 
 struct ServiceStatus {
   bool locked = true;
+  bool isEnding = false;  // a lock or close was asked for; a service still has something to say before
   bool linkUp = false;
   // The adapter gives back what was on the bus; otherwise nobody can tell whether our frames reach it.
   bool echoes = true;
@@ -152,7 +153,9 @@ struct ServiceStatus {
   std::uint64_t refusedSerial = 0;
 
   // An address of our own to send from.
-  bool canAsk() const { return !locked && linkUp && claim.progress == ClaimStatus::Progress::Claimed; }
+  bool canAsk() const {
+    return !locked && !isEnding && linkUp && claim.progress == ClaimStatus::Progress::Claimed;
+  }
   const DeviceServices* find(const DeviceKey& key) const {
     for (const DeviceServices& device : devices) {
       if (device.device == key) return &device;

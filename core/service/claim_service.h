@@ -64,6 +64,7 @@ class ClaimService : public Service {
   void timeCame(Instant now, const Live& live, Outgoing& out) override;
   Instant nextTime() const override { return m_deadline; }
   void end(Instant now, const Live& live, EndReason reason, Outgoing& out) override;
+  bool endsLast() const override { return true; }
   Address source() const override { return kNullAddress; }
   void status(const Live& live, ServiceStatus& into) const override;
 

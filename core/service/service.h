@@ -13,21 +13,28 @@
 //   received(frame)     A frame was on the bus. The State has it already. Our own frames come too, with
 //                       Frame::kSent. `now` is the frame's own log time, which may lie before the `now` of
 //                       an earlier call when the thread was late, but never before that of an earlier frame.
-//   writeEnded(tag)     What became of a frame that the service put into `out`; exactly once for each, also
-//                       after the end. The outcomes stand below. After one that says that the adapter did not
-//                       take the frame nothing is sent at once, but from timeCame() on.
+//   writeEnded(tag)     What became of a frame that the service put into `out`; once for each, also after the
+//                       end, but for what still waits when we close the link ourselves. The outcomes stand
+//                       below. After one that says that the adapter did not take the frame nothing is sent at
+//                       once, but from timeCame() on.
 //   timeCame()          `now` has reached nextTime(), or passed it. Every frame that was on the bus until
 //                       `now` was handed over before: what is missing now has not come in time.
 //   end(reason)         Stop: what is open ends now, with this reason.
-//                         Locked       nothing may be sent any more; calls go on until linkChanged(true)
-//                         AddressLost  source() was lost to another node. The service goes on by itself when
-//                                      source() is there again
-//   linkChanged(false)  The link is gone. Everything ends at once; nothing can be sent. What was still
-//   waiting
-//                       for its echo was told before, by writeEnded(Gone).
+//                         Locked, Closing  Ending is a phase. A service that must still say something (a
+//                                          joystick its neutral) goes on saying it until hasEnded(). Lock or
+//                                          close are complete when all have ended, and after kEndingTime in
+//                                          any case. A service that has ended gets only writeEnded() until
+//                                          linkChanged(true) comes again.
+//                         AddressLost      source() was lost to another node. What has to be said of that is
+//                                          said in this call. The service goes on by itself when source() is
+//                                          there again.
+//   hasEnded()          Asked after each call since end(Locked) or end(Closing).
+//   linkChanged(false)  The link is gone. Everything ends at once, an ending too; nothing can be sent. What
+//                       was still waiting for its echo was told before, by writeEnded(Gone).
 //
 // The services stand in a list, each behind those that it depends on: a frame reaches the claim of an address
-// before it reaches who sends from that address.
+// before it reaches who sends from that address, and a service that others depend on (endsLast) is asked to
+// end when all the others have ended.
 #pragma once
 
 #include <optional>
@@ -38,7 +45,11 @@
 
 namespace deckpipe {
 
-enum class EndReason : std::uint8_t { Locked, AddressLost };
+enum class EndReason : std::uint8_t {
+  Locked,
+  Closing,  // the link is about to be closed
+  AddressLost,
+};
 
 // Of a frame. Handing it over proves nothing: only an echo does.
 enum class WriteOutcome : std::uint8_t {
@@ -49,6 +60,8 @@ enum class WriteOutcome : std::uint8_t {
   Gone,        // the interface went down first: whether it went out before is not known
 };
 
+// The longest that an ending may last.
+inline constexpr Duration kEndingTime = 1s;
 // A frame whose echo has not come by then is said to be 'not on the bus yet'.
 inline constexpr Duration kOnBusTime = 100ms;
 // From a full queue to the second try of what is tried again.
@@ -67,6 +80,9 @@ class Service {
   // When timeCame() is due next; kNever if nothing is.
   virtual Instant nextTime() const = 0;
   virtual void end(Instant now, const Live& live, EndReason reason, Outgoing& out) = 0;
+  // Most have nothing to say at their end.
+  virtual bool hasEnded() const { return true; }
+  virtual bool endsLast() const { return false; }
   // The claimed address that it sends from; null while it has none, and for a claim itself.
   virtual Address source() const = 0;
   // What it has to say of itself, into its own part of the whole.

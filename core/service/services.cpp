@@ -23,50 +23,94 @@ Service& Services::add(std::unique_ptr<Service> service) {
 }
 
 template <typename F>
+void Services::callAt(std::size_t place, F&& call) {
+  Entry& entry = m_services[place];
+  if (entry.hasEnded) return;
+  m_out.owner = static_cast<std::uint32_t>(place);
+  call(*entry.service);
+}
+
+template <typename F>
 void Services::forEach(F&& call) {
-  for (std::size_t i = 0; i < m_services.size(); ++i) {
-    m_out.owner = static_cast<std::uint32_t>(i);
-    call(*m_services[i].service);
-  }
+  for (std::size_t i = 0; i < m_services.size(); ++i) callAt(i, call);
 }
 
 template <typename F>
 void Services::forEachBackwards(F&& call) {
-  for (std::size_t i = m_services.size(); i-- > 0;) {
-    m_out.owner = static_cast<std::uint32_t>(i);
-    call(*m_services[i].service);
-  }
+  for (std::size_t i = m_services.size(); i-- > 0;) callAt(i, call);
 }
 
 void Services::linkChanged(Instant now, const State& state, bool isUp) {
   if (isUp == m_status.linkUp) return;
   m_status.linkUp = isUp;
   const Live live = liveOf(state);
-  if (isUp) {
-    if (!m_status.locked) forEach([&](Service& service) { service.linkChanged(now, live, true, m_out); });
-    return;
+  if (isUp) return begin(now, live);
+  dropUnwritten(now, live);
+  // A link that we close takes nothing along: what waits in the adapter may still go out.
+  for (const OwnFrames::Own& own : m_own.takeAll()) {
+    if (!m_isClosed) writeEnded(now, live, own.tag, WriteOutcome::Gone);
   }
-  dropAgain(now, live);
-  for (const OwnFrames::Own& own : m_own.takeAll()) writeEnded(now, live, own.tag, WriteOutcome::Gone);
   if (m_status.locked) return;
   forEachBackwards([&](Service& service) { service.linkChanged(now, live, false, m_out); });
   for (Entry& entry : m_services) entry.source = kNullAddress;
   m_out.frames.clear();
+  if (m_status.isEnding) complete(now, live);
+}
+
+void Services::begin(Instant now, const Live& live) {
+  if (!isOpen()) return;
+  for (Entry& entry : m_services) entry.hasEnded = false;
+  forEach([&](Service& service) { service.linkChanged(now, live, true, m_out); });
 }
 
 void Services::unlock(Instant now, const Live& live) {
   if (!std::exchange(m_status.locked, false)) return;
   m_out.note(NoteKind::Unlocked, live.channel, {}, 0);
-  if (m_status.linkUp) forEach([&](Service& service) { service.linkChanged(now, live, true, m_out); });
+  begin(now, live);
 }
 
-void Services::lock(Instant now, const Live& live) {
-  if (std::exchange(m_status.locked, true)) return;
-  dropAgain(now, live);
+void Services::close(Instant now, const State& state) {
+  m_isClosed = true;
+  endAll(now, liveOf(state), EndReason::Closing);
+}
+
+void Services::endAll(Instant now, const Live& live, EndReason reason) {
+  if (m_status.locked || std::exchange(m_status.isEnding, true)) return;
+  m_reason = reason;
+  m_endBy = now + kEndingTime;
+  if (!m_status.linkUp) return complete(now, live);  // that has ended everything already
+  dropUnwritten(now, live);
+  forEachBackwards([&](Service& service) {
+    if (!service.endsLast()) service.end(now, live, reason, m_out);
+  });
+  followEnding(now, live);
+}
+
+void Services::followEnding(Instant now, const Live& live) {
+  if (!m_status.isEnding) return;
+  bool allEnded = true;
+  for (Entry& entry : m_services) {
+    if (entry.service->endsLast()) continue;
+    entry.hasEnded = entry.hasEnded || entry.service->hasEnded();
+    allEnded = allEnded && entry.hasEnded;
+  }
+  if (!allEnded && now < m_endBy) return;
+  forEachBackwards([&](Service& service) {
+    if (service.endsLast()) service.end(now, live, m_reason, m_out);
+  });
+  complete(now, live);
+}
+
+void Services::complete(Instant now, const Live& live) {
+  m_status.isEnding = false;
+  m_status.locked = true;
+  m_endBy = kNever;
+  for (const Again& again : std::exchange(m_again, {})) giveUp(now, live, again.frame);
+  for (Entry& entry : m_services) {
+    entry.source = kNullAddress;
+    entry.hasEnded = true;
+  }
   noteWaiting(live);
-  forEachBackwards([&](Service& service) { service.end(now, live, EndReason::Locked, m_out); });
-  for (Entry& entry : m_services) entry.source = kNullAddress;
-  m_out.frames.clear();
   m_out.note(NoteKind::Locked, live.channel, {}, 0);
 }
 
@@ -78,7 +122,9 @@ Refusal Services::apply(Instant now, const State& state, const Intent& intent) {
 }
 
 Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) {
-  if (std::holds_alternative<wish::Lock>(intent.value)) return lock(now, live), Refusal::None;
+  if (std::holds_alternative<wish::Lock>(intent.value))
+    return endAll(now, live, EndReason::Locked), Refusal::None;
+  if (m_status.isEnding) return Refusal::Busy;
   if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live), Refusal::None;
   if (m_status.locked) return Refusal::Locked;
   if (!m_status.linkUp) return Refusal::NoLink;
@@ -92,11 +138,9 @@ Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) 
 void Services::followAddresses(Instant now, const Live& live) {
   bool isLost = false;
   for (std::size_t i = 0; i < m_services.size(); ++i) {
-    Entry& entry = m_services[i];
-    const Address before = std::exchange(entry.source, entry.service->source());
-    if (before == kNullAddress || before == entry.source) continue;
-    m_out.owner = static_cast<std::uint32_t>(i);
-    entry.service->end(now, live, EndReason::AddressLost, m_out);
+    const Address before = std::exchange(m_services[i].source, m_services[i].service->source());
+    if (before == kNullAddress || before == m_services[i].source) continue;
+    callAt(i, [&](Service& service) { service.end(now, live, EndReason::AddressLost, m_out); });
     isLost = true;
   }
   if (isLost) noteWaiting(live);
@@ -119,12 +163,13 @@ void Services::received(Instant at, const State& state, const Frame& frame) {
     service.received(at, live, frame, m_out);
     followAddresses(at, live);
   });
+  followEnding(at, live);
 }
 
 void Services::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome) {
   m_out.owner = tag.owner;
   m_services[tag.owner].service->writeEnded(now, live, tag, outcome, m_out);
-  followAddresses(now, live);
+  if (isOpen()) followAddresses(now, live);
 }
 
 void Services::wrote(Instant now, const State& state, const OutFrame& frame, WriteResult result) {
@@ -143,11 +188,14 @@ void Services::wrote(Instant now, const State& state, const OutFrame& frame, Wri
   writeEnded(now, live, frame.tag, isFull ? WriteOutcome::QueueFull : WriteOutcome::NotTaken);
 }
 
-void Services::dropAgain(Instant now, const Live& live) {
-  for (const Again& again : std::exchange(m_again, {})) {
-    ++m_status.notTaken;
-    writeEnded(now, live, again.frame.tag, WriteOutcome::QueueFull);
-  }
+void Services::giveUp(Instant now, const Live& live, const OutFrame& frame) {
+  ++m_status.notTaken;
+  writeEnded(now, live, frame.tag, WriteOutcome::NotTaken);
+}
+
+void Services::dropUnwritten(Instant now, const Live& live) {
+  for (const Again& again : std::exchange(m_again, {})) giveUp(now, live, again.frame);
+  for (const OutFrame& frame : std::exchange(m_out.frames, {})) giveUp(now, live, frame);
 }
 
 void Services::timeCame(Instant now, const State& state) {
@@ -162,13 +210,17 @@ void Services::timeCame(Instant now, const State& state) {
     service.timeCame(now, live, m_out);
     followAddresses(now, live);
   });
+  followEnding(now, live);
 }
 
 Instant Services::nextTime() const {
   Instant next = kNever;
   if (!isOpen()) return next;
+  if (m_status.isEnding) next = m_endBy;
   for (const Again& again : m_again) next = std::min(next, again.due);
-  for (const Entry& entry : m_services) next = std::min(next, entry.service->nextTime());
+  for (const Entry& entry : m_services) {
+    if (!entry.hasEnded) next = std::min(next, entry.service->nextTime());
+  }
   return next;
 }
 

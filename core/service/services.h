@@ -6,7 +6,9 @@
 //
 //   1. Locked, nothing is sent at all: no claim, no ack, no answer to a request for the NAME.
 //   2. Unlocking lasts for this run and this link; a link that is lost and comes back is claimed on anew.
-//   3. What a person wants is done or refused at once, with the reason; nothing waits for an address.
+//   3. A lock or close waits for services that still have something to say, kEndingTime at most. Meanwhile
+//      nothing is begun.
+//   4. What a person wants is done or refused at once, with the reason; nothing waits for an address.
 #pragma once
 
 #include <memory>
@@ -31,6 +33,9 @@ class Services {
   Service& add(std::unique_ptr<Service> service);
 
   void linkChanged(Instant now, const State& live, bool isUp);
+  // Ends everything, because the link is about to be closed; complete when isLocked(). For good.
+  void close(Instant now, const State& live);
+  bool isLocked() const { return m_status.locked; }
   Refusal apply(Instant now, const State& live, const Intent& intent);
   // A frame that the State has taken already, with its own log time; our own echoes too. In order.
   void received(Instant at, const State& live, const Frame& frame);
@@ -54,26 +59,36 @@ class Services {
   struct Entry {
     std::unique_ptr<Service> service;
     Address source = kNullAddress;  // that it had after the last call
+    bool hasEnded = false;          // since the last end()
   };
   bool isOpen() const { return !m_status.locked && m_status.linkUp; }
   Live liveOf(const State& state) const { return {state, m_settings.channel}; }
   Refusal carryOut(Instant now, const Live& live, const Intent& intent);
+  void begin(Instant now, const Live& live);
   void unlock(Instant now, const Live& live);
-  void lock(Instant now, const Live& live);
+  void endAll(Instant now, const Live& live, EndReason reason);
+  void followEnding(Instant now, const Live& live);
+  void complete(Instant now, const Live& live);
   void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome);
-  // What waits for its second try will not have one.
-  void dropAgain(Instant now, const Live& live);
+  // What was not written yet, or waits for its second try, is not sent.
+  void dropUnwritten(Instant now, const Live& live);
+  void giveUp(Instant now, const Live& live, const OutFrame& frame);
   void noteWaiting(const Live& live);
-  // Calls every service, in order or backwards, as the owner of what it sends.
+  // Calls every service that has not ended, in order or backwards, as the owner of what it sends.
   template <typename F>
   void forEach(F&& call);
   template <typename F>
   void forEachBackwards(F&& call);
+  template <typename F>
+  void callAt(std::size_t place, F&& call);
   // Who sent from an address that is no longer ours ends.
   void followAddresses(Instant now, const Live& live);
 
   ServiceSettings m_settings;
   ServiceStatus m_status;
+  bool m_isClosed = false;
+  EndReason m_reason{};  // of the ending that is under way
+  Instant m_endBy = kNever;
   BusBudget m_budget;
   std::vector<Entry> m_services;
   Outgoing m_out;
