@@ -45,6 +45,9 @@ constexpr std::string_view refusalWord(Refusal refusal) {
     case Refusal::TooMuch: return "too_much";
     case Refusal::NotLive: return "not_live";
     case Refusal::LogFull: return "log_full";
+    case Refusal::NotHeard: return "not_heard";
+    case Refusal::Contested: return "contested";
+    case Refusal::ListenOnly: return "listen_only";
   }
   return "none";
 }

@@ -54,9 +54,16 @@ void LiveBus::start() {
 
 void LiveBus::apply(const Intent& intent) {
   if (m_storeFull && !onlyStops(intent.value)) return;
+  followHardware();
   m_services.apply(bootTime(), m_state, intent);
   serve();
   publish();
+}
+
+void LiveBus::followHardware() {
+  if (m_link == nullptr) return;
+  const auto& hardware = m_link->status().hardware;
+  m_services.setListenOnly(bootTime(), m_state, hardware && hardware->isListenOnly);
 }
 
 void LiveBus::sayDrive(Address address, bool isDrive) {
@@ -177,6 +184,7 @@ void LiveBus::write(Note note) {
 }
 
 void LiveBus::publish() {
+  followHardware();
   m_state.timeCame(bootTime() - FrameStore::kLiveDrift);
   auto state = std::make_shared<const State>(m_state);
   auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));

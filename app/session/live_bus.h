@@ -62,6 +62,8 @@ class LiveBus : public QObject, private PortListener {
   void linkChanged(LinkState state, const std::string& reason) override;
   void note(NoteKind kind, std::uint64_t number, const std::string& text);
   void write(Note note);
+  // An adapter that cannot send is not unlocked.
+  void followHardware();
   // What the services want sent and noted, and when they want to be called again.
   void serve();
   void deadlineCame();

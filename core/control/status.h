@@ -18,15 +18,18 @@ namespace deckpipe {
 // Why an intent was not carried out.
 enum class Refusal : std::uint8_t {
   None,
-  Locked,     // the transmit lock is set
-  NoLink,     // the link is not up
-  NoAddress,  // the console holds no address on the bus yet, or cannot claim one
-  NoDevice,   // no such device, or it has no address now
-  NotTaken,   // this type of device does not take it
-  Busy,       // the same is under way already
-  TooMuch,    // more characters than may wait
-  NotLive,    // the view stood in the past; nothing is begun from there
-  LogFull,    // what would be sent could not be recorded
+  Locked,      // the transmit lock is set
+  NoLink,      // the link is not up
+  NoAddress,   // the console holds no address on the bus yet, or cannot claim one
+  NoDevice,    // no such device, or it has no address now
+  NotTaken,    // this type of device does not take it
+  Busy,        // the same is under way already
+  TooMuch,     // more characters than may wait
+  NotLive,     // the view stood in the past; nothing is begun from there
+  LogFull,     // what would be sent could not be recorded
+  NotHeard,    // a command or packet to a device that was not heard for 1 s
+  Contested,   // … or whose address two nodes claim at this moment
+  ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
 };
 
 struct ClaimStatus {
@@ -68,6 +71,9 @@ struct RequestStatus {
   std::uint32_t answered = 0;
   std::uint32_t wrong = 0;    // answers of a wrong length
   std::uint32_t unasked = 0;  // answers that came twice, or without having been asked for
+
+  // It has not come to its end.
+  bool isOpen() const { return progress != Progress::Idle && progress != Progress::Ended; }
   friend bool operator==(const RequestStatus&, const RequestStatus&) = default;
 };
 
@@ -142,6 +148,7 @@ struct ServiceStatus {
   bool linkUp = false;
   // The adapter gives back what was on the bus; otherwise nobody can tell whether our frames reach it.
   bool echoes = true;
+  bool isListenOnly = false;  // the driver says that the adapter cannot send
   ClaimStatus claim;
   std::vector<DeviceServices> devices;  // that can be asked something, or were
   std::vector<WaitingCommand> waitingCommands;

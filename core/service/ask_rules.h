@@ -33,6 +33,9 @@ inline constexpr std::array<AskRule, kAsks> kAskRules{{
     {MessageId::SetupModeRequest, {MessageId::SetupModeAck, kNoAnswer}, 1s, 1, {1032, 1040, 1042, 1052}},
 }};
 
+// All answers that a rule wants, as bits.
+constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
+
 constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[static_cast<std::size_t>(ask)]; }
 
 // What may be asked of a device by its type; of one without a PIN only what all take is known. Nothing of one

@@ -7,10 +7,14 @@
 
 #include "base/device_key.h"
 #include "bus/own_frames.h"
+#include "control/status.h"
 #include "protocol/encode.h"
 #include "state/state.h"
 
 namespace deckpipe {
+
+// A device that was silent for longer may be gone, or hear nothing.
+inline constexpr Duration kHeardWithin = 1s;
 
 // The live State with every frame up to now applied, whatever the cursor shows.
 struct Live {
@@ -21,6 +25,8 @@ struct Live {
   const Device* find(const DeviceKey& key) const;
   // Where it is now; nothing where it is not on this channel or has no address.
   std::optional<Address> addressOf(const DeviceKey& key) const;
+  // Why no command and no packet may go to a device now; None if it may. Polls are not asked for this.
+  Refusal whyNotTo(Instant now, const DeviceKey& key) const;
   // An address that is a device's own with a PIN is that device.
   DeviceKey canonical(const DeviceKey& key) const;
 };

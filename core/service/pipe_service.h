@@ -15,20 +15,15 @@
 // 6. A packet belongs to the address it went to. When the device is elsewhere by then, the pipe stops.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "service/claim_service.h"
+#include "service/pipe.h"
 
 namespace deckpipe {
 
 class PipeService : public Service {
  public:
-  static constexpr std::size_t kPacket = 7;
-  static constexpr Duration kAckTimeout = 1s;
-  static constexpr Duration kSettle = 1s;
-  static constexpr std::size_t kMostTyped = 65'536;  // characters that may wait
-
   // Sends from the address that `own` claims.
   explicit PipeService(const ClaimService& own) : m_own(own) {}
 
@@ -44,55 +39,10 @@ class PipeService : public Service {
   void status(const Live& live, ServiceStatus& into) const override;
 
  private:
-  struct Packet {
-    std::string bytes;
-    Address to;
-    Instant sent = kNotYet;
-    FrameTag tag{};
-    bool isOnBus = false;
-    bool isOfFile = false;
-    bool wasResent = false;
-  };
-  struct Pipe {
-    DeviceKey device;
-    PipeStatus status;
-    std::string typed;  // from `typedFrom` on it is still to be sent
-    std::size_t typedFrom = 0;
-    std::shared_ptr<const std::string> content;
-    std::optional<Packet> flying;
-    Instant deadline = kNever;      // of the ack, or of settling
-    Instant pausedSince = kNotYet;  // paused or stalled
-
-    std::size_t waiting() const { return typed.size() - typedFrom; }
-    bool isBusy() const {
-      return flying || waiting() > 0 || status.isSendingFile() ||
-             status.progress == PipeStatus::Progress::Settling;
-    }
-  };
-
-  Refusal write(Instant now, const Live& live, const wish::PipeWrite& wish, Outgoing& out);
-  Refusal sendFile(Instant now, const Live& live, const wish::PipeFile& wish, Outgoing& out);
-  Refusal act(Instant now, const Live& live, const wish::PipeAction& wish, Outgoing& out);
-  void dropAll(Instant now, const Live& live, Outgoing& out);
-  // The pipe of an address is the device's there once its PIN is known.
-  void adopt(Instant now, const Live& live, Outgoing& out);
-
   Pipe& pipe(const DeviceKey& device);
   Pipe* find(const DeviceKey& device);
-  void sendNext(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  void fly(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  void acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  void passed(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  static PipeStatus::Stall whyNoAck(const Live& live, const Pipe& pipe);
-  void stall(Instant now, const Live& live, Pipe& pipe, PipeStatus::Stall why, Outgoing& out);
-  void join(Instant now, const Live& live, Pipe& from, Pipe& into, Outgoing& out);
-  void endFile(Instant now, const Live& live, Pipe& pipe, PipeStatus::FileEnd how, Outgoing& out);
-  void cancelFile(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  static void settle(Instant now, Pipe& pipe);
-  void drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  static void hold(Instant now, Pipe& pipe, PipeStatus::Progress progress);
-  static void release(Instant now, Pipe& pipe);
-  void dataHeard(const Live& live, const DeviceKey& device, Address from, const Frame& frame, Outgoing& out);
+  // The pipe of an address is the device's there once its PIN is known.
+  void adopt(const Pipe::Turn& turn);
 
   const ClaimService& m_own;
   std::vector<Pipe> m_pipes;

@@ -13,10 +13,6 @@ namespace {
 using Progress = RequestStatus::Progress;
 
 constexpr Ask askAt(std::size_t i) { return static_cast<Ask>(i); }
-constexpr bool isOpen(Progress progress) {
-  return progress == Progress::Queued || progress == Progress::Waiting || progress == Progress::NotOnBusYet;
-}
-
 template <typename F>
 void forEachAsk(AskSet asks, F&& f) {
   for (std::size_t i = 0; i < kAsks; ++i) {
@@ -36,9 +32,6 @@ unsigned costOf(Ask ask) {
   for (const MessageId answer : ruleOf(ask).answers) sum += answer == kNoAnswer ? 0 : bits(answer);
   return sum;
 }
-
-// All answers that a rule wants, as bits.
-constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
 
 }  // namespace
 
@@ -103,12 +96,15 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
   if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
   const AskSet takes = asksTakenBy(live, *device) & wish.asks;
   if (takes.isEmpty()) return Refusal::NotTaken;
+  if ((takes & kPolls) != takes) {
+    if (const Refusal why = live.whyNotTo(now, wish.device); why != Refusal::None) return why;
+  }
   Asked& at = asked(live.canonical(wish.device));
   Refusal refusal = Refusal::Busy;
   forEachAsk(takes, [&](Ask ask) {
     RequestStatus& status = at.status(ask);
     // A repeated poll that waits for its turn may as well come now.
-    if (status.progress == Progress::Waiting || (isOpen(status.progress) && status.period == 0ns)) return;
+    if (status.progress == Progress::Waiting || (status.isOpen() && status.period == 0ns)) return;
     if (isHanded(at.device, ask)) return;
     queue(status, at.timing(ask), now);
     refusal = Refusal::None;
@@ -150,7 +146,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   forEachAsk(takes, [&](Ask ask) {
     RequestStatus& status = at.status(ask);
     status.period = std::max<Duration>(wish.period, wish::Repeat::kShortestPeriod);
-    if (!isOpen(status.progress)) {
+    if (!status.isOpen()) {
       queue(status, at.timing(ask), now);
     } else if (status.progress == Progress::Queued) {
       at.timing(ask).due = std::min(at.timing(ask).due, now);
@@ -176,7 +172,7 @@ void RequestService::endAll(Instant now, const Live& live, RequestEnd how, Outgo
 void RequestService::endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out) {
   for (std::size_t i = 0; i < kAsks; ++i) {
     at.statuses[i].period = 0ns;
-    if (isOpen(at.statuses[i].progress)) end(now, live, at, askAt(i), how, out);
+    if (at.statuses[i].isOpen()) end(now, live, at, askAt(i), how, out);
   }
 }
 
@@ -258,67 +254,6 @@ Instant RequestService::nextTime() const {
   return next;
 }
 
-bool RequestService::isHanded(const DeviceKey& device, Ask ask) const {
-  return std::ranges::any_of(m_commands, [&](const Handed& c) { return c.device == device && c.ask == ask; });
-}
-
-RequestService::Asked* RequestService::openWith(FrameTag tag, Ask& ask) {
-  for (Asked& at : m_devices) {
-    for (std::size_t i = 0; i < kAsks; ++i) {
-      if (at.timings[i].tag != tag || !isOpen(at.statuses[i].progress)) continue;
-      ask = askAt(i);
-      return &at;
-    }
-  }
-  return nullptr;
-}
-
-void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
-                                Outgoing& out) {
-  const bool isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell;
-  const auto handed = std::ranges::find(m_commands, tag, &Handed::tag);
-  if (handed != m_commands.end()) {
-    const Handed command = *handed;
-    m_commands.erase(handed);
-    if (isOnBus && command.isSaid) return commandEnded(now, live, command, RequestEnd::WentOutLate, out);
-    if (outcome == WriteOutcome::Gone)
-      return commandEnded(now, live, command, RequestEnd::GoneWithInterface, out);
-  }
-  Ask ask{};
-  Asked* at = openWith(tag, ask);
-  if (at == nullptr || outcome == WriteOutcome::Gone) return;  // a lost link ends the polls
-  RequestStatus& status = at->status(ask);
-  Timing& timing = at->timing(ask);
-  if (!isOnBus) {
-    if (!timing.wasOnBus) end(now, live, *at, ask, RequestEnd::NotOnBus, out);
-    return;
-  }
-  timing.isOnBus = timing.wasOnBus = true;
-  timing.deadline = now + ruleOf(ask).patience;
-  timing.lastStatus = now;
-  status.sent = now;
-  if (status.tries == 1) status.firstSent = now;
-}
-
-void RequestService::commandEnded(Instant now, const Live& live, const Handed& command, RequestEnd how,
-                                  Outgoing& out) {
-  Ask ask{};
-  if (Asked* at = openWith(command.tag, ask)) return end(now, live, *at, ask, how, out);
-  // Its asker was told an end before, by a lock or the like; this is the truth.
-  RequestStatus& status = asked(command.device).status(command.ask);
-  status.end = how;
-  status.ended = now;
-  noteEnd(live, command.device, command.to, command.ask, how, out);
-}
-
-void RequestService::sayNotOnBus(const Live& live, Handed& command, Outgoing& out) {
-  if (std::exchange(command.isSaid, true)) return;
-  out.note(NoteKind::AskWaits, live.channel, command.to, static_cast<std::uint64_t>(command.ask),
-           std::string(command.device.pin.text()));
-  Ask ask{};
-  if (Asked* at = openWith(command.tag, ask)) at->status(ask).progress = Progress::NotOnBusYet;
-}
-
 void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
   if (source() == kNullAddress) return;
   adopt(now, live, out);
@@ -351,86 +286,6 @@ void RequestService::sendDue(Instant now, const Live& live, Outgoing& out) {
     }
     if (next == nullptr) return;
     send(now, live, *next, askAt(kind), out);
-  }
-}
-
-void RequestService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
-  if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
-  const J1939Id id = J1939Id::of(frame.identifier());
-  if (source() == kNullAddress || id.pgn != pgn::kProprietaryA || frame.length == 0) return;
-  adopt(now, live, out);
-  if (id.destination == kGlobalAddress) return broadcastHeard(now, live, id.source, frame, out);
-  if (id.destination != source()) return;
-  for (Asked& at : m_devices) {
-    for (std::size_t i = 0; i < kAsks; ++i) {
-      if (askAt(i) == Ask::Reset || at.timings[i].to != id.source) continue;
-      const AskRule& rule = kAskRules[i];
-      for (std::size_t part = 0; part < rule.answers.size(); ++part) {
-        if (rule.answers[part] == kNoAnswer || messageOf(rule.answers[part]).firstByte != frame.data[0])
-          continue;
-        // The address may have gone to somebody else since.
-        if (live.addressOf(at.device) != id.source) continue;
-        if (!allows(messageOf(rule.answers[part]).lengths, frame.length)) {
-          ++at.statuses[i].wrong;
-          if (at.timings[i].wasOnBus) at.timings[i].wrong = true;
-        } else {
-          answered(now, live, at, askAt(i), part, out);
-        }
-      }
-    }
-  }
-}
-
-void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask, std::size_t part,
-                              Outgoing& out) {
-  RequestStatus& status = at.status(ask);
-  Timing& timing = at.timing(ask);
-  if (status.progress == Progress::Waiting) {
-    if (!timing.wasOnBus) {  // it answers nothing of ours
-      ++status.unasked;
-      return;
-    }
-    const unsigned whole = wholeAnswer(ruleOf(ask));
-    if ((timing.answers >> part & 1u) != 0) ++status.unasked;
-    timing.answers = static_cast<std::uint8_t>(timing.answers | 1u << part);
-    if (timing.answers == whole) end(now, live, at, ask, RequestEnd::Answered, out);
-    return;
-  }
-  const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer ||
-                          status.end == RequestEnd::NotOnBus || status.end == RequestEnd::WentOutLate;
-  if (!wasGivenUp || now - status.ended > kLate) {
-    if (timing.spare > 0) {
-      --timing.spare;
-    } else {
-      ++status.unasked;
-    }
-    return;
-  }
-  status.end = RequestEnd::AnsweredLate;
-  status.latency = std::max<Duration>(now - status.sent, 0ns);
-  status.ended = now;
-  noteEnd(live, at.device, timing.to, ask, status.end, out);
-}
-
-// A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address. It
-// announces itself whenever NAMEs are asked for, too; what tells a restart is that its statuses stopped
-// before.
-void RequestService::broadcastHeard(Instant now, const Live& live, Address source, const Frame& frame,
-                                    Outgoing& out) {
-  const Message& message = messageOf(MessageId::AddressAnnouncement);
-  const bool isAnnouncement = frame.data[0] == message.firstByte && allows(message.lengths, frame.length);
-  const auto pin = isAnnouncement ? announcedPin(frame) : std::nullopt;
-  for (Asked& at : m_devices) {
-    Timing& timing = at.timing(Ask::Reset);
-    if (at.status(Ask::Reset).progress != Progress::Waiting || !timing.isOnBus) continue;
-    if (!isAnnouncement) {
-      if (source == timing.to) timing.lastStatus = now;
-      continue;
-    }
-    const bool isIt =
-        at.device.kind == DeviceKey::Kind::Pin ? pin == at.device.pin : source == at.device.address;
-    if (isIt && now - timing.lastStatus >= kRestart)
-      end(now, live, at, Ask::Reset, RequestEnd::Answered, out);
   }
 }
 

@@ -57,16 +57,24 @@ void Services::linkChanged(Instant now, const State& state, bool isUp) {
   if (m_status.isEnding) complete(now, live);
 }
 
+void Services::setListenOnly(Instant now, const State& state, bool isListenOnly) {
+  m_status.isListenOnly = isListenOnly;
+  if (isListenOnly) endAll(now, liveOf(state), EndReason::Locked);
+}
+
 void Services::begin(Instant now, const Live& live) {
   if (!isOpen()) return;
   for (Entry& entry : m_services) entry.hasEnded = false;
   forEach([&](Service& service) { service.linkChanged(now, live, true, m_out); });
 }
 
-void Services::unlock(Instant now, const Live& live) {
-  if (!std::exchange(m_status.locked, false)) return;
+Refusal Services::unlock(Instant now, const Live& live) {
+  if (!m_status.locked) return Refusal::None;
+  if (m_status.isListenOnly) return Refusal::ListenOnly;
+  m_status.locked = false;
   m_out.note(NoteKind::Unlocked, live.channel, {}, 0);
   begin(now, live);
+  return Refusal::None;
 }
 
 void Services::close(Instant now, const State& state) {
@@ -125,7 +133,7 @@ Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) 
   if (std::holds_alternative<wish::Lock>(intent.value))
     return endAll(now, live, EndReason::Locked), Refusal::None;
   if (m_status.isEnding) return Refusal::Busy;
-  if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live), Refusal::None;
+  if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live);
   if (m_status.locked) return Refusal::Locked;
   if (!m_status.linkUp) return Refusal::NoLink;
   std::optional<Refusal> answer;

@@ -33,6 +33,8 @@ class Services {
   Service& add(std::unique_ptr<Service> service);
 
   void linkChanged(Instant now, const State& live, bool isUp);
+  // What the driver says of the adapter: nothing is unlocked that cannot send, and what is, is locked.
+  void setListenOnly(Instant now, const State& live, bool isListenOnly);
   // Ends everything, because the link is about to be closed; complete when isLocked(). For good.
   void close(Instant now, const State& live);
   bool isLocked() const { return m_status.locked; }
@@ -65,7 +67,7 @@ class Services {
   Live liveOf(const State& state) const { return {state, m_settings.channel}; }
   Refusal carryOut(Instant now, const Live& live, const Intent& intent);
   void begin(Instant now, const Live& live);
-  void unlock(Instant now, const Live& live);
+  Refusal unlock(Instant now, const Live& live);
   void endAll(Instant now, const Live& live, EndReason reason);
   void followEnding(Instant now, const Live& live);
   void complete(Instant now, const Live& live);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arbitrary frames, wishes, links that come and go and jumps of time into the services, whose own frames come
-// back as echoes or get lost. Whatever happens: no crash, nothing is sent while locked or without a link,
-// never two packets are in flight to one device, and in the end every ask has come to its end.
+// back as echoes, get lost or are refused. Whatever happens: no crash, nothing is sent while locked or
+// without a link, never two packets are in flight to one device, and in the end every ask has come to its
+// end.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -56,6 +57,7 @@ class Console {
   }
   ServiceStatus status() { return m_services.status(now, m_state); }
   bool losesFrames = false;
+  bool refusesFrames = false;
 
  private:
   DeviceKey deviceAt(Address address) const {
@@ -75,12 +77,13 @@ class Console {
     const ServiceStatus after = status();
     for (const OutFrame& out : frames) {
       Frame frame = out.frame;
-      m_services.wrote(now, m_state, out, WriteResult::Accepted);
+      m_services.wrote(now, m_state, out, refusesFrames ? WriteResult::QueueFull : WriteResult::Accepted);
       demand(!after.locked && after.linkUp);
+      if (refusesFrames) continue;
       const J1939Id id = J1939Id::of(frame.identifier());
       if (id.pgn == pgn::kProprietaryA && frame.length > 1 && frame.data[0] == 0xFE) {
         const auto [flight, isFirst] = m_inFlight.try_emplace(deviceAt(id.destination), now);
-        demand(isFirst || now - flight->second >= PipeService::kSettle);
+        demand(isFirst || now - flight->second >= deckpipe::Pipe::kSettle);
         flight->second = now;
       }
       if (losesFrames) continue;
@@ -186,6 +189,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           console->setLink(byte >= 128);
         } else {
           console->losesFrames = byte % 8 == 1;
+          console->refusesFrames = byte % 8 == 2;
         }
         break;
       default: wishFrom(*console, in);
@@ -193,6 +197,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   console->want(wish::Repeat{{}, kPolls, Duration{0}});
   console->passTime(600s, 200'000);
+  console->setLink(false);  // a command that is not on the bus ends with its link
   for (const DeviceServices& device : console->status().devices) {
     for (const RequestStatus& request : device.requests)
       demand(request.progress == RequestStatus::Progress::Idle ||

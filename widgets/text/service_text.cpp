@@ -58,6 +58,9 @@ QString refusalText(Refusal refusal) {
     case Refusal::TooMuch: return ServiceText::tr("That is more than may wait to be sent.");
     case Refusal::NotLive: return ServiceText::tr("The view stands in the past, where nothing can be begun.");
     case Refusal::LogFull: return ServiceText::tr("The log takes no more; what is not recorded is not sent.");
+    case Refusal::NotHeard: return ServiceText::tr("The device was not heard for 1 s.");
+    case Refusal::Contested: return ServiceText::tr("Two nodes claim the device's address at this moment.");
+    case Refusal::ListenOnly: return ServiceText::tr("The adapter is in listen-only mode: it cannot send.");
   }
   return {};
 }

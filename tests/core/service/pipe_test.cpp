@@ -427,10 +427,17 @@ struct Moved : Pipe {
   const DeviceKey byPin = DeviceKey::of(*Pin::parse("1032AE100801036"));
   const DeviceKey byAddress = DeviceKey::at(Channel{}, Address{0x91});
 
+  // They are devices of the test's own: what is silent is sent nothing.
+  void speak() {
+    for (const char* status : {"18EFFF90", "18EFFF91"}) pair.inject(frame(status, "85"));
+    pair.run(Pair::kFlight);
+  }
   Refusal typeTo(const DeviceKey& key, std::string text) {
+    speak();
     return pair.want(wish::PipeWrite{key, std::move(text)});
   }
   Refusal sendTo(const DeviceKey& key, std::size_t size) {
+    speak();
     return pair.want(wish::PipeFile{key, "f", std::make_shared<const std::string>(size, 'f')});
   }
   PipeStatus of(const DeviceKey& key) { return pair.console().pipe(pair.now(), key); }
@@ -500,6 +507,20 @@ TEST_F(Moved, TwoThatBothHaveAPacketInFlightEndAndNoAckIsTakenForTheOthers) {
   EXPECT_EQ(events, (std::vector{PipeEvent::FileBegan, PipeEvent::FileAborted, PipeEvent::Dropped}));
 }
 
+TEST_F(Pipe, NothingGoesToADeviceThatIsSilentForASecond) {
+  acks([](int) { return Pair::Fate{0, 0ns}; });
+  type("0123456789");
+  pair.run(2s);
+  ASSERT_EQ(status().progress, Progress::Stalled);
+  pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };  // it is not heard any more
+  pair.run(1s + 200ms);
+  EXPECT_EQ(type("x"), Refusal::NotHeard);
+  EXPECT_EQ(send("x"), Refusal::NotHeard);
+  EXPECT_EQ(act(What::Resend), Refusal::NotHeard);
+  EXPECT_EQ(packets().size(), 1u);
+  EXPECT_EQ(act(What::Abort), Refusal::None);
+}
+
 TEST_F(Pipe, OthersFramesThatLookTheSameAreNotAnswered) {
   const Instant before = pair.now();
   pair.inject(frame("18EEFFA0", "1234560000000000"));  // another maker's NAME
@@ -521,7 +542,7 @@ TEST_F(Pipe, LockingDropsWhatWaits) {
 }
 
 TEST_F(Pipe, MoreThanMayWaitIsRefusedWhole) {
-  EXPECT_EQ(type(std::string(PipeService::kMostTyped + 1, 'x')), Refusal::TooMuch);
+  EXPECT_EQ(type(std::string(deckpipe::Pipe::kMostTyped + 1, 'x')), Refusal::TooMuch);
   EXPECT_TRUE(packets().empty());
   EXPECT_EQ(pair.want(wish::PipeWrite{DeviceKey::of(*Pin::parse("1032AE000000001")), "x"}),
             Refusal::NoDevice);

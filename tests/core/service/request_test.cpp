@@ -274,6 +274,43 @@ TEST_F(Request, OfEveryoneOnlyPollsAreAsked) {
   EXPECT_EQ(sent(0x45) + sent(0x41), 0u);
 }
 
+TEST_F(Request, ACommandToADeviceThatIsSilentForASecondIsRefusedAndAPollIsNot) {
+  pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };  // it is not heard any more
+  pair.run(900ms);
+  EXPECT_EQ(ask(Ask::SetupMode), Refusal::None);
+  pair.run(300ms);
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::NotHeard);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
+  EXPECT_EQ(sent(0x41), 0u);
+}
+
+TEST_F(Request, ACommandToAContestedAddressIsRefusedUntilItIsDecided) {
+  Frame claim = frame("18EEFF00", "FFFFFFFFFFFFFFFF");  // would lose, and the holder does not answer yet
+  claim.id = J1939Id{6, pgn::kAddressClaimed, Address{monitorAddress()}, kGlobalAddress}.frameId();
+  pair.wire = [](const Frame& f) {
+    return Pair::Fate{J1939Id::of(f.identifier()).pgn == pgn::kAddressClaimed && f.data[0] != 0xFF ? 0 : 1,
+                      0ns};
+  };
+  pair.inject(claim);
+  pair.run(Pair::kFlight);
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Contested);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
+  EXPECT_EQ(sent(0x41), 0u);
+}
+
+TEST_F(Request, NothingIsUnlockedOnAListenOnlyAdapter) {
+  Console& console = pair.console();
+  console.services.setListenOnly(pair.now(), console.state, true);
+  EXPECT_TRUE(console.status(pair.now()).locked) << "what was unlocked is locked";
+  EXPECT_EQ(pair.want(wish::Unlock{}), Refusal::ListenOnly);
+  pair.run(1s);
+  const Instant before = pair.now();
+  pair.run(1s);
+  EXPECT_TRUE(pair.sentBy(&console, before).empty());
+  console.services.setListenOnly(pair.now(), console.state, false);
+  EXPECT_EQ(pair.want(wish::Unlock{}), Refusal::None);
+}
+
 TEST_F(Request, LockingEndsWhatIsOpenAndRepeated) {
   deafen(0x02);
   pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
