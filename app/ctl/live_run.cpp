@@ -25,8 +25,13 @@ int LiveRun::run() {
   m_session.openLink(m_settings.link);
   for (const Address drive : m_settings.drives) m_session.sayDrive(drive, true);
   QCoreApplication::exec();
-  // Frames that were written are on their way; nothing else is waited for.
+  // What is said at the end is waited for, 1 s at most; what waits in the adapter then is not.
+  const auto log = snapshot().view.document;
   m_session.closeSource();
+  for (const Note& note : log->notes.all()) {
+    if (note.kind == NoteKind::StillWaits && note.frame == log->frames.count())
+      say(QStringLiteral("%1 frames are not on the bus yet and may still go out").arg(note.number));
+  }
   return m_status;
 }
 
@@ -69,11 +74,30 @@ bool LiveRun::hasAddress() {
   return false;
 }
 
+void LiveRun::saySent() {
+  const ServiceStatus& now = services();
+  if (!now.echoes && !now.locked && !std::exchange(m_saidCannotTell, true))
+    say(QStringLiteral("cannot tell whether frames reach the bus: this adapter does not say"));
+  if (now.unconfirmed > m_unconfirmed)
+    say(QStringLiteral("not on the bus yet, and may still go out: %1 frames").arg(now.unconfirmed));
+  if (now.notTaken > m_notTaken)
+    say(QStringLiteral("not sent, as the adapter did not take them: %1 frames").arg(now.notTaken));
+  m_unconfirmed = now.unconfirmed;
+  m_notTaken = now.notTaken;
+}
+
 void LiveRun::changed() {
   if (m_isOver) return;
   const bool isUp = isLinkUp();
   if (m_isOver) return;
-  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true)) m_session.want(wish::Unlock{});
+  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true))
+    m_unlockSerial = m_session.want(wish::Unlock{});
+  if (m_unlockSerial != 0 && services().refusedSerial == m_unlockSerial) {
+    m_unlockSerial = 0;
+    say(m_settings.link.interfaceName + QStringLiteral(" is in listen-only mode: it cannot send"));
+    if (m_wantsAddress) return finish(kNotWhole);
+  }
+  saySent();
   const bool has = m_settings.unlock && hasAddress();
   if (m_isOver) return;
   if (!m_isReady && isUp && (has || !m_wantsAddress)) {
