@@ -2,6 +2,7 @@
 #include "live_run.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -27,9 +28,12 @@ int LiveRun::run() {
   QCoreApplication::exec();
   // What is said at the end is waited for, 1 s at most; what waits in the adapter then is not.
   const auto log = snapshot().view.document;
+  const std::size_t before = log->notes.count();
   m_session.closeSource();
-  for (const Note& note : log->notes.all()) {
-    if (note.kind == NoteKind::StillWaits && note.frame == log->frames.count())
+  std::vector<Note> notes = log->notes.all();
+  notes.erase(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(std::min(before, notes.size())));
+  for (const Note& note : notes) {
+    if (note.kind == NoteKind::StillWaits)
       say(QStringLiteral("%1 frames are not on the bus yet and may still go out").arg(note.number));
   }
   return m_status;

@@ -63,7 +63,10 @@ void LiveBus::apply(const Intent& intent) {
 void LiveBus::followHardware() {
   if (m_link == nullptr) return;
   const auto& hardware = m_link->status().hardware;
-  m_services.setListenOnly(bootTime(), m_state, hardware && hardware->isListenOnly);
+  const bool isListenOnly = hardware && hardware->isListenOnly;
+  const bool wasLocked = m_services.isLocked();
+  m_services.setListenOnly(bootTime(), m_state, isListenOnly);
+  if (isListenOnly && !wasLocked) serve();
 }
 
 void LiveBus::sayDrive(Address address, bool isDrive) {
