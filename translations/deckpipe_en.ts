@@ -20,6 +20,13 @@
             <numerusform>%1: %Ln frames lost</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %Ln frames are not on the bus yet and may still go out</source>
+        <translation>
+            <numerusform>%1: %Ln frame is not on the bus yet and may still go out</numerusform>
+            <numerusform>%1: %Ln frames are not on the bus yet and may still go out</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>
@@ -47,6 +54,41 @@
 </context>
 <context>
     <name>StatusText</name>
+    <message numerus="yes">
+        <source>%Ln commands not on the bus yet</source>
+        <translation>
+            <numerusform>%Ln command not on the bus yet</numerusform>
+            <numerusform>%Ln commands not on the bus yet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames not on the bus yet</source>
+        <translation>
+            <numerusform>%Ln frame not on the bus yet</numerusform>
+            <numerusform>%Ln frames not on the bus yet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames not sent</source>
+        <translation>
+            <numerusform>%Ln frame not sent</numerusform>
+            <numerusform>%Ln frames not sent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames were handed to the adapter and are not on the bus yet.</source>
+        <translation>
+            <numerusform>%Ln frame was handed to the adapter and is not on the bus yet.</numerusform>
+            <numerusform>%Ln frames were handed to the adapter and are not on the bus yet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames were not taken by the adapter: they were not sent.</source>
+        <translation>
+            <numerusform>%Ln frame was not taken by the adapter: it was not sent.</numerusform>
+            <numerusform>%Ln frames were not taken by the adapter: they were not sent.</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%Ln frames</source>
         <translation>

@@ -198,6 +198,20 @@ Notice trafficNotice(const Snapshot& snapshot, const BusRates& rates) {
                          "Is the monitor's controller powered, and on this bus?")};
 }
 
+// A person wanted to send where nothing can be sent.
+Notice listenOnlyNotice(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  if (!source.isListenOnly || snapshot.services->refusal != Refusal::ListenOnly) return {};
+  Notice notice{
+      StatusTone::Attend,
+      NoticeText::tr("Sending stays locked: %1 is in listen-only mode and cannot send. To send, set "
+                     "it up without:")
+          .arg(source.interfaceName)};
+  notice.command = QStringLiteral("sudo ip link set %1 down; ").arg(source.interfaceName) +
+                   setUpCommand(source.interfaceName, source.bitRate, false);
+  return notice;
+}
+
 Notice runningLink(const Snapshot& snapshot, const BusRates& rates) {
   const SourceStatus& source = snapshot.source;
   const LogView& view = snapshot.view;
@@ -208,6 +222,7 @@ Notice runningLink(const Snapshot& snapshot, const BusRates& rates) {
     notice.command = QStringLiteral("sudo ip link set %1 type can restart").arg(source.interfaceName);
     return notice;
   }
+  if (Notice notice = listenOnlyNotice(snapshot); !notice.text.isEmpty()) return notice;
   const Instant heard = std::max(lastFrame(*view.state), upSince(*view.document));
   if (view.atEnd && heard != kNotYet && view.cursor.time - heard >= kSilence) {
     return {StatusTone::Attend,

@@ -70,6 +70,8 @@ void SendingActions::lock() { m_session.want(wish::Lock{}); }
 
 void SendingActions::askToUnlock() {
   const SourceStatus& source = m_session.snapshot().source;
+  // Is refused; the notice says why and what to do.
+  if (source.isListenOnly) return wish(wish::Unlock{});
   const QString where = source.simulated ? tr("the simulated truck") : source.name;
   DangerDialog::ask(
       m_window,

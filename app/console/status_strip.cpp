@@ -32,6 +32,7 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent), m_colours(coloursOf
   // A long name or reason is cut by the window, never widens it.
   m_source->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->setStretchFactor(m_source, 1);
+  m_sent = addCell("sentFrames", tr("Sent frames"), {});
   m_load = addCell("busLoad", tr("Bus load"), loadWords(100));
   m_rate = addCell("frameRate", tr("Frames a second"), rateWords(8'888));
   m_errors = addCell("errorFrames", tr("Error frames"), errorWords(888));
@@ -71,6 +72,9 @@ void StatusStrip::setSnapshot(const Snapshot& snapshot) {
   const bool isOpen = view.document != nullptr;
   tell(m_source, sourceFact(snapshot.source));
   tell(m_lock, lockFact(snapshot));
+  const StatusFact sent = sentFact(snapshot);
+  tell(m_sent, sent);
+  m_sent->setVisible(!sent.text.isEmpty());
   showLockButton(snapshot);
   // Of what never came up nothing is complete and nothing is recorded.
   const auto progress = snapshot.source.progress;
@@ -90,10 +94,11 @@ void StatusStrip::setSnapshot(const Snapshot& snapshot) {
   fit();
 }
 
-// Where the window is narrow, numbers go before what link, lock and losses say.
+// Where the window is narrow, numbers go before what link, lock, losses and frames that wait say.
 void StatusStrip::fit() {
   int room = width() - kLeastSource - m_lock->sizeHint().width() -
-             (m_lockButton->isHidden() ? 0 : m_lockButton->sizeHint().width()) - kMargins;
+             (m_lockButton->isHidden() ? 0 : m_lockButton->sizeHint().width()) -
+             (m_sent->isHidden() ? 0 : m_sent->sizeHint().width() + layout()->spacing()) - kMargins;
   bool hasRoom = m_hasFacts;
   for (StatusCell* cell : {m_completeness, m_errors, m_recording, m_load, m_rate}) {
     room -= cell->sizeHint().width() + layout()->spacing();

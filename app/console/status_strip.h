@@ -44,6 +44,7 @@ class StatusStrip : public QWidget {
   Colours m_colours;
   bool m_hasFacts = false;  // of an open log or a link that is up
   StatusCell* m_source;
+  StatusCell* m_sent;
   StatusCell* m_load;
   StatusCell* m_rate;
   StatusCell* m_errors;

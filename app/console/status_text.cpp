@@ -11,6 +11,7 @@
 
 #include "base/overload.h"
 #include "model/field_text.h"
+#include "text/device_text.h"
 #include "text/elapsed_text.h"
 #include "text/service_text.h"
 
@@ -40,6 +41,11 @@ QString sourceName(const SourceStatus& source) {
 QString sourceTitle(const SourceStatus& source) {
   if (source.kind != From::Link || source.bitRate == 0) return sourceName(source);
   return StatusText::tr("%1 · %2 kbit/s").arg(sourceName(source)).arg(source.bitRate / 1000);
+}
+
+QString deviceName(const DeviceKey& device) {
+  return device.kind == DeviceKey::Kind::Pin ? pinText(device.pin)
+                                             : StatusText::tr("address %1").arg(addressText(device.address));
 }
 
 QString controllerText(ControllerState state) {
@@ -203,8 +209,54 @@ StatusFact errorFact(const Snapshot& snapshot) {
                      "termination or a bad cable make many. Not every adapter reports them.")};
 }
 
+StatusFact sentFact(const Snapshot& snapshot) {
+  const ServiceStatus& services = *snapshot.services;
+  StatusFact fact;
+  QStringList story;
+  const int commands = forPlural(services.waitingCommands.size());
+  for (const WaitingCommand& command : services.waitingCommands) {
+    story += StatusText::tr("%1 of %2 was handed to the adapter and is not on the bus yet.")
+                 .arg(askText(command.ask), deviceName(command.device));
+  }
+  if (commands > 0) {
+    fact.tone = StatusTone::Fault;
+    fact.text = commands == 1
+                    ? StatusText::tr("%1: not on the bus yet").arg(askText(services.waitingCommands[0].ask))
+                    : StatusText::tr("%Ln commands not on the bus yet", nullptr, commands);
+  } else if (services.unconfirmed > 0) {
+    fact.tone = StatusTone::Fault;
+    fact.text = StatusText::tr("%Ln frames not on the bus yet", nullptr, forPlural(services.unconfirmed));
+  } else if (services.notTaken > 0) {
+    fact.tone = StatusTone::Attend;
+    fact.text = StatusText::tr("%Ln frames not sent", nullptr, forPlural(services.notTaken));
+  } else if (!services.echoes && !services.locked) {
+    fact.tone = StatusTone::Idle;
+    fact.text = StatusText::tr("On the bus: cannot tell");
+  } else {
+    return {};
+  }
+  if (services.unconfirmed > 0) {
+    story += StatusText::tr("%Ln frames were handed to the adapter and are not on the bus yet.", nullptr,
+                            forPlural(services.unconfirmed));
+    story += StatusText::tr(
+        "What waits may still go out, after a lock too. Only taking the interface down\n"
+        "takes it back.");
+  }
+  if (services.notTaken > 0)
+    story += StatusText::tr("%Ln frames were not taken by the adapter: they were not sent.", nullptr,
+                            forPlural(services.notTaken));
+  if (!services.echoes)
+    story += StatusText::tr("This adapter does not tell whether what it takes reaches the bus.");
+  fact.story = story.join(QLatin1Char('\n'));
+  return fact;
+}
+
 StatusFact lockFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
+  if (snapshot.services->isEnding) {
+    return {StatusTone::Busy, StatusText::tr("Locking …"),
+            StatusText::tr("What must still be said at the end is being said; one second at most.")};
+  }
   if (!snapshot.services->locked) {
     return {
         StatusTone::Attend, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),

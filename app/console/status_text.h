@@ -29,6 +29,8 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);
 StatusFact rateFact(const BusRates& rates);
 StatusFact errorFact(const Snapshot& snapshot);
 StatusFact lockFact(const Snapshot& snapshot);
+// What we handed to the adapter and is not on the bus; without text where nothing is to be said.
+StatusFact sentFact(const Snapshot& snapshot);
 StatusFact recordingFact(const Snapshot& snapshot);
 StatusFact completenessFact(const Snapshot& snapshot);
 

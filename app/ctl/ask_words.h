@@ -26,6 +26,9 @@ constexpr std::string_view endWord(RequestEnd end) {
     case RequestEnd::Gone: return "gone";
     case RequestEnd::AnsweredLate: return "answered_late";
     case RequestEnd::AddressLost: return "address_lost";
+    case RequestEnd::NotOnBus: return "not_on_bus";
+    case RequestEnd::WentOutLate: return "went_out_late";
+    case RequestEnd::GoneWithInterface: return "gone_with_interface";
   }
   return "open";
 }
@@ -42,6 +45,9 @@ constexpr std::string_view refusalWord(Refusal refusal) {
     case Refusal::TooMuch: return "too_much";
     case Refusal::NotLive: return "not_live";
     case Refusal::LogFull: return "log_full";
+    case Refusal::NotHeard: return "not_heard";
+    case Refusal::Contested: return "contested";
+    case Refusal::ListenOnly: return "listen_only";
   }
   return "none";
 }

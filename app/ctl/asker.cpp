@@ -32,6 +32,9 @@ Answer answerIn(const Frame& frame, const Classified& what) {
   return {};
 }
 
+// For a command to reach the bus.
+constexpr Duration kBusPatience = 2s;
+
 template <typename F>
 void forEachAsk(AskSet asks, F&& f) {
   for (std::size_t i = 0; i < kAsks; ++i) {
@@ -98,7 +101,21 @@ void Asker::refused(Refusal refusal) {
   sendNext();
 }
 
+// A command that is not on the bus yet may stay so for ever.
+void Asker::giveUpWaiting() {
+  const Instant now = m_run.snapshot().view.cursor.time;
+  std::erase_if(m_open, [&](const Open& at) {
+    const RequestStatus* status = statusOf(at);
+    if (status == nullptr || status->progress != RequestStatus::Progress::NotOnBusYet ||
+        now - status->sent < kBusPatience)
+      return false;
+    endLine(at, "not_on_bus_yet");
+    return true;
+  });
+}
+
 void Asker::tick() {
+  giveUpWaiting();
   if (m_serial == 0) return;
   if (m_run.services().refusedSerial == m_serial) return refused(m_run.services().refusal);
   const auto first = std::ranges::find(m_asked, m_handed, &Open::device);

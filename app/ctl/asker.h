@@ -35,6 +35,7 @@ class Asker {
   void endLine(const Open& at, std::string_view end, std::string_view reason = {});
   void refused(Refusal refusal);
   const RequestStatus* statusOf(const Open& at) const;
+  void giveUpWaiting();
 
   LiveRun& m_run;
   bool m_saysAnswered;

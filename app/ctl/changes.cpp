@@ -54,6 +54,7 @@ std::string_view ownAddressWord(note::OwnAddress::How how) {
     case How::SameName: return "same name";
     case How::Locked: return "locked";
     case How::LinkLost: return "link lost";
+    case How::InUse: return "in use";
   }
   return {};
 }
@@ -108,9 +109,12 @@ void Changes::noteCame(const Note& note) {
                [&](const note::OwnAddress& n) {
                  return line.add("address", n.address).add("reason", ownAddressWord(n.how)), true;
                },
+               [&](const note::StillWaits& n) {
+                 return line.add("frames", static_cast<std::int64_t>(n.count)), true;
+               },
                [](const note::Mark&) { return false; }, [](const note::DriveSaid&) { return false; },
-               [](const note::Asked&) { return false; }, [](const note::AskEnded&) { return false; },
-               [](const note::Pipe&) { return false; }},
+               [](const note::Asked&) { return false; }, [](const note::AskWaits&) { return false; },
+               [](const note::AskEnded&) { return false; }, [](const note::Pipe&) { return false; }},
       note.value);
   if (isSaid) m_out += line.text();
 }

@@ -27,7 +27,8 @@ int commandCommand(const QStringList& arguments) {
       "Sends one command to one device, once, and waits for its acknowledgement; for a reset, up to 10 s "
       "for\n"
       "its announcing itself anew. Without --yes it names the device and does nothing (status 2). One line:\n"
-      "pin, address, ask (zero_axes, reset, setup_mode), end (answered, no_answer, …), tries, latency_ms.\n"
+      "pin, address, ask (zero_axes, reset, setup_mode), end (answered, no_answer, …; not_on_bus_yet: it\n"
+      "may still go out), tries, latency_ms.\n"
       "Exit status 0 only if it was acknowledged or seen."));
   parser.addPositionalArgument(QStringLiteral("COMMAND"), QStringLiteral("zero-axes, reset or setup-mode."));
   const LiveOptions live(parser);

@@ -2,6 +2,7 @@
 #include "live_run.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -42,8 +43,16 @@ int LiveRun::run() {
   m_session.openLink(m_settings.link);
   for (const Address drive : m_settings.drives) m_session.sayDrive(drive, true);
   QCoreApplication::exec();
-  // Frames that were written are on their way; nothing else is waited for.
+  // What is said at the end is waited for, 1 s at most; what waits in the adapter then is not.
+  const auto log = snapshot().view.document;
+  const std::size_t before = log->notes.count();
   m_session.closeSource();
+  std::vector<Note> notes = log->notes.all();
+  notes.erase(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(std::min(before, notes.size())));
+  for (const Note& note : notes) {
+    if (const auto* waits = std::get_if<note::StillWaits>(&note.value))
+      say(QStringLiteral("%1 frames are not on the bus yet and may still go out").arg(waits->count));
+  }
   return m_status;
 }
 
@@ -85,11 +94,30 @@ bool LiveRun::hasAddress() {
   return false;
 }
 
+void LiveRun::saySent() {
+  const ServiceStatus& now = services();
+  if (!now.echoes && !now.locked && !std::exchange(m_saidCannotTell, true))
+    say(QStringLiteral("cannot tell whether frames reach the bus: this adapter does not say"));
+  if (now.unconfirmed > m_unconfirmed)
+    say(QStringLiteral("not on the bus yet, and may still go out: %1 frames").arg(now.unconfirmed));
+  if (now.notTaken > m_notTaken)
+    say(QStringLiteral("not sent, as the adapter did not take them: %1 frames").arg(now.notTaken));
+  m_unconfirmed = now.unconfirmed;
+  m_notTaken = now.notTaken;
+}
+
 void LiveRun::changed() {
   if (m_isOver) return;
   const bool isUp = isLinkUp();
   if (m_isOver) return;
-  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true)) m_session.want(wish::Unlock{});
+  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true))
+    m_unlockSerial = m_session.want(wish::Unlock{});
+  if (m_unlockSerial != 0 && services().refusedSerial == m_unlockSerial) {
+    m_unlockSerial = 0;
+    say(m_settings.link.interfaceName + QStringLiteral(" is in listen-only mode: it cannot send"));
+    if (m_wantsAddress) return finish(kNotWhole);
+  }
+  saySent();
   const bool has = m_settings.unlock && hasAddress();
   if (m_isOver) return;
   if (!m_isReady && isUp && (has || !m_wantsAddress)) {

@@ -48,6 +48,8 @@ class LiveRun : public QObject {
   // Whether it is there; what went wrong is said and, where that is the end, ends it.
   bool isLinkUp();
   bool hasAddress();
+  // What does not reach the bus, whenever that has become more.
+  void saySent();
 
   LiveSettings m_settings;
   bool m_wantsAddress;
@@ -55,6 +57,9 @@ class LiveRun : public QObject {
   BusFollower m_follower;
   Output m_output;
   bool m_isReady = false, m_isOver = false, m_askedToUnlock = false, m_saidClaim = false;
+  bool m_saidCannotTell = false;
+  std::uint64_t m_unlockSerial = 0;
+  std::uint64_t m_unconfirmed = 0, m_notTaken = 0;  // as said last
   int m_status = 0;
 };
 

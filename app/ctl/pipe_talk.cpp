@@ -159,6 +159,8 @@ void PipeTalk::frameCame(const Frame& frame) {
 void PipeTalk::ackMissing(const PipeStatus& pipe) {
   if (pipe.stall == PipeStatus::Stall::Gone)
     return fail(QStringLiteral("the device has no address any more"), pipe);
+  if (pipe.stall == PipeStatus::Stall::NotOnBus)
+    return fail(QStringLiteral("the packet is not on the bus yet; it may still go out"), pipe);
   if (m_isStopping || m_plan.missingAck == PipePlan::MissingAck::Stop || m_inARow >= kMostInARow)
     return fail(QStringLiteral("no acknowledgement"), pipe);
   if (pipe.skipped + pipe.resent < m_actions) return;  // it is on its way

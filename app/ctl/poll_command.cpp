@@ -95,7 +95,8 @@ int pollCommand(const QStringList& arguments) {
       "Asks devices for faults, versions and settings, which changes nothing in them. One line an answer:\n"
       "pin, ask, and what 'deckpipectl decode' writes of the frame; one for what came to another end:\n"
       "pin, address, ask, end (wrong_answer, no_answer, cancelled, link_lost, gone, answered_late, "
-      "not_taken,\n"
+      "not_on_bus,\n"
+      "not_taken, "
       "refused with its reason), tries. Exit status 0 only if everything asked was answered in time."));
   const LiveOptions live(parser);
   const DeviceOptions device(parser, true);

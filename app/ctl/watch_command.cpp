@@ -17,7 +17,8 @@ int watchCommand(const QStringList& arguments) {
       "device_type,\n"
       "type_name; previous), claimed, claim_lost (address, name), stale, fresh (message), link_up, "
       "link_down\n"
-      "(reason), dropped (frames), own_address, locked, unlocked; value: pin and what 'deckpipectl decode'\n"
+      "(reason), dropped (frames), still_waits (frames), own_address, locked, unlocked; value: pin and what "
+      "'deckpipectl decode'\n"
       "writes of a frame that differs from the last of its kind, or is an answer. An interface that goes "
       "down\n"
       "is waited for. Listens only, unless --unlock has it claim an address and ask for NAMEs at first."));

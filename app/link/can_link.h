@@ -28,6 +28,7 @@
 #include <memory>
 #include <optional>
 
+#include "bus/own_frames.h"
 #include "bus/port.h"
 #include "link/interface_source.h"
 #include "link/kernel_socket.h"

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "bus/own_frames.h"
 #include "link/link_status.h"
-#include "link/own_frames.h"
 
 class QCanBusFrame;
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/live_bus.h"
 
+#include <QThread>
 #include <QTimer>
 #include <algorithm>
 #include <ctime>
+#include <utility>
 
 #include "link/plugins.h"
 
@@ -47,19 +49,26 @@ void LiveBus::start() {
   m_serviceTimer = new QTimer(this);
   m_serviceTimer->setTimerType(Qt::PreciseTimer);
   m_serviceTimer->setSingleShot(true);
-  connect(m_serviceTimer, &QTimer::timeout, this, [this] {
-    m_services.timeCame(bootTime(), m_state);
-    serve();
-  });
+  connect(m_serviceTimer, &QTimer::timeout, this, &LiveBus::deadlineCame);
   m_link = std::make_unique<CanLink>(m_settings);
   m_link->open(*this);
 }
 
 void LiveBus::apply(const Intent& intent) {
   if (m_storeFull && !onlyStops(intent.value)) return;
+  followHardware();
   m_services.apply(bootTime(), m_state, intent);
   serve();
   publish();
+}
+
+void LiveBus::followHardware() {
+  if (m_link == nullptr) return;
+  const auto& hardware = m_link->status().hardware;
+  const bool isListenOnly = hardware && hardware->isListenOnly;
+  const bool wasLocked = m_services.isLocked();
+  m_services.setListenOnly(bootTime(), m_state, isListenOnly);
+  if (isListenOnly && !wasLocked) serve();
 }
 
 void LiveBus::sayDrive(Address address, bool isDrive) {
@@ -68,18 +77,52 @@ void LiveBus::sayDrive(Address address, bool isDrive) {
 }
 
 void LiveBus::serve() {
+  m_services.takeFrames(m_toSend);
+  for (const OutFrame& out : m_toSend) {
+    const WriteResult result = m_link != nullptr ? m_link->write(out.frame) : WriteResult::NotOpen;
+    m_services.wrote(bootTime(), m_state, out, result);
+  }
+  m_toSend.clear();
   m_services.takeNotes(m_toNote);
   for (Note& note : m_toNote) write(std::move(note.value));
   m_toNote.clear();
-  m_services.takeFrames(m_toSend);
-  for (const Frame& frame : m_toSend) {
-    if (m_link == nullptr || m_link->write(frame) != WriteResult::Accepted) m_services.notTaken();
+  if (m_isClosing && m_services.isLocked()) {
+    // Not from inside a call of the link, which ends with it.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          stop();
+          thread()->quit();
+        },
+        Qt::QueuedConnection);
+    return m_serviceTimer->stop();
   }
-  m_toSend.clear();
+  if (m_isJudging) return;  // the timer is set anew after that
   const Instant next = m_services.nextTime();
   if (next == kNever) return m_serviceTimer->stop();
   const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - bootTime());
   m_serviceTimer->start(std::max(wait, std::chrono::milliseconds{0}));
+}
+
+// Frames first. Those that arrived while the thread was held up are read in the next turn of the event loop,
+// which does not judge yet, and are handed over in the one after it: this call is queued behind them.
+void LiveBus::deadlineCame() {
+  if (!std::exchange(m_isJudging, true)) return m_serviceTimer->start(0);
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        m_isJudging = false;
+        if (m_link == nullptr) return;
+        m_services.timeCame(bootTime(), m_state);
+        serve();
+      },
+      Qt::QueuedConnection);
+}
+
+void LiveBus::close() {
+  if (std::exchange(m_isClosing, true)) return;
+  m_services.close(bootTime(), m_state);
+  serve();
 }
 
 void LiveBus::stop() {
@@ -107,9 +150,10 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
   }
   const std::uint64_t count = m_document->frames.count();
   for (std::uint64_t i = m_state.cursor().frames; i < count; ++i) {
-    m_state.apply(m_document->frames[i], m_times.at(i));
+    const Instant at = m_times.at(i);
+    m_state.apply(m_document->frames[i], at);
+    m_services.received(at, m_state, m_document->frames[i]);
   }
-  m_services.received(bootTime(), m_state, frames);
   serve();
 }
 
@@ -145,6 +189,7 @@ void LiveBus::write(NoteValue value) {
 }
 
 void LiveBus::publish() {
+  followHardware();
   m_state.timeCame(bootTime() - kBehind);
   auto state = std::make_shared<const State>(m_state);
   auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));

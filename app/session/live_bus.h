@@ -4,7 +4,8 @@
 // queued calls; only latest() is for other threads.
 //
 // It runs the services too: each event of the link, an intent and their one timer are followed by writing
-// what they want sent. They see the State after the frames that came with the event.
+// what they want sent. They get each frame with its own log time when the State has it, and are asked about
+// deadlines only when every frame that has arrived was handed over.
 //
 // The live State stays kBehind before now, so that a frame that is handled a little late still finds its
 // place. A frame that comes later than that is marked late. Log time is what a replay of the log will show.
@@ -51,6 +52,9 @@ class LiveBus : public QObject, private PortListener {
   void apply(const deckpipe::Intent& intent);
   // By the person: only a drive's own manual tells.
   void sayDrive(deckpipe::Address address, bool isDrive);
+  // Ends the services, waits for what they still have to say (Services: 1 s at most), closes the link and
+  // quits this thread's event loop.
+  void close();
 
  private:
   void stop();
@@ -60,8 +64,11 @@ class LiveBus : public QObject, private PortListener {
   void linkChanged(LinkState state, const std::string& reason) override;
   // Places a note at the end of the log.
   void write(NoteValue value);
+  // An adapter that cannot send is not unlocked.
+  void followHardware();
   // What the services want sent and noted, and when they want to be called again.
   void serve();
+  void deadlineCame();
   void publish();
 
   std::shared_ptr<LogDocument> m_document;
@@ -75,7 +82,9 @@ class LiveBus : public QObject, private PortListener {
   LinkState m_linkState = LinkState::Closed;
   std::uint64_t m_notKept = 0;
   bool m_storeFull = false;
-  std::vector<Frame> m_toSend;
+  bool m_isClosing = false;
+  bool m_isJudging = false;  // a deadline has come; frames that have arrived are handed over first
+  std::vector<OutFrame> m_toSend;
   std::vector<Note> m_toNote;
 
   mutable std::mutex m_lock;

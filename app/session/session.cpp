@@ -46,8 +46,9 @@ void Session::startOnBusThread(QObject* worker, std::function<void()> start) {
 
 void Session::closeSource() {
   m_timer.stop();
-  endThread(std::exchange(m_busThread, nullptr));
-  m_live = nullptr;
+  LiveBus* live = std::exchange(m_live, nullptr);
+  if (live != nullptr) QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
+  endThread(std::exchange(m_busThread, nullptr), live != nullptr ? Quit::ByItself : Quit::Now);
   if (std::exchange(m_bench, nullptr) != nullptr) Q_EMIT twinChanged({});
   m_opening.reset();
   m_walker.reset();

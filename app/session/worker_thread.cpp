@@ -6,13 +6,14 @@
 namespace deckpipe {
 namespace {
 
-constexpr unsigned long kPatience = 2'000;  // ms; links close within a few
+constexpr unsigned long kPatience =
+    2'000;  // ms; links close within a few, what is said at the end takes 1 s at most
 
 }  // namespace
 
-void endThread(QThread* thread) {
+void endThread(QThread* thread, Quit quit) {
   if (thread == nullptr) return;
-  thread->quit();
+  if (quit == Quit::Now) thread->quit();
   if (thread->wait(kPatience)) {
     delete thread;
     return;

@@ -7,8 +7,14 @@ class QThread;
 
 namespace deckpipe {
 
-// Asks the thread's event loop to end and waits two seconds at most. A thread that hangs is left to itself:
-// it owns what it works with (by its finished signal) and is gone when that returns. Null: nothing to do.
-void endThread(QThread* thread);
+enum class Quit : bool {
+  Now,
+  ByItself,  // it was told before to end its work and then its event loop
+};
+
+// Asks the thread's event loop to end, unless it does so by itself, and waits two seconds at most. A thread
+// that hangs is left to itself: it owns what it works with (by its finished signal) and is gone when that
+// returns. Null: nothing to do.
+void endThread(QThread* thread, Quit quit = Quit::Now);
 
 }  // namespace deckpipe

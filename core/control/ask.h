@@ -53,9 +53,12 @@ enum class RequestEnd : std::uint8_t {
   NoAnswer = 3,     // after all tries
   Cancelled = 4,    // by the person, or by locking
   LinkLost = 5,
-  Gone = 6,          // the device has no address any more
-  AnsweredLate = 7,  // after it had been given up
-  AddressLost = 8,   // the console's own, which the answer was to go to
+  Gone = 6,                // the device has no address any more
+  AnsweredLate = 7,        // after it had been given up
+  AddressLost = 8,         // the console's own, which the answer was to go to
+  NotOnBus = 9,            // a poll that has not reached the bus, or a command that the adapter did not take
+  WentOutLate = 10,        // a command that was 'not on the bus yet' for a while
+  GoneWithInterface = 11,  // a command that was not on the bus yet when the interface went down
 };
 
 constexpr bool isKnown(RequestEnd end) {
@@ -68,7 +71,10 @@ constexpr bool isKnown(RequestEnd end) {
     case RequestEnd::LinkLost:
     case RequestEnd::Gone:
     case RequestEnd::AnsweredLate:
-    case RequestEnd::AddressLost: return true;
+    case RequestEnd::AddressLost:
+    case RequestEnd::NotOnBus:
+    case RequestEnd::WentOutLate:
+    case RequestEnd::GoneWithInterface: return true;
   }
   return false;
 }

@@ -18,15 +18,18 @@ namespace deckpipe {
 // Why an intent was not carried out.
 enum class Refusal : std::uint8_t {
   None,
-  Locked,     // the transmit lock is set
-  NoLink,     // the link is not up
-  NoAddress,  // the console holds no address on the bus yet, or cannot claim one
-  NoDevice,   // no such device, or it has no address now
-  NotTaken,   // this type of device does not take it
-  Busy,       // the same is under way already
-  TooMuch,    // more characters than may wait
-  NotLive,    // the view stood in the past; nothing is begun from there
-  LogFull,    // what would be sent could not be recorded
+  Locked,      // the transmit lock is set
+  NoLink,      // the link is not up
+  NoAddress,   // the console holds no address on the bus yet, or cannot claim one
+  NoDevice,    // no such device, or it has no address now
+  NotTaken,    // this type of device does not take it
+  Busy,        // the same is under way already
+  TooMuch,     // more characters than may wait
+  NotLive,     // the view stood in the past; nothing is begun from there
+  LogFull,     // what would be sent could not be recorded
+  NotHeard,    // a command or packet to a device that was not heard for 1 s
+  Contested,   // … or whose address two nodes claim at this moment
+  ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
 };
 
 struct ClaimStatus {
@@ -39,20 +42,28 @@ struct ClaimStatus {
     SameName,     // another node on the bus has our NAME: the identity number must be changed
   };
   Progress progress = Progress::Off;
-  Address address;         // claiming or claimed; null otherwise
-  std::uint64_t name = 0;  // our NAME
-  std::uint16_t lost = 0;  // addresses lost to a lower NAME since unlocking
-  std::uint16_t won = 0;   // contests won
+  Address address;              // claiming or claimed; null otherwise
+  std::uint64_t name = 0;       // our NAME
+  std::uint16_t lost = 0;       // addresses lost to a lower NAME since unlocking
+  std::uint16_t won = 0;        // contests won
+  std::uint16_t conflicts = 0;  // times that another was heard sending from our address
+  bool isOnBus = false;         // the claim was on the bus; also where the adapter cannot tell
   friend bool operator==(const ClaimStatus&, const ClaimStatus&) = default;
 };
 
 struct RequestStatus {
-  enum class Progress : std::uint8_t { Idle, Queued, Waiting, Ended };
+  enum class Progress : std::uint8_t {
+    Idle,
+    Queued,
+    Waiting,
+    NotOnBusYet,  // a command whose echo has not come: it may still go out
+    Ended,
+  };
   Progress progress = Progress::Idle;
   RequestEnd end = RequestEnd::None;  // of the last one that ended
   std::uint8_t tries = 0;             // sent so often for the present request
-  Instant firstSent = kNotYet;        // the first try
-  Instant sent = kNotYet;             // the last try
+  Instant firstSent = kNotYet;        // the first try was on the bus; handed over, until that is known
+  Instant sent = kNotYet;             // the last try …
   Instant ended = kNotYet;
   Duration latency{0};      // from the last try to the whole answer
   Duration period{0};       // repeated so often; 0 = once
@@ -60,6 +71,9 @@ struct RequestStatus {
   std::uint32_t answered = 0;
   std::uint32_t wrong = 0;    // answers of a wrong length
   std::uint32_t unasked = 0;  // answers that came twice, or without having been asked for
+
+  // It has not come to its end.
+  bool isOpen() const { return progress != Progress::Idle && progress != Progress::Ended; }
   friend bool operator==(const RequestStatus&, const RequestStatus&) = default;
 };
 
@@ -73,9 +87,11 @@ struct PipeStatus {
   };
   enum class Stall : std::uint8_t {
     None,
-    NoAck,  // in time
-    Moved,  // and the device is at another address now
-    Gone,   // and the device has none
+    NoAck,     // in time
+    Moved,     // and the device is at another address now
+    Gone,      // and the device has none
+    NotOnBus,  // the packet itself is not on the bus yet; it may still go out
+    NotTaken,  // the adapter did not take the packet: it was not sent
   };
   enum class FileEnd : std::uint8_t { None, Done, Cancelled, Aborted };
 
@@ -94,7 +110,7 @@ struct PipeStatus {
   std::uint32_t fileSkipped = 0, fileResent = 0;  // packets of it: whether all arrived is not known then
   bool isPaused = false;                          // by the person, also while it is stalled
 
-  // Of the acks of this pipe, from a packet's being written to its ack.
+  // Of the acks of this pipe, from a packet's being on the bus to its ack.
   std::uint32_t acks = 0;
   Duration ackLast{0}, ackWorst{0}, ackSum{0};
 
@@ -117,19 +133,36 @@ struct DeviceServices {
   friend bool operator==(const DeviceServices&, const DeviceServices&) = default;
 };
 
+// A command that was handed to the adapter and is not on the bus yet. Nothing takes it back: it may still go
+// out, until the interface is taken down.
+struct WaitingCommand {
+  DeviceKey device;
+  Ask ask{};
+  Instant since;
+  friend bool operator==(const WaitingCommand&, const WaitingCommand&) = default;
+};
+
 struct ServiceStatus {
   bool locked = true;
+  bool isEnding = false;  // a lock or close was asked for; a service still has something to say before
   bool linkUp = false;
+  // The adapter gives back what was on the bus; otherwise nobody can tell whether our frames reach it.
+  bool echoes = true;
+  bool isListenOnly = false;  // the driver says that the adapter cannot send
   ClaimStatus claim;
   std::vector<DeviceServices> devices;  // that can be asked something, or were
-  double busLoad = 0;                   // of the last second, 0..1
-  std::uint64_t sent = 0;               // frames handed to the link
-  std::uint64_t notTaken = 0;           // of these the link did not take
-  Refusal refusal = Refusal::None;      // of the last intent; None where it was carried out
+  std::vector<WaitingCommand> waitingCommands;
+  double busLoad = 0;               // of the last second, 0..1
+  std::uint64_t sent = 0;           // frames handed to the link, second tries too
+  std::uint64_t notTaken = 0;       // of these the link did not take
+  std::uint64_t unconfirmed = 0;    // handed over 100 ms ago or earlier, and no echo yet: may still go out
+  Refusal refusal = Refusal::None;  // of the last intent; None where it was carried out
   std::uint64_t refusedSerial = 0;
 
   // An address of our own to send from.
-  bool canAsk() const { return !locked && linkUp && claim.progress == ClaimStatus::Progress::Claimed; }
+  bool canAsk() const {
+    return !locked && !isEnding && linkUp && claim.progress == ClaimStatus::Progress::Claimed;
+  }
   const DeviceServices* find(const DeviceKey& key) const {
     for (const DeviceServices& device : devices) {
       if (device.device == key) return &device;

@@ -27,6 +27,8 @@ std::string_view noteKey(const NoteValue& value) {
                [](const note::OwnAddress&) -> Key { return "own_address"; },
                [](const note::Asked&) -> Key { return "asked"; },
                [](const note::AskEnded&) -> Key { return "ask_ended"; },
+               [](const note::AskWaits&) -> Key { return "ask_waits"; },
+               [](const note::StillWaits&) -> Key { return "still_waits"; },
                [](const note::Pipe&) -> Key { return "pipe"; }},
       value);
 }

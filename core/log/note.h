@@ -84,6 +84,7 @@ struct OwnAddress {
     SameName = 4,     // another node has our NAME
     Locked = 5,       // given up by the transmit lock
     LinkLost = 6,     // given up, as the link went
+    InUse = 7,        // left, as another node sends from it
   };
   Channel channel;
   Address address;
@@ -106,6 +107,20 @@ struct AskEnded {
   RequestEnd end = RequestEnd::None;
   friend bool operator==(const AskEnded&, const AskEnded&) = default;
 };
+// A command was handed over and is not on the bus yet; it may still go out.
+struct AskWaits {
+  Channel channel;
+  Address address;
+  Pin pin;  // null where the device has none
+  Ask ask = Ask::Fault;
+  friend bool operator==(const AskWaits&, const AskWaits&) = default;
+};
+// At a lock, a close or the loss of an address so many frames of ours were not on the bus yet.
+struct StillWaits {
+  Channel channel;
+  std::uint64_t count = 0;
+  friend bool operator==(const StillWaits&, const StillWaits&) = default;
+};
 // Something happened to the data pipe of a device.
 struct Pipe {
   Channel channel;
@@ -124,16 +139,17 @@ constexpr bool isKnown(OwnAddress::How how) {
     case How::CannotClaim:
     case How::SameName:
     case How::Locked:
-    case How::LinkLost: return true;
+    case How::LinkLost:
+    case How::InUse: return true;
   }
   return false;
 }
 
 }  // namespace note
 
-using NoteValue =
-    std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
-                 note::DriveSaid, note::OwnAddress, note::Asked, note::AskEnded, note::Pipe>;
+using NoteValue = std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked,
+                               note::Unlocked, note::DriveSaid, note::OwnAddress, note::Asked, note::AskEnded,
+                               note::AskWaits, note::StillWaits, note::Pipe>;
 
 struct Note {
   std::uint64_t frame = 0;  // stands before this frame; the store's count where it is the last thing so far

@@ -57,6 +57,11 @@ constexpr auto kLayout<note::AskEnded> = layout(10, &note::AskEnded::channel, &n
 template <>
 constexpr auto kLayout<note::Pipe> = layout(11, &note::Pipe::channel, &note::Pipe::address, &note::Pipe::pin,
                                             &note::Pipe::event, &note::Pipe::file);
+template <>
+constexpr auto kLayout<note::AskWaits> = layout(12, &note::AskWaits::channel, &note::AskWaits::address,
+                                                &note::AskWaits::pin, &note::AskWaits::ask);
+template <>
+constexpr auto kLayout<note::StillWaits> = layout(13, &note::StillWaits::channel, &note::StillWaits::count);
 
 // Whether a struct has so many fields: as many as its braces take. A layout must name each of them.
 struct AnyField {

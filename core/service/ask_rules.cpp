@@ -27,4 +27,14 @@ std::vector<DeviceKey> askableDevices(const Live& live) {
   return keys;
 }
 
+DeviceServices& statusOf(const Live& live, const DeviceKey& device, ServiceStatus& in) {
+  const auto known = std::ranges::find(in.devices, device, &DeviceServices::device);
+  if (known != in.devices.end()) return *known;
+  DeviceServices& made = in.devices.emplace_back();
+  made.device = device;
+  made.address = live.addressOf(device).value_or(kNullAddress);
+  if (const Device* found = live.find(device)) made.takes = asksTakenBy(live, *found);
+  return made;
+}
+
 }  // namespace deckpipe

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/ask.h"
+#include "control/status.h"
 #include "protocol/catalogue.h"
 #include "service/live.h"
 
@@ -32,6 +33,9 @@ inline constexpr std::array<AskRule, kAsks> kAskRules{{
     {MessageId::SetupModeRequest, {MessageId::SetupModeAck, kNoAnswer}, 1s, 1, {1032, 1040, 1042, 1052}},
 }};
 
+// All answers that a rule wants, as bits.
+constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
+
 constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[static_cast<std::size_t>(ask)]; }
 
 // What may be asked of a device by its type; of one without a PIN only what all take is known. Nothing of one
@@ -39,5 +43,7 @@ constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[static_cast<std::siz
 AskSet asksTakenBy(const Live& live, const Device& device);
 // Everyone on this channel that takes something, in order of first appearance.
 std::vector<DeviceKey> askableDevices(const Live& live);
+// The entry of a device in the whole, made where there was none.
+DeviceServices& statusOf(const Live& live, const DeviceKey& device, ServiceStatus& in);
 
 }  // namespace deckpipe

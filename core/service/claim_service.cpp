@@ -6,30 +6,36 @@
 namespace deckpipe {
 namespace {
 
-using How = note::OwnAddress::How;
-
 constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
 
 Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8}; }
 
 }  // namespace
 
-Name consoleName(std::uint32_t identityNumber) {
+Name nameOf(const ClaimSettings& settings) {
   constexpr std::uint64_t kNoManufacturer = 0x7FF;
   using j1939::kNameFields;
   Payload name{};
-  writeBits(name, fieldOf(kNameFields, "identity_number").bits, identityNumber);
+  writeBits(name, fieldOf(kNameFields, "identity_number").bits, settings.identityNumber);
   writeBits(name, fieldOf(kNameFields, "manufacturer_code").bits, kNoManufacturer);
-  writeBits(name, fieldOf(kNameFields, "function").bits, kServiceToolFunction);
+  writeBits(name, fieldOf(kNameFields, "function_instance").bits, settings.functionInstance);
+  writeBits(name, fieldOf(kNameFields, "function").bits, settings.function);
   writeBits(name, fieldOf(kNameFields, "arbitrary_address_capable").bits, 1);
   return {loadLittle(name)};
 }
 
-ClaimService::ClaimService(const ClaimSettings& settings)
-    : m_settings(settings), m_spread(settings.identityNumber) {
-  if (addressUse(m_settings.preferred) == AddressUse::Refused) m_settings.preferred = kServiceTool1;
-  m_status.name = consoleName(settings.identityNumber).value;
+ClaimService::ClaimService(const ClaimSettings& settings, bool echoes)
+    : m_settings(settings), m_echoes(echoes), m_spread(settings.identityNumber) {
+  if (m_settings.isConsole && addressUse(m_settings.preferred) == AddressUse::Refused)
+    m_settings.preferred = m_settings.second;
+  m_status.name = nameOf(settings).value;
 }
+
+void ClaimService::linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) {
+  isOpen ? start(now, live, out) : stop(live, How::LinkLost, out);
+}
+
+void ClaimService::end(Instant, const Live& live, EndReason, Outgoing& out) { stop(live, How::Locked, out); }
 
 void ClaimService::start(Instant now, const Live& live, Outgoing& out) {
   const std::uint64_t name = m_status.name;
@@ -37,28 +43,41 @@ void ClaimService::start(Instant now, const Live& live, Outgoing& out) {
   m_status.name = name;
   m_status.progress = Progress::Asking;
   m_lost.reset();
+  m_conflict = kNotYet;
   m_deadline = now + kListen;
   askNames(live, out);
 }
 
-void ClaimService::stop() {
+void ClaimService::stop(const Live& live, How why, Outgoing& out) {
+  if (address() != kNullAddress) noteAddress(live, kNullAddress, why, out);
   m_status.progress = Progress::Off;
   m_status.address = kNullAddress;
   m_deadline = kNever;
 }
 
+std::optional<Refusal> ClaimService::wants(Instant, const Live& live, const Wish& wish, Outgoing& out) {
+  if (!m_settings.isConsole || !std::holds_alternative<wish::AskNames>(wish)) return {};
+  askNames(live, out);
+  return Refusal::None;
+}
+
+void ClaimService::status(const Live&, ServiceStatus& into) const {
+  if (m_settings.isConsole) into.claim = m_status;
+}
+
+void ClaimService::noteAddress(const Live& live, Address address, How how, Outgoing& out) const {
+  if (m_settings.isConsole) out.note(note::OwnAddress{live.channel, address, how});
+}
+
+// From our address, or the null address before there is one.
 void ClaimService::askNames(const Live& live, Outgoing& out) {
   Encoded data{.length = 3};
   writeBits(data.data, kRequested, pgn::kAddressClaimed);
-  Live from = live;
-  from.own = address();
-  out.send(from, MessageId::Request, kGlobalAddress, data);
+  out.send(live, address(), MessageId::Request, kGlobalAddress, data);
 }
 
-void ClaimService::sendName(const Live& live, Address from, Outgoing& out) const {
-  Live sender = live;
-  sender.own = from;
-  out.send(sender, MessageId::Name, kGlobalAddress, encodedName({m_status.name}));
+FrameTag ClaimService::sendName(const Live& live, Address from, Outgoing& out) const {
+  return out.send(live, from, MessageId::Name, kGlobalAddress, encodedName({m_status.name}), true);
 }
 
 // Neither taken by another NAME nor in use without one.
@@ -72,32 +91,42 @@ bool ClaimService::isFree(const Live& live, Address address) const {
 }
 
 void ClaimService::claimNext(Instant now, const Live& live, Outgoing& out) {
-  for (const Address candidate : {m_settings.preferred, kServiceTool1, kServiceTool2}) {
-    if (isFree(live, candidate)) return claim(now, live, candidate, out);
+  for (const Address candidate : {m_settings.preferred, m_settings.second, m_settings.third}) {
+    if (isFree(live, candidate)) return claim(live, candidate, out);
   }
-  // From the top: Akron's devices claim theirs from 80 hex up.
-  for (Address a = kLastDynamic; isDynamicAddress(a); --a.value) {
-    if (isFree(live, a)) return claim(now, live, a, out);
+  for (unsigned a = m_settings.highest.value; a >= m_settings.lowest.value && a > 0; --a) {
+    const Address candidate{static_cast<std::uint8_t>(a)};
+    if (isFree(live, candidate)) return claim(live, candidate, out);
   }
   cannotClaim(now, live, out);
 }
 
-void ClaimService::claim(Instant now, const Live& live, Address address, Outgoing& out) {
+void ClaimService::claim(const Live& live, Address address, Outgoing& out) {
   m_status.progress = Progress::Claiming;
   m_status.address = address;
   m_ours.set(address.value);
-  m_deadline = now + kClaimTime;
-  sendName(live, address, out);
+  m_status.isOnBus = false;
+  m_deadline = kNever;  // until it is known what became of the claim
+  m_claim = sendName(live, address, out);
 }
 
 // J1939-81 spreads these over 153 ms, because all of them have the same identifier.
 void ClaimService::cannotClaim(Instant now, const Live& live, Outgoing& out) {
-  if (m_status.progress != Progress::CannotClaim)
-    out.note(note::OwnAddress{live.channel, kNullAddress, How::CannotClaim});
+  if (m_status.progress != Progress::CannotClaim) noteAddress(live, kNullAddress, How::CannotClaim, out);
   m_status.progress = Progress::CannotClaim;
   m_status.address = kNullAddress;
   m_spread = m_spread * 1'664'525u + 1'013'904'223u;
   m_deadline = now + (m_spread >> 24) * Duration(600us);
+}
+
+void ClaimService::writeEnded(Instant now, const Live&, FrameTag tag, WriteOutcome outcome, Outgoing&) {
+  if (m_status.progress != Progress::Claiming || tag != m_claim) return;
+  m_status.isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell;
+  if (m_status.isOnBus) {
+    m_deadline = now + kClaimTime;
+  } else if (outcome != WriteOutcome::Gone) {
+    m_deadline = now + kClaimAgain;
+  }
 }
 
 void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
@@ -106,10 +135,11 @@ void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
   switch (m_status.progress) {
     case Progress::Asking: return claimNext(now, live, out);
     case Progress::Claiming:
+      if (!m_status.isOnBus) return claimNext(now, live, out);
       m_status.progress = Progress::Claimed;
-      out.note(note::OwnAddress{live.channel, m_status.address, How::Claimed});
+      noteAddress(live, m_status.address, How::Claimed, out);
       return;
-    case Progress::CannotClaim: return sendName(live, kNullAddress, out);
+    case Progress::CannotClaim: sendName(live, kNullAddress, out); return;
     case Progress::Off:
     case Progress::Claimed:
     case Progress::SameName: return;
@@ -123,12 +153,14 @@ void ClaimService::received(Instant now, const Live& live, const Frame& frame, O
   const bool isClaim = id.pgn == pgn::kAddressClaimed && frame.length == 8;
   const bool isSameName = isClaim && Name::of(frame).value == m_status.name;
   if (id.source == m_status.address && isDynamicAddress(id.source) && !isSameName)
-    return addressLost(now, live, out);
+    return leave(now, live, isClaim ? How::Lost : How::InUse, out);
   if (isClaim) return claimHeard(now, live, id.source, Name::of(frame), out);
+  const bool hasAddress = m_status.address != kNullAddress;
+  if (m_echoes && hasAddress && id.source == m_status.address && id.pgn != pgn::kAddressClaimed)
+    return strangerHeard(now, live, out);
   if (id.pgn != pgn::kRequest || frame.length != 3 ||
       readBits(frame.data, kRequested) != pgn::kAddressClaimed)
     return;
-  const bool hasAddress = m_status.address != kNullAddress;
   if (id.destination != kGlobalAddress && (!hasAddress || id.destination != m_status.address)) return;
   if (hasAddress) sendName(live, m_status.address, out);
   if (m_status.progress == Progress::CannotClaim) cannotClaim(now, live, out);
@@ -140,23 +172,36 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
     m_status.progress = Progress::SameName;
     m_status.address = kNullAddress;
     m_deadline = kNever;
-    out.note(note::OwnAddress{live.channel, kNullAddress, How::SameName});
+    noteAddress(live, kNullAddress, How::SameName, out);
     return;
   }
   if (source == kNullAddress || m_status.address == kNullAddress || source != m_status.address) return;
   if (m_status.name < name.value) {
     ++m_status.won;
     // Who has the address already keeps using it while it defends it.
-    return sendName(live, m_status.address, out);
+    sendName(live, m_status.address, out);
+    return;
   }
-  addressLost(now, live, out);
+  leave(now, live, How::Lost, out);
 }
 
-void ClaimService::addressLost(Instant now, const Live& live, Outgoing& out) {
+void ClaimService::leave(Instant now, const Live& live, How why, Outgoing& out) {
   ++m_status.lost;
   m_lost.set(m_status.address.value);
-  out.note(note::OwnAddress{live.channel, kNullAddress, How::Lost});
+  m_conflict = kNotYet;
+  noteAddress(live, kNullAddress, why, out);
   claimNext(now, live, out);
+}
+
+// It may not have heard our claim; then our NAME tells it.
+void ClaimService::strangerHeard(Instant now, const Live& live, Outgoing& out) {
+  if (m_conflict == kNotYet || now - m_conflict > kConflictOver) {
+    m_conflict = now;
+    ++m_status.conflicts;
+    sendName(live, m_status.address, out);
+  } else if (now - m_conflict >= kClaimTime) {
+    leave(now, live, How::InUse, out);
+  }
 }
 
 }  // namespace deckpipe

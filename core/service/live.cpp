@@ -17,6 +17,13 @@ std::optional<Address> Live::addressOf(const DeviceKey& key) const {
   return device->address;
 }
 
+Refusal Live::whyNotTo(Instant now, const DeviceKey& key) const {
+  const Device* device = find(key);
+  if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
+  if (bus().book.isContested(device->address)) return Refusal::Contested;
+  return now - device->lastHeard > kHeardWithin ? Refusal::NotHeard : Refusal::None;
+}
+
 DeviceKey Live::canonical(const DeviceKey& key) const {
   const Device* device = find(key);
   return device != nullptr && !device->pin.isNull() ? DeviceKey::of(device->pin, channel) : key;

@@ -7,37 +7,56 @@
 #include <vector>
 
 #include "base/device_key.h"
-#include "bus/frame.h"
+#include "bus/own_frames.h"
+#include "control/status.h"
 #include "protocol/encode.h"
 #include "state/state.h"
 
 namespace deckpipe {
 
+// A device that was silent for longer may be gone, or hear nothing.
+inline constexpr Duration kHeardWithin = 1s;
+
 // The live State with every frame up to now applied, whatever the cursor shows.
 struct Live {
   const State& state;
   Channel channel;
-  // Ours on the bus; null while there is none to send from.
-  Address own = kNullAddress;
 
   const ChannelState& bus() const { return state.channel(channel); }
   const Device* find(const DeviceKey& key) const;
   // Where it is now; nothing where it is not on this channel or has no address.
   std::optional<Address> addressOf(const DeviceKey& key) const;
+  // Why no command and no packet may go to a device now; None if it may. Polls are not asked for this.
+  Refusal whyNotTo(Instant now, const DeviceKey& key) const;
   // An address that is a device's own with a PIN is that device.
   DeviceKey canonical(const DeviceKey& key) const;
 };
 
+// A frame to be written, and whose it is.
+struct OutFrame {
+  Frame frame;
+  FrameTag tag;
+  // When the adapter's queue is full it is tried again once, kTryAgain later.
+  bool triesAgain = false;
+};
+
 struct Outgoing {
-  std::vector<Frame> frames;
+  std::vector<OutFrame> frames;
   std::vector<Note> notes;
+  std::uint32_t owner = 0;  // place of the service that is called, in the list; Services sets it
+  std::uint64_t lastNumber = 0;
 
   // Placed in the log (frame, time) by whoever writes them down.
   void note(NoteValue value) { notes.push_back({.value = std::move(value)}); }
-  void send(const Live& live, MessageId id, Address to, const Encoded& data) {
-    Frame frame = j1939Frame(messageOf(id), data, live.own, to);
+  // `from`: an address that the sender claimed, or the null address for a claim. What becomes of the frame
+  // is told by Service::writeEnded() with this tag.
+  FrameTag send(const Live& live, Address from, MessageId id, Address to, const Encoded& data,
+                bool triesAgain = false) {
+    Frame frame = j1939Frame(messageOf(id), data, from, to);
     frame.channel = live.channel.value;
-    frames.push_back(frame);
+    const FrameTag tag{owner, ++lastNumber};
+    frames.push_back({frame, tag, triesAgain});
+    return tag;
   }
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data pipe (CAN Messaging manual, message type FE): up to 7 characters a packet, one packet in flight to
 // a device, the next only after its ack; what comes in is acknowledged at once; both directions interleave,
-// and several devices at once. Services calls it. What was said is in the log; here is how it goes.
+// and several devices at once. What was said is in the log; here is how it goes.
 //
 // 1. There is no sequence number, so nothing is ever sent twice by itself: a missing ack stops the pipe until
 //    the person says resend, skip or abort. An ack that comes late after all resolves the doubt.
-// 2. Where the link gives back our frames, an ack counts only once the packet was on the bus: one that came
-//    before cannot be its own.
+// 2. An ack counts only once the packet was on the bus, and its time runs from there: one that came before
+//    cannot be its own. A packet that is not on the bus yet is not sent a second time.
 // 3. After a packet was sent again, skipped or given up, an ack of it may still come. The next packet waits
 //    kSettle for it, lest it be taken for its own.
 // 4. Only who is known to be Akron's is answered: other makers' frames look the same.
@@ -15,89 +15,36 @@
 // 6. A packet belongs to the address it went to. When the device is elsewhere by then, the pipe stops.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "control/intent.h"
-#include "control/status.h"
-#include "service/live.h"
+#include "service/claim_service.h"
+#include "service/pipe.h"
 
 namespace deckpipe {
 
-class PipeService {
+class PipeService : public Service {
  public:
-  static constexpr std::size_t kPacket = 7;
-  static constexpr Duration kAckTimeout = 1s;
-  static constexpr Duration kSettle = 1s;
-  static constexpr std::size_t kMostTyped = 65'536;  // characters that may wait
+  // Sends from the address that `own` claims.
+  explicit PipeService(const ClaimService& own) : m_own(own) {}
 
-  // `echoes`: our own frames come back from the link.
-  explicit PipeService(bool echoes) : m_echoes(echoes) {}
-
-  Refusal write(Instant now, const Live& live, const wish::PipeWrite& wish, Outgoing& out);
-  Refusal sendFile(Instant now, const Live& live, const wish::PipeFile& wish, Outgoing& out);
-  Refusal act(Instant now, const Live& live, const wish::PipeAction& wish, Outgoing& out);
-  // Locked, or the link is lost: what is in flight is in doubt, what waits is dropped.
-  void endAll(Instant now, const Live& live, Outgoing& out);
-
-  // The pipe of an address is the device's there once its PIN is known.
-  void adopt(Instant now, const Live& live, Outgoing& out);
-  void received(Instant now, const Live& live, const Frame& frame, Outgoing& out);
-  void timeCame(Instant now, const Live& live, Outgoing& out);
-  Instant nextTime() const;
-
-  // Null where nothing was ever sent or received.
-  const PipeStatus* statusOf(const DeviceKey& device) const;
-  template <typename F>
-  void forEachDevice(F&& f) const {
-    for (const Pipe& pipe : m_pipes) f(pipe.device);
-  }
+  void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
+  std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) override;
+  void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) override;
+  void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome, Outgoing& out) override;
+  void timeCame(Instant now, const Live& live, Outgoing& out) override;
+  Instant nextTime() const override;
+  // What is in flight is in doubt then, what waits is dropped.
+  void end(Instant now, const Live& live, EndReason reason, Outgoing& out) override;
+  Address source() const override { return m_own.address(); }
+  void status(const Live& live, ServiceStatus& into) const override;
 
  private:
-  struct Packet {
-    std::string bytes;
-    Address to;
-    Instant sent = kNotYet;
-    bool isOnBus = false;
-    bool isOfFile = false;
-    bool wasResent = false;
-  };
-  struct Pipe {
-    DeviceKey device;
-    PipeStatus status;
-    std::string typed;  // from `typedFrom` on it is still to be sent
-    std::size_t typedFrom = 0;
-    std::shared_ptr<const std::string> content;
-    std::optional<Packet> flying;
-    Instant deadline = kNever;      // of the ack, or of settling
-    Instant pausedSince = kNotYet;  // paused or stalled
-
-    std::size_t waiting() const { return typed.size() - typedFrom; }
-    bool isBusy() const {
-      return flying || waiting() > 0 || status.isSendingFile() ||
-             status.progress == PipeStatus::Progress::Settling;
-    }
-  };
-
   Pipe& pipe(const DeviceKey& device);
   Pipe* find(const DeviceKey& device);
-  void sendNext(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  void fly(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  void acknowledged(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  void passed(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  static PipeStatus::Stall whyNoAck(const Live& live, const Pipe& pipe);
-  void stall(Instant now, const Live& live, Pipe& pipe, PipeStatus::Stall why, Outgoing& out);
-  void join(Instant now, const Live& live, Pipe& from, Pipe& into, Outgoing& out);
-  void endFile(Instant now, const Live& live, Pipe& pipe, PipeStatus::FileEnd how, Outgoing& out);
-  void cancelFile(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  static void settle(Instant now, Pipe& pipe);
-  void drop(Instant now, const Live& live, Pipe& pipe, Outgoing& out);
-  static void hold(Instant now, Pipe& pipe, PipeStatus::Progress progress);
-  static void release(Instant now, Pipe& pipe);
-  void dataHeard(const Live& live, const DeviceKey& device, Address source, const Frame& frame,
-                 Outgoing& out);
+  // The pipe of an address is the device's there once its PIN is known.
+  void adopt(const Pipe::Turn& turn);
 
-  bool m_echoes;
+  const ClaimService& m_own;
   std::vector<Pipe> m_pipes;
 };
 

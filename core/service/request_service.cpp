@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "bus/j1939.h"
 
@@ -12,10 +13,6 @@ namespace {
 using Progress = RequestStatus::Progress;
 
 constexpr Ask askAt(std::size_t i) { return static_cast<Ask>(i); }
-constexpr bool isOpen(Progress progress) {
-  return progress == Progress::Queued || progress == Progress::Waiting;
-}
-
 template <typename F>
 void forEachAsk(AskSet asks, F&& f) {
   for (std::size_t i = 0; i < kAsks; ++i) {
@@ -36,9 +33,6 @@ unsigned costOf(Ask ask) {
   return sum;
 }
 
-// All answers that a rule wants, as bits.
-constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
-
 }  // namespace
 
 RequestService::Asked& RequestService::asked(const DeviceKey& device) {
@@ -48,11 +42,42 @@ RequestService::Asked& RequestService::asked(const DeviceKey& device) {
   return m_devices.emplace_back(Asked{device, {}});
 }
 
-const std::array<RequestStatus, kAsks>* RequestService::statusOf(const DeviceKey& device) const {
+const RequestService::Asked* RequestService::find(const DeviceKey& device) const {
   for (const Asked& known : m_devices) {
-    if (known.device == device) return &known.statuses;
+    if (known.device == device) return &known;
   }
   return nullptr;
+}
+
+void RequestService::linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) {
+  if (!isOpen) endAll(now, live, RequestEnd::LinkLost, out);
+}
+
+void RequestService::end(Instant now, const Live& live, EndReason reason, Outgoing& out) {
+  endAll(now, live, reason == EndReason::AddressLost ? RequestEnd::AddressLost : RequestEnd::Cancelled, out);
+}
+
+std::optional<Refusal> RequestService::wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) {
+  const auto ifAddressed = [&](auto&& carryOut) {
+    if (source() == kNullAddress) return Refusal::NoAddress;
+    adopt(now, live, out);
+    return carryOut();
+  };
+  if (const auto* it = std::get_if<wish::AskDevice>(&wish))
+    return ifAddressed([&] { return ask(now, live, *it, out); });
+  if (const auto* it = std::get_if<wish::Repeat>(&wish))
+    return ifAddressed([&] { return repeat(now, live, *it, out); });
+  if (const auto* it = std::get_if<wish::Cancel>(&wish))
+    return ifAddressed([&] { return cancel(now, live, *it, out); });
+  return {};
+}
+
+void RequestService::status(const Live& live, ServiceStatus& into) const {
+  for (const DeviceKey& key : askableDevices(live)) statusOf(live, key, into);
+  for (const Asked& known : m_devices) statusOf(live, known.device, into).requests = known.statuses;
+  for (const Handed& command : m_commands) {
+    if (command.isSaid) into.waitingCommands.push_back({command.device, command.ask, command.since});
+  }
 }
 
 void RequestService::queue(RequestStatus& status, Timing& timing, Instant due) {
@@ -71,17 +96,21 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
   if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
   const AskSet takes = asksTakenBy(live, *device) & wish.asks;
   if (takes.isEmpty()) return Refusal::NotTaken;
+  if ((takes & kPolls) != takes) {
+    if (const Refusal why = live.whyNotTo(now, wish.device); why != Refusal::None) return why;
+  }
   Asked& at = asked(live.canonical(wish.device));
   Refusal refusal = Refusal::Busy;
   forEachAsk(takes, [&](Ask ask) {
     RequestStatus& status = at.status(ask);
     // A repeated poll that waits for its turn may as well come now.
-    if (status.progress == Progress::Waiting || (isOpen(status.progress) && status.period == 0ns)) return;
+    if (status.progress == Progress::Waiting || (status.isOpen() && status.period == 0ns)) return;
+    if (isHanded(at.device, ask)) return;
     queue(status, at.timing(ask), now);
     refusal = Refusal::None;
     if (isCommand(ask)) send(now, live, at, ask, out);
   });
-  timeCame(now, live, out);
+  sendDue(now, live, out);
   return refusal;
 }
 
@@ -96,7 +125,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   }
   const DeviceKey key = live.canonical(wish.device);
   if (wish.period == 0ns) {
-    if (statusOf(key) == nullptr) return Refusal::None;
+    if (find(key) == nullptr) return Refusal::None;
     Asked& at = asked(key);
     forEachAsk(wish.asks, [&](Ask ask) {
       RequestStatus& status = at.status(ask);
@@ -117,31 +146,33 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   forEachAsk(takes, [&](Ask ask) {
     RequestStatus& status = at.status(ask);
     status.period = std::max<Duration>(wish.period, wish::Repeat::kShortestPeriod);
-    if (!isOpen(status.progress)) {
+    if (!status.isOpen()) {
       queue(status, at.timing(ask), now);
     } else if (status.progress == Progress::Queued) {
       at.timing(ask).due = std::min(at.timing(ask).due, now);
     }
   });
-  timeCame(now, live, out);
+  sendDue(now, live, out);
   return Refusal::None;
 }
 
-void RequestService::cancel(Instant now, const Live& live, const DeviceKey& device, Outgoing& out) {
-  const DeviceKey key = live.canonical(device);
+Refusal RequestService::cancel(Instant now, const Live& live, const wish::Cancel& wish, Outgoing& out) {
+  const DeviceKey key = live.canonical(wish.device);
   for (Asked& at : m_devices) {
     if (key.isNull() || at.device == key) endDevice(now, live, at, RequestEnd::Cancelled, out);
   }
+  return Refusal::None;
 }
 
 void RequestService::endAll(Instant now, const Live& live, RequestEnd how, Outgoing& out) {
   for (Asked& at : m_devices) endDevice(now, live, at, how, out);
+  for (Handed& command : m_commands) sayNotOnBus(live, command, out);
 }
 
 void RequestService::endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out) {
   for (std::size_t i = 0; i < kAsks; ++i) {
     at.statuses[i].period = 0ns;
-    if (isOpen(at.statuses[i].progress)) end(now, live, at, askAt(i), how, out);
+    if (at.statuses[i].isOpen()) end(now, live, at, askAt(i), how, out);
   }
 }
 
@@ -157,11 +188,12 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   if (status.tries == 1) status.firstSent = now;
   timing.to = *to;
   timing.answers = 0;
-  timing.deadline = now + rule.patience;
-  timing.lastStatus = now;
+  timing.isOnBus = false;
+  timing.deadline = isCommand(ask) ? kNever : now + rule.patience;
   Encoded data{.length = 1};
   data.data[0] = static_cast<std::uint8_t>(messageOf(rule.request).firstByte);
-  out.send(live, rule.request, *to, data);
+  timing.tag = out.send(live, source(), rule.request, *to, data);
+  if (isCommand(ask)) m_commands.push_back({timing.tag, at.device, ask, *to, now});
   m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(ask));
   // Of what is repeated only changes are noted, at its end.
   if (status.tries == 1 && status.period == 0ns) out.note(note::Asked{live.channel, *to, at.device.pin, ask});
@@ -176,9 +208,9 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
   status.ended = now;
   if (how == RequestEnd::Answered) {
     ++status.answered;
-    status.latency = now - status.sent;
+    status.latency = std::max<Duration>(now - status.sent, 0ns);
   }
-  if (isNews) out.note(note::AskEnded{live.channel, timing.to, at.device.pin, ask, how});
+  if (isNews) noteEnd(live, at.device, timing.to, ask, how, out);
   // Each try may still be answered.
   const int tries = how == RequestEnd::Answered ? status.tries - 1 : 0;
   timing = {.to = timing.to,
@@ -190,14 +222,24 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
   queue(status, timing, std::max(next, now));
 }
 
+void RequestService::noteEnd(const Live& live, const DeviceKey& device, Address to, Ask ask, RequestEnd how,
+                             Outgoing& out) {
+  out.note(note::AskEnded{live.channel, to, device.pin, ask, how});
+}
+
 void RequestService::expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out) {
   const AskRule& rule = ruleOf(ask);
+  if (!at.timing(ask).isOnBus) return end(now, live, at, ask, RequestEnd::NotOnBus, out);
   if (at.status(ask).tries < rule.tries) return send(now, live, at, ask, out);
   end(now, live, at, ask, at.timing(ask).wrong ? RequestEnd::WrongAnswer : RequestEnd::NoAnswer, out);
 }
 
 Instant RequestService::nextTime() const {
   Instant next = kNever;
+  if (source() == kNullAddress) return next;
+  for (const Handed& command : m_commands) {
+    if (!command.isSaid) next = std::min(next, command.since + kOnBusTime);
+  }
   for (const Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
       if (at.statuses[i].progress == Progress::Waiting) next = std::min(next, at.timings[i].deadline);
@@ -209,13 +251,22 @@ Instant RequestService::nextTime() const {
 }
 
 void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
+  if (source() == kNullAddress) return;
+  adopt(now, live, out);
+  for (Handed& command : m_commands) {
+    if (command.since + kOnBusTime <= now) sayNotOnBus(live, command, out);
+  }
   for (Asked& at : m_devices) {
     for (std::size_t i = 0; i < kAsks; ++i) {
       if (at.statuses[i].progress == Progress::Waiting && at.timings[i].deadline <= now)
         expire(now, live, at, askAt(i), out);
     }
   }
-  // Who has waited longest is next; of two the one that is first in the list.
+  sendDue(now, live, out);
+}
+
+// Who has waited longest is next; of two the one that is first in the list.
+void RequestService::sendDue(Instant now, const Live& live, Outgoing& out) {
   while (m_nextPoll <= now) {
     Asked* next = nullptr;
     std::size_t kind = 0;
@@ -234,86 +285,13 @@ void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
   }
 }
 
-void RequestService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
-  if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
-  const J1939Id id = J1939Id::of(frame.identifier());
-  if (id.pgn != pgn::kProprietaryA || frame.length == 0) return;
-  if (id.destination == kGlobalAddress) return broadcastHeard(now, live, id.source, frame, out);
-  if (live.own == kNullAddress || id.destination != live.own) return;
-  for (Asked& at : m_devices) {
-    for (std::size_t i = 0; i < kAsks; ++i) {
-      if (askAt(i) == Ask::Reset || at.timings[i].to != id.source) continue;
-      const AskRule& rule = kAskRules[i];
-      for (std::size_t part = 0; part < rule.answers.size(); ++part) {
-        if (rule.answers[part] == kNoAnswer || messageOf(rule.answers[part]).firstByte != frame.data[0])
-          continue;
-        // The address may have gone to somebody else since.
-        if (live.addressOf(at.device) != id.source) continue;
-        if (!allows(messageOf(rule.answers[part]).lengths, frame.length)) {
-          ++at.statuses[i].wrong;
-          at.timings[i].wrong = true;
-        } else {
-          answered(now, live, at, askAt(i), part, out);
-        }
-      }
-    }
-  }
-}
-
-void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask, std::size_t part,
-                              Outgoing& out) {
-  RequestStatus& status = at.status(ask);
-  Timing& timing = at.timing(ask);
-  if (status.progress == Progress::Waiting) {
-    const unsigned whole = wholeAnswer(ruleOf(ask));
-    if ((timing.answers >> part & 1u) != 0) ++status.unasked;
-    timing.answers = static_cast<std::uint8_t>(timing.answers | 1u << part);
-    if (timing.answers == whole) end(now, live, at, ask, RequestEnd::Answered, out);
-    return;
-  }
-  const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer;
-  if (!wasGivenUp || now - status.ended > kLate) {
-    if (timing.spare > 0) {
-      --timing.spare;
-    } else {
-      ++status.unasked;
-    }
-    return;
-  }
-  status.end = RequestEnd::AnsweredLate;
-  status.latency = now - status.sent;
-  status.ended = now;
-  out.note(note::AskEnded{live.channel, timing.to, at.device.pin, ask, status.end});
-}
-
-// A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address. It
-// announces itself whenever NAMEs are asked for, too; what tells a restart is that its statuses stopped
-// before.
-void RequestService::broadcastHeard(Instant now, const Live& live, Address source, const Frame& frame,
-                                    Outgoing& out) {
-  const Message& message = messageOf(MessageId::AddressAnnouncement);
-  const bool isAnnouncement = frame.data[0] == message.firstByte && allows(message.lengths, frame.length);
-  const auto pin = isAnnouncement ? announcedPin(frame) : std::nullopt;
-  for (Asked& at : m_devices) {
-    if (at.status(Ask::Reset).progress != Progress::Waiting) continue;
-    Timing& timing = at.timing(Ask::Reset);
-    if (!isAnnouncement) {
-      if (source == timing.to) timing.lastStatus = now;
-      continue;
-    }
-    const bool isIt =
-        at.device.kind == DeviceKey::Kind::Pin ? pin == at.device.pin : source == at.device.address;
-    if (isIt && now - timing.lastStatus >= kRestart)
-      end(now, live, at, Ask::Reset, RequestEnd::Answered, out);
-  }
-}
-
 void RequestService::adopt(Instant now, const Live& live, Outgoing& out) {
+  for (Handed& command : m_commands) command.device = live.canonical(command.device);
   for (std::size_t i = 0; i < m_devices.size(); ++i) {
     if (m_devices[i].device.kind != DeviceKey::Kind::Address) continue;
     const DeviceKey key = live.canonical(m_devices[i].device);
     if (key == m_devices[i].device) continue;
-    const bool isKnown = statusOf(key) != nullptr;
+    const bool isKnown = find(key) != nullptr;
     if (!isKnown) {
       m_devices[i].device = key;
     } else {  // the device was asked under its PIN before: of two in flight to it one has to end

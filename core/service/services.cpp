@@ -4,48 +4,120 @@
 #include <algorithm>
 #include <utility>
 
+#include "service/pipe_service.h"
+#include "service/request_service.h"
+
 namespace deckpipe {
-namespace {
+Services::Services(const ServiceSettings& settings) : m_settings(settings), m_budget(settings.bitRate) {
+  auto claim = std::make_unique<ClaimService>(settings.claim, settings.echoes);
+  const ClaimService& own = *claim;
+  add(std::move(claim));
+  add(std::make_unique<RequestService>(m_budget, own));
+  add(std::make_unique<PipeService>(own));
+  m_status.echoes = settings.echoes;
+}
 
-using How = note::OwnAddress::How;
+Service& Services::add(std::unique_ptr<Service> service) {
+  return *m_services.emplace_back(Entry{std::move(service)}).service;
+}
 
-}  // namespace
+template <typename F>
+void Services::callAt(std::size_t place, F&& call) {
+  Entry& entry = m_services[place];
+  if (entry.hasEnded) return;
+  m_out.owner = static_cast<std::uint32_t>(place);
+  call(*entry.service);
+}
 
-Services::Services(const ServiceSettings& settings)
-    : m_settings(settings),
-      m_budget(settings.bitRate),
-      m_claim(settings.claim),
-      m_requests(m_budget),
-      m_pipes(settings.echoes) {}
+template <typename F>
+void Services::forEach(F&& call) {
+  for (std::size_t i = 0; i < m_services.size(); ++i) callAt(i, call);
+}
+
+template <typename F>
+void Services::forEachBackwards(F&& call) {
+  for (std::size_t i = m_services.size(); i-- > 0;) callAt(i, call);
+}
 
 void Services::linkChanged(Instant now, const State& state, bool isUp) {
   if (isUp == m_status.linkUp) return;
   m_status.linkUp = isUp;
   const Live live = liveOf(state);
-  if (isUp) {
-    if (!m_status.locked) m_claim.start(now, live, m_out);
-    return;
+  if (isUp) return begin(now, live);
+  dropUnwritten(now, live);
+  // A link that we close takes nothing along: what waits in the adapter may still go out.
+  for (const OwnFrames::Own& own : m_own.takeAll()) {
+    if (!m_isClosed) writeEnded(now, live, own.tag, WriteOutcome::Gone);
   }
-  m_requests.endAll(now, live, RequestEnd::LinkLost, m_out);
-  m_pipes.endAll(now, live, m_out);
-  m_claim.stop();
+  if (m_status.locked) return;
+  forEachBackwards([&](Service& service) { service.linkChanged(now, live, false, m_out); });
+  for (Entry& entry : m_services) entry.source = kNullAddress;
   m_out.frames.clear();
-  if (live.own != kNullAddress) m_out.note(note::OwnAddress{live.channel, kNullAddress, How::LinkLost});
+  if (m_status.isEnding) complete(now, live);
 }
 
-void Services::unlock(Instant now, const Live& live) {
-  if (!std::exchange(m_status.locked, false)) return;
+void Services::setListenOnly(Instant now, const State& state, bool isListenOnly) {
+  m_status.isListenOnly = isListenOnly;
+  if (isListenOnly) endAll(now, liveOf(state), EndReason::Locked);
+}
+
+void Services::begin(Instant now, const Live& live) {
+  if (!isOpen()) return;
+  for (Entry& entry : m_services) entry.hasEnded = false;
+  forEach([&](Service& service) { service.linkChanged(now, live, true, m_out); });
+}
+
+Refusal Services::unlock(Instant now, const Live& live) {
+  if (!m_status.locked) return Refusal::None;
+  if (m_status.isListenOnly) return Refusal::ListenOnly;
+  m_status.locked = false;
   m_out.note(note::Unlocked{live.channel});
-  if (m_status.linkUp) m_claim.start(now, live, m_out);
+  begin(now, live);
+  return Refusal::None;
 }
 
-void Services::lock(Instant now, const Live& live) {
-  if (std::exchange(m_status.locked, true)) return;
-  m_requests.endAll(now, live, RequestEnd::Cancelled, m_out);
-  m_pipes.endAll(now, live, m_out);
-  m_claim.stop();
-  m_out.frames.clear();
-  if (live.own != kNullAddress) m_out.note(note::OwnAddress{live.channel, kNullAddress, How::Locked});
+void Services::close(Instant now, const State& state) {
+  m_isClosed = true;
+  endAll(now, liveOf(state), EndReason::Closing);
+}
+
+void Services::endAll(Instant now, const Live& live, EndReason reason) {
+  if (m_status.locked || std::exchange(m_status.isEnding, true)) return;
+  m_reason = reason;
+  m_endBy = now + kEndingTime;
+  if (!m_status.linkUp) return complete(now, live);  // that has ended everything already
+  dropUnwritten(now, live);
+  forEachBackwards([&](Service& service) {
+    if (!service.endsLast()) service.end(now, live, reason, m_out);
+  });
+  followEnding(now, live);
+}
+
+void Services::followEnding(Instant now, const Live& live) {
+  if (!m_status.isEnding) return;
+  bool allEnded = true;
+  for (Entry& entry : m_services) {
+    if (entry.service->endsLast()) continue;
+    entry.hasEnded = entry.hasEnded || entry.service->hasEnded();
+    allEnded = allEnded && entry.hasEnded;
+  }
+  if (!allEnded && now < m_endBy) return;
+  forEachBackwards([&](Service& service) {
+    if (service.endsLast()) service.end(now, live, m_reason, m_out);
+  });
+  complete(now, live);
+}
+
+void Services::complete(Instant now, const Live& live) {
+  m_status.isEnding = false;
+  m_status.locked = true;
+  m_endBy = kNever;
+  for (const Again& again : std::exchange(m_again, {})) giveUp(now, live, again.frame);
+  for (Entry& entry : m_services) {
+    entry.source = kNullAddress;
+    entry.hasEnded = true;
+  }
+  noteWaiting(live);
   m_out.note(note::Locked{live.channel});
 }
 
@@ -57,85 +129,109 @@ Refusal Services::apply(Instant now, const State& state, const Intent& intent) {
 }
 
 Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) {
-  m_requests.adopt(now, live, m_out);
-  m_pipes.adopt(now, live, m_out);
-  if (std::holds_alternative<wish::Lock>(intent.value)) return lock(now, live), Refusal::None;
-  if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live), Refusal::None;
+  if (std::holds_alternative<wish::Lock>(intent.value))
+    return endAll(now, live, EndReason::Locked), Refusal::None;
+  if (m_status.isEnding) return Refusal::Busy;
+  if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live);
   if (m_status.locked) return Refusal::Locked;
   if (!m_status.linkUp) return Refusal::NoLink;
-  if (std::holds_alternative<wish::AskNames>(intent.value))
-    return m_claim.askNames(live, m_out), Refusal::None;
-  if (live.own == kNullAddress) return Refusal::NoAddress;
-  struct Visitor {
-    Services& services;
-    Instant now;
-    const Live& live;
-    Refusal operator()(const wish::AskDevice& wish) const {
-      return services.m_requests.ask(now, live, wish, services.m_out);
-    }
-    Refusal operator()(const wish::Repeat& wish) const {
-      return services.m_requests.repeat(now, live, wish, services.m_out);
-    }
-    Refusal operator()(const wish::Cancel& wish) const {
-      services.m_requests.cancel(now, live, wish.device, services.m_out);
-      return Refusal::None;
-    }
-    Refusal operator()(const wish::PipeWrite& wish) const {
-      return services.m_pipes.write(now, live, wish, services.m_out);
-    }
-    Refusal operator()(const wish::PipeFile& wish) const {
-      return services.m_pipes.sendFile(now, live, wish, services.m_out);
-    }
-    Refusal operator()(const wish::PipeAction& wish) const {
-      return services.m_pipes.act(now, live, wish, services.m_out);
-    }
-    Refusal operator()(const wish::Lock&) const { return Refusal::None; }
-    Refusal operator()(const wish::Unlock&) const { return Refusal::None; }
-    Refusal operator()(const wish::AskNames&) const { return Refusal::None; }
-  };
-  return std::visit(Visitor{*this, now, live}, intent.value);
+  std::optional<Refusal> answer;
+  forEach([&](Service& service) {
+    if (!answer) answer = service.wants(now, live, intent.value, m_out);
+  });
+  return answer.value_or(Refusal::NotTaken);
 }
 
-void Services::addressChanged(Instant now, const Live& live, Address before) {
-  if (before == kNullAddress || m_claim.address() == before) return;
-  // What was asked was to be answered to the address that is no longer ours.
-  m_requests.endAll(now, live, RequestEnd::AddressLost, m_out);
-  m_pipes.endAll(now, live, m_out);
-}
-
-void Services::received(Instant now, const State& state, std::span<const Frame> frames) {
-  timeCame(now, state);
-  for (const Frame& frame : frames) {
-    if (frame.channel != m_settings.channel.value) continue;
-    m_budget.heard(now, frame);
-    if (m_status.locked || !m_status.linkUp) continue;
-    const Live live = liveOf(state);
-    m_claim.received(now, live, frame, m_out);
-    addressChanged(now, live, live.own);
-    if (m_claim.address() == kNullAddress) continue;
-    m_requests.received(now, live, frame, m_out);
-    m_pipes.received(now, live, frame, m_out);
+void Services::followAddresses(Instant now, const Live& live) {
+  bool isLost = false;
+  for (std::size_t i = 0; i < m_services.size(); ++i) {
+    const Address before = std::exchange(m_services[i].source, m_services[i].service->source());
+    if (before == kNullAddress || before == m_services[i].source) continue;
+    callAt(i, [&](Service& service) { service.end(now, live, EndReason::AddressLost, m_out); });
+    isLost = true;
   }
+  if (isLost) noteWaiting(live);
+}
+
+// Nothing takes back what the adapter has.
+void Services::noteWaiting(const Live& live) {
+  if (m_own.waiting() > 0) m_out.note(note::StillWaits{live.channel, m_own.waiting()});
+}
+
+void Services::received(Instant at, const State& state, const Frame& frame) {
+  if (frame.channel != m_settings.channel.value) return;
+  m_budget.heard(at, frame);
+  const Live live = liveOf(state);
+  if ((frame.flags & Frame::kConfirmed) != 0) {
+    if (const auto own = m_own.take(frame)) writeEnded(at, live, own->tag, WriteOutcome::OnBus);
+  }
+  if (!isOpen()) return;
+  forEach([&](Service& service) {
+    service.received(at, live, frame, m_out);
+    followAddresses(at, live);
+  });
+  followEnding(at, live);
+}
+
+void Services::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome) {
+  m_out.owner = tag.owner;
+  m_services[tag.owner].service->writeEnded(now, live, tag, outcome, m_out);
+  if (isOpen()) followAddresses(now, live);
+}
+
+void Services::wrote(Instant now, const State& state, const OutFrame& frame, WriteResult result) {
+  const Live live = liveOf(state);
+  if (result == WriteResult::Accepted) {
+    if (!m_settings.echoes) return writeEnded(now, live, frame.tag, WriteOutcome::CannotTell);
+    return m_own.wrote(frame.frame, frame.tag, now);
+  }
+  if (result == WriteResult::QueueFull && frame.triesAgain) {
+    m_again.push_back({frame, now + kTryAgain});
+    m_again.back().frame.triesAgain = false;
+    return;
+  }
+  ++m_status.notTaken;
+  const bool isFull = result == WriteResult::QueueFull;
+  writeEnded(now, live, frame.tag, isFull ? WriteOutcome::QueueFull : WriteOutcome::NotTaken);
+}
+
+void Services::giveUp(Instant now, const Live& live, const OutFrame& frame) {
+  ++m_status.notTaken;
+  writeEnded(now, live, frame.tag, WriteOutcome::NotTaken);
+}
+
+void Services::dropUnwritten(Instant now, const Live& live) {
+  for (const Again& again : std::exchange(m_again, {})) giveUp(now, live, again.frame);
+  for (const OutFrame& frame : std::exchange(m_out.frames, {})) giveUp(now, live, frame);
 }
 
 void Services::timeCame(Instant now, const State& state) {
-  if (m_status.locked || !m_status.linkUp) return;
-  m_claim.timeCame(now, liveOf(state), m_out);
-  if (m_claim.address() == kNullAddress) return;
+  if (!isOpen()) return;
   const Live live = liveOf(state);
-  m_requests.adopt(now, live, m_out);
-  m_pipes.adopt(now, live, m_out);
-  m_requests.timeCame(now, live, m_out);
-  m_pipes.timeCame(now, live, m_out);
+  std::erase_if(m_again, [&](const Again& again) {
+    if (again.due > now) return false;
+    m_out.frames.push_back(again.frame);
+    return true;
+  });
+  forEach([&](Service& service) {
+    service.timeCame(now, live, m_out);
+    followAddresses(now, live);
+  });
+  followEnding(now, live);
 }
 
 Instant Services::nextTime() const {
-  if (m_status.locked || !m_status.linkUp) return kNever;
-  if (m_claim.address() == kNullAddress) return m_claim.nextTime();
-  return std::min({m_claim.nextTime(), m_requests.nextTime(), m_pipes.nextTime()});
+  Instant next = kNever;
+  if (!isOpen()) return next;
+  if (m_status.isEnding) next = m_endBy;
+  for (const Again& again : m_again) next = std::min(next, again.due);
+  for (const Entry& entry : m_services) {
+    if (!entry.hasEnded) next = std::min(next, entry.service->nextTime());
+  }
+  return next;
 }
 
-void Services::takeFrames(std::vector<Frame>& out) {
+void Services::takeFrames(std::vector<OutFrame>& out) {
   m_status.sent += m_out.frames.size();
   out.insert(out.end(), m_out.frames.begin(), m_out.frames.end());
   m_out.frames.clear();
@@ -148,21 +244,11 @@ void Services::takeNotes(std::vector<Note>& out) {
 
 ServiceStatus Services::status(Instant now, const State& state) {
   const Live live = liveOf(state);
-  m_status.claim = m_claim.status();
+  m_status.unconfirmed = m_own.waitingSince(now - kOnBusTime);
   m_status.busLoad = m_budget.load(now);
   m_status.devices.clear();
-  const auto add = [&](const DeviceKey& key) {
-    if (m_status.find(key) != nullptr) return;
-    DeviceServices& device = m_status.devices.emplace_back();
-    device.device = key;
-    device.address = live.addressOf(key).value_or(kNullAddress);
-    if (const Device* known = live.find(key)) device.takes = asksTakenBy(live, *known);
-    if (const auto* requests = m_requests.statusOf(key)) device.requests = *requests;
-    if (const PipeStatus* pipe = m_pipes.statusOf(key)) device.pipe = *pipe;
-  };
-  for (const DeviceKey& key : askableDevices(live)) add(key);
-  m_requests.forEachDevice(add);
-  m_pipes.forEachDevice(add);
+  m_status.waitingCommands.clear();
+  for (const Entry& entry : m_services) entry.service->status(live, m_status);
   return m_status;
 }
 

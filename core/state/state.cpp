@@ -136,7 +136,8 @@ void State::apply(const Note& note) {
                       [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
                       [&](const note::OwnAddress& n) { channel.ownAddress = n.address; },
                       [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
-                      [](const note::Asked&) {}, [](const note::AskEnded&) {}, [](const note::Pipe&) {}},
+                      [](const note::Asked&) {}, [](const note::AskWaits&) {}, [](const note::AskEnded&) {},
+                      [](const note::StillWaits&) {}, [](const note::Pipe&) {}},
              note.value);
 }
 

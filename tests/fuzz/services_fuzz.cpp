@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arbitrary frames, wishes, links that come and go and jumps of time into the services, whose own frames come
-// back as echoes or get lost. Whatever happens: no crash, nothing is sent while locked or without a link,
-// never two packets are in flight to one device, and in the end every ask has come to its end.
+// back as echoes, get lost or are refused. Whatever happens: no crash, nothing is sent while locked or
+// without a link, never two packets are in flight to one device, and in the end every ask has come to its
+// end.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <span>
 
+#include "service/pipe_service.h"
 #include "service/services.h"
 
 namespace {
@@ -33,7 +35,7 @@ class Console {
   }
   void hear(const Frame& frame) {
     m_state.apply(frame, now);
-    m_services.received(now, m_state, {&frame, 1});
+    m_services.received(now, m_state, frame);
     const J1939Id id = J1939Id::of(frame.identifier());
     // At the latest now it may be taken for an ack.
     if (frame.isExtended() && id.pgn == pgn::kProprietaryA && frame.length == 1 && frame.data[0] == 0xFE)
@@ -55,6 +57,7 @@ class Console {
   }
   ServiceStatus status() { return m_services.status(now, m_state); }
   bool losesFrames = false;
+  bool refusesFrames = false;
 
  private:
   DeviceKey deviceAt(Address address) const {
@@ -63,7 +66,7 @@ class Console {
                                                       : DeviceKey::at(Channel{}, address);
   }
   void take() {
-    std::vector<Frame> frames;
+    std::vector<OutFrame> frames;
     m_services.takeFrames(frames);
     std::vector<Note> notes;
     m_services.takeNotes(notes);
@@ -72,18 +75,21 @@ class Console {
       m_state.apply(note);
     }
     const ServiceStatus after = status();
-    for (Frame frame : frames) {
+    for (const OutFrame& out : frames) {
+      Frame frame = out.frame;
+      m_services.wrote(now, m_state, out, refusesFrames ? WriteResult::QueueFull : WriteResult::Accepted);
       demand(!after.locked && after.linkUp);
+      if (refusesFrames) continue;
       const J1939Id id = J1939Id::of(frame.identifier());
       if (id.pgn == pgn::kProprietaryA && frame.length > 1 && frame.data[0] == 0xFE) {
         const auto [flight, isFirst] = m_inFlight.try_emplace(deviceAt(id.destination), now);
-        demand(isFirst || now - flight->second >= PipeService::kSettle);
+        demand(isFirst || now - flight->second >= deckpipe::Pipe::kSettle);
         flight->second = now;
       }
       if (losesFrames) continue;
-      frame.flags |= Frame::kSent;
+      frame.flags |= Frame::kSent | Frame::kConfirmed;
       m_state.apply(frame, now);
-      m_services.received(now, m_state, {&frame, 1});
+      m_services.received(now, m_state, frame);
     }
     if (!frames.empty()) take();
   }
@@ -183,6 +189,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           console->setLink(byte >= 128);
         } else {
           console->losesFrames = byte % 8 == 1;
+          console->refusesFrames = byte % 8 == 2;
         }
         break;
       default: wishFrom(*console, in);
@@ -190,6 +197,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   console->want(wish::Repeat{{}, kPolls, Duration{0}});
   console->passTime(600s, 200'000);
+  console->setLink(false);  // a command that is not on the bus ends with its link
   for (const DeviceServices& device : console->status().devices) {
     for (const RequestStatus& request : device.requests)
       demand(request.progress == RequestStatus::Progress::Idle ||

@@ -50,6 +50,10 @@ template <>
 inline const note::AskEnded kSample<note::AskEnded>{kNotedChannel, kNotedAddress, kNotedPin, Ask::Vista,
                                                     RequestEnd::AnsweredLate};
 template <>
+inline const note::AskWaits kSample<note::AskWaits>{kNotedChannel, kNotedAddress, kNotedPin, Ask::ZeroAxes};
+template <>
+inline const note::StillWaits kSample<note::StillWaits>{kNotedChannel, 5};
+template <>
 inline const note::Pipe kSample<note::Pipe>{kNotedChannel, kNotedAddress, kNotedPin, PipeEvent::FileDone,
                                             "axis.txt"};
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The console's services and the bench twin back to back on one simulated bus, time jumping from deadline to
 // deadline. The wire in between may lose, delay and double frames, by a function that a test sets. What each
-// side sends the other hears after kFlight; the console's own frames come back to it as echoes.
+// side sends the other hears after kFlight; the console's own frames come back to it as echoes. Its adapter
+// may refuse frames, keep them waiting, and lose or delay echoes, by functions of the console.
 #pragma once
 
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "protocol/classify.h"
@@ -16,14 +19,29 @@
 
 namespace deckpipe::test {
 
-// One console: its State fed with all that is on the bus, its notes.
+// What becomes of a frame on its way.
+struct Fate {
+  int copies = 1;
+  Duration delay{0};
+};
+
+// One console: its State fed with all that is on the bus, its notes, its adapter.
 struct Console {
-  explicit Console(ServiceSettings settings = {}) : services(settings) {}
+  explicit Console(ServiceSettings settings = {}) : echoes(settings.echoes), services(settings) {}
+
+  // Whether the adapter takes a frame.
+  std::function<WriteResult(const Frame&)> take = [](const Frame&) { return WriteResult::Accepted; };
+  // How long a frame waits in the adapter before it is on the bus; nothing: until the link goes.
+  std::function<std::optional<Duration>(const Frame&)> leaves = [](const Frame&) { return Duration{0}; };
+  // Of the echo, once the frame is on the bus.
+  std::function<Fate(const Frame&)> echo = [](const Frame&) { return Fate{}; };
+  bool echoes;
 
   State state;
   Services services;
   std::vector<Note> notes;
   std::uint64_t serial = 0;
+  Instant frozenUntil = kNotYet;
 
   ServiceStatus status(Instant now) { return services.status(now, state); }
   RequestStatus request(Instant now, const DeviceKey& key, Ask ask) {
@@ -42,10 +60,7 @@ class Pair {
  public:
   static constexpr Duration kFlight = 700us;
 
-  struct Fate {
-    int copies = 1;
-    Duration delay{0};
-  };
+  using Fate = test::Fate;
   struct Seen {
     Instant time;
     Frame frame;
@@ -56,7 +71,8 @@ class Pair {
   simulator::Bench bench;
   // What happens to a frame on its way to whoever is not its sender.
   std::function<Fate(const Frame&)> wire = [](const Frame&) { return Fate{}; };
-  std::vector<Seen> log;  // as sent
+  std::vector<Seen> log;      // as they went onto the bus
+  std::vector<Seen> written;  // as consoles handed them to their adapters, refused ones too
 
   Console& console() { return *m_consoles.front(); }
   Console& addConsole(const ServiceSettings& settings = {}) {
@@ -87,7 +103,14 @@ class Pair {
     post(m_now, frame, nullptr, true);
     pump();
   }
+  // Its thread stands still: frames wait for it, and then come with the times at which they came.
+  void freeze(Console& console, Duration d) { console.frozenUntil = m_now + d; }
+  // What waits in the adapter goes with the link.
   void setLink(Console& console, bool isUp) {
+    if (!isUp) {
+      std::erase_if(m_waiting, [&](const Waiting& waiting) { return waiting.of == &console; });
+      std::erase_if(m_flying, [&](const Flying& flying) { return flying.to == &console; });
+    }
     console.services.linkChanged(m_now, console.state, isUp);
     pump();
   }
@@ -139,6 +162,11 @@ class Pair {
     Frame frame;
     Console* to;  // null: the bench
   };
+  struct Waiting {
+    Instant due;
+    Frame frame;
+    Console* of;
+  };
 
   void post(Instant at, const Frame& frame, Console* sender, bool toBench) {
     log.push_back({at, frame, sender});
@@ -151,8 +179,8 @@ class Pair {
     for (auto& console : m_consoles) {
       if (console.get() == sender) {
         Frame echo = frame;
-        echo.flags |= Frame::kSent | Frame::kConfirmed;
-        fly(sender, echo, Fate{});
+        echo.flags |= sender->echoes ? Frame::kSent | Frame::kConfirmed : Frame::kSent;
+        fly(sender, echo, sender->echo(frame));
       } else {
         fly(console.get(), frame, fate);
       }
@@ -162,21 +190,31 @@ class Pair {
 
   Instant nextTime() const {
     Instant next = bench.nextTime();
-    for (const Flying& flying : m_flying) next = std::min(next, flying.due);
-    for (const auto& console : m_consoles) next = std::min(next, console->services.nextTime());
+    for (const Waiting& waiting : m_waiting) next = std::min(next, waiting.due);
+    for (const Flying& flying : m_flying) next = std::min(next, timeFor(flying.to, flying.due));
+    for (const auto& console : m_consoles)
+      next = std::min(next, timeFor(console.get(), console->services.nextTime()));
     return next;
   }
 
+  static Instant timeFor(const Console* console, Instant time) {
+    return console != nullptr ? std::max(time, console->frozenUntil) : time;
+  }
+
+  // Frames before deadlines, as the contract of the services wants it.
   void step() {
     bench.timeCame(m_now);
-    for (auto& console : m_consoles) {
-      console->state.timeCame(m_now);
-      console->services.timeCame(m_now, console->state);
-    }
     pump();
+    for (const Waiting& waiting : std::exchange(m_waiting, {})) {
+      if (waiting.due <= m_now) {
+        post(m_now, waiting.frame, waiting.of, true);
+      } else {
+        m_waiting.push_back(waiting);
+      }
+    }
     std::vector<Flying> due;
     std::erase_if(m_flying, [&](const Flying& flying) {
-      if (flying.due > m_now) return false;
+      if (timeFor(flying.to, flying.due) > m_now) return false;
       due.push_back(flying);
       return true;
     });
@@ -185,11 +223,29 @@ class Pair {
       if (flying.to == nullptr) {
         bench.received(m_now, flying.frame);
       } else {
-        flying.to->state.apply(flying.frame, m_now);
-        flying.to->services.received(m_now, flying.to->state, {&flying.frame, 1});
+        const Instant at = std::max(flying.due, flying.to->state.cursor().time);
+        flying.to->state.apply(flying.frame, at);
+        flying.to->services.received(at, flying.to->state, flying.frame);
       }
       pump();
     }
+    for (auto& console : m_consoles) {
+      if (console->frozenUntil > m_now) continue;
+      console->state.timeCame(m_now);
+      console->services.timeCame(m_now, console->state);
+    }
+    pump();
+  }
+
+  void write(Console& console, const OutFrame& out) {
+    written.push_back({m_now, out.frame, &console});
+    const WriteResult result = console.take(out.frame);
+    if (result == WriteResult::Accepted) {
+      const auto wait = console.leaves(out.frame);
+      if (wait == Duration{0}) post(m_now, out.frame, &console, true);
+      if (wait && *wait > 0ns) m_waiting.push_back({m_now + *wait, out.frame, &console});
+    }
+    console.services.wrote(m_now, console.state, out, result);
   }
 
   // What everyone wants sent now goes onto the bus.
@@ -198,9 +254,9 @@ class Pair {
     bench.takeFrames(m_due);
     for (const simulator::DueFrame& due : m_due) post(m_now, due.frame, nullptr, false);
     for (auto& console : m_consoles) {
-      std::vector<Frame> frames;
+      std::vector<OutFrame> frames;
       console->services.takeFrames(frames);
-      for (const Frame& frame : frames) post(m_now, frame, console.get(), true);
+      for (const OutFrame& out : frames) write(*console, out);
       std::vector<Note> notes;
       console->services.takeNotes(notes);
       for (Note& note : notes) {
@@ -214,6 +270,7 @@ class Pair {
   Instant m_now{};
   std::vector<std::unique_ptr<Console>> m_consoles;
   std::vector<Flying> m_flying;
+  std::vector<Waiting> m_waiting;
   std::uint64_t m_order = 0;
   std::vector<simulator::DueFrame> m_due;
 };

@@ -79,6 +79,7 @@ QString ownAddressText(const note::OwnAddress& n) {
     case How::Lost: return EventText::tr("The console lost its address to a lower NAME");
     case How::CannotClaim: return EventText::tr("The console cannot claim any address");
     case How::SameName: return EventText::tr("Another node has the console's NAME");
+    case How::InUse: return EventText::tr("The console left its address: another node sends from it");
     case How::Locked:
     case How::LinkLost: return EventText::tr("The console gave up its address");
   }
@@ -92,6 +93,7 @@ EventWeight weightOf(How how) {
     case How::Lost:
     case How::CannotClaim:
     case How::SameName:
+    case How::InUse:
     case How::LinkLost: return EventWeight::Attend;
   }
   return EventWeight::Attend;
@@ -142,6 +144,15 @@ QString noteText(const LogDocument& log, const Note& note) {
                  return EventText::tr("%1 of %2: %3")
                      .arg(askText(n.ask), deviceText(n.pin, n.address), requestEndText(n.end));
                },
+               [](const note::AskWaits& n) {
+                 return EventText::tr("%1 of %2: not on the bus yet; it may still go out")
+                     .arg(askText(n.ask), deviceText(n.pin, n.address));
+               },
+               [&](const note::StillWaits& n) {
+                 return EventText::tr("%1: %Ln frames are not on the bus yet and may still go out", nullptr,
+                                      static_cast<int>(std::min<std::uint64_t>(n.count, INT_MAX)))
+                     .arg(busOf(n));
+               },
                [](const note::Pipe& n) { return pipeText(n); }},
       note.value);
 }
@@ -160,6 +171,8 @@ EventWeight weightOf(const Note& note) {
                              [](const note::AskEnded& n) {
                                return n.end == RequestEnd::Answered ? Weight::Plain : Weight::Attend;
                              },
+                             [](const note::AskWaits&) { return Weight::Fault; },
+                             [](const note::StillWaits&) { return Weight::Fault; },
                              [](const note::Pipe&) { return Weight::Plain; }},
                     note.value);
 }

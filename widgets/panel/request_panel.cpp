@@ -225,7 +225,8 @@ void RequestPanel::showState() {
   if (device != nullptr) {
     for (const RequestStatus& request : device->requests) {
       isOpen = isOpen || request.progress == RequestStatus::Progress::Queued ||
-               request.progress == RequestStatus::Progress::Waiting;
+               request.progress == RequestStatus::Progress::Waiting ||
+               request.progress == RequestStatus::Progress::NotOnBusYet;
     }
   }
   const bool takesPolls = device != nullptr && !(device->takes & kPolls).isEmpty();
@@ -267,6 +268,8 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
     parts.append(ask == Ask::Reset ? tr("waiting for it to announce itself")
                  : isCommand(ask)  ? tr("waiting for the acknowledgement")
                                    : tr("asked, try %1").arg(request.tries));
+  } else if (request.progress == Progress::NotOnBusYet) {
+    parts.append(tr("not on the bus yet; it may still go out"));
   } else if (request.end != RequestEnd::None) {
     const QString end =
         ask == Ask::Reset && isFine ? tr("seen again after %1").arg(periodText(request.latency))
@@ -301,18 +304,21 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
     const RequestStatus& request = device->of(card.ask());
     bool isFine = false;
     // How a request ended is of now; the past knows its answers alone.
-    const bool isOpen = request.progress == RequestStatus::Progress::Waiting || request.period > 0ns;
+    const bool isKept = request.progress == RequestStatus::Progress::NotOnBusYet;
+    const bool isOpen =
+        isKept || request.progress == RequestStatus::Progress::Waiting || request.period > 0ns;
     const QString state = m_view.atEnd || isOpen ? stateText(card.ask(), request, isFine) : QString();
     if (!state.isEmpty()) {
       const bool isOlder = !values.state.isEmpty() && !isFine && request.end != RequestEnd::None;
       values.state = isOlder ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
-      values.tone = request.progress == RequestStatus::Progress::Waiting ? AskCard::Tone::Waiting
-                    : request.end == RequestEnd::None                    ? AskCard::Tone::Plain
-                    : isFine                                             ? AskCard::Tone::Fine
-                                                                         : AskCard::Tone::Attend;
+      values.tone = isKept                                                 ? AskCard::Tone::Attend
+                    : request.progress == RequestStatus::Progress::Waiting ? AskCard::Tone::Waiting
+                    : request.end == RequestEnd::None                      ? AskCard::Tone::Plain
+                    : isFine                                               ? AskCard::Tone::Fine
+                                                                           : AskCard::Tone::Attend;
     }
     values.isOffered = m_isLive && m_services.canAsk() && device->takes.has(card.ask()) &&
-                       request.progress != RequestStatus::Progress::Waiting;
+                       request.progress != RequestStatus::Progress::Waiting && !isKept;
   }
   if (values.state.isEmpty()) values.state = isCommand(card.ask()) ? QString() : tr("never asked");
   card.setValues(values);

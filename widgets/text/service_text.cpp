@@ -38,6 +38,10 @@ QString requestEndText(RequestEnd end) {
     case RequestEnd::Gone: return ServiceText::tr("device has no address");
     case RequestEnd::AnsweredLate: return ServiceText::tr("answered too late");
     case RequestEnd::AddressLost: return ServiceText::tr("the console lost its address");
+    case RequestEnd::NotOnBus: return ServiceText::tr("not on the bus");
+    case RequestEnd::WentOutLate: return ServiceText::tr("went out late");
+    case RequestEnd::GoneWithInterface:
+      return ServiceText::tr("gone with the interface before it was on the bus");
   }
   return {};
 }
@@ -54,6 +58,9 @@ QString refusalText(Refusal refusal) {
     case Refusal::TooMuch: return ServiceText::tr("That is more than may wait to be sent.");
     case Refusal::NotLive: return ServiceText::tr("The view stands in the past, where nothing can be begun.");
     case Refusal::LogFull: return ServiceText::tr("The log takes no more; what is not recorded is not sent.");
+    case Refusal::NotHeard: return ServiceText::tr("The device was not heard for 1 s.");
+    case Refusal::Contested: return ServiceText::tr("Two nodes claim the device's address at this moment.");
+    case Refusal::ListenOnly: return ServiceText::tr("The adapter is in listen-only mode: it cannot send.");
   }
   return {};
 }
@@ -63,7 +70,9 @@ QString claimText(const ClaimStatus& claim) {
   switch (claim.progress) {
     case ClaimStatus::Progress::Off: return ServiceText::tr("no address");
     case ClaimStatus::Progress::Asking: return ServiceText::tr("asking who is there");
-    case ClaimStatus::Progress::Claiming: return ServiceText::tr("claiming address %1").arg(address);
+    case ClaimStatus::Progress::Claiming:
+      return claim.isOnBus ? ServiceText::tr("claiming address %1").arg(address)
+                           : ServiceText::tr("claim of address %1 not on the bus yet").arg(address);
     case ClaimStatus::Progress::Claimed: return ServiceText::tr("address %1").arg(address);
     case ClaimStatus::Progress::CannotClaim: return ServiceText::tr("no address free");
     case ClaimStatus::Progress::SameName: return ServiceText::tr("another node has our NAME");
@@ -92,6 +101,10 @@ QString stallText(PipeStatus::Stall stall) {
     case PipeStatus::Stall::NoAck: return ServiceText::tr("No ack from the device within 1 s.");
     case PipeStatus::Stall::Moved: return ServiceText::tr("No ack; the device is at another address now.");
     case PipeStatus::Stall::Gone: return ServiceText::tr("No ack; the device has no address any more.");
+    case PipeStatus::Stall::NotOnBus:
+      return ServiceText::tr("The packet is not on the bus yet; it may still go out.");
+    case PipeStatus::Stall::NotTaken:
+      return ServiceText::tr("The adapter did not take the packet: it was not sent.");
   }
   return {};
 }

@@ -110,6 +110,82 @@ TEST(LockFact, SaysThatNothingIsSent) {
   EXPECT_EQ(lockFact(snapshot).tone, StatusTone::Attend);
 }
 
+TEST(LockFact, SaysThatALockIsNotCompleteYet) {
+  Snapshot snapshot = link(Progress::Running);
+  ServiceStatus services;
+  services.locked = false;
+  services.isEnding = true;
+  snapshot.services = std::make_shared<const ServiceStatus>(services);
+  EXPECT_EQ(lockFact(snapshot).text.toStdString(), "Locking …");
+}
+
+// A state of the services, what the strip says of it and how.
+struct SentRow {
+  const char* name;
+  void (*set)(ServiceStatus& services);
+  const char* text;
+  StatusTone tone;
+  const char* story;
+};
+void PrintTo(const SentRow& row, std::ostream* out) { *out << row.name; }
+
+class SentFact : public ::testing::TestWithParam<SentRow> {};
+
+TEST_P(SentFact, SaysWhatIsNotOnTheBus) {
+  Snapshot snapshot = link(Progress::Running);
+  ServiceStatus services;
+  services.locked = false;
+  GetParam().set(services);
+  snapshot.services = std::make_shared<const ServiceStatus>(services);
+  const StatusFact fact = sentFact(snapshot);
+  EXPECT_EQ(fact.text.toStdString(), GetParam().text);
+  EXPECT_EQ(fact.tone, GetParam().tone);
+  EXPECT_TRUE(says(fact.story.toStdString(), GetParam().story));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, SentFact,
+    ::testing::Values(SentRow{"AllWell", [](ServiceStatus&) {}, "", StatusTone::Plain, ""},
+                      SentRow{"CannotTell", [](ServiceStatus& s) { s.echoes = false; },
+                              "On the bus: cannot tell", StatusTone::Idle, "does not tell whether"},
+                      SentRow{"LockedItIsNoQuestion",
+                              [](ServiceStatus& s) {
+                                s.echoes = false;
+                                s.locked = true;
+                              },
+                              "", StatusTone::Plain, ""},
+                      SentRow{"Refused", [](ServiceStatus& s) { s.notTaken = 1; }, "1 frame not sent",
+                              StatusTone::Attend, "1 frame was not taken by the adapter"},
+                      SentRow{"Waiting",
+                              [](ServiceStatus& s) {
+                                s.unconfirmed = 3;
+                                s.notTaken = 1;
+                              },
+                              "3 frames not on the bus yet", StatusTone::Fault,
+                              "may still go out, after a lock too"},
+                      SentRow{"ACommandAfterALock",
+                              [](ServiceStatus& s) {
+                                s.locked = true;
+                                s.unconfirmed = 1;
+                                s.waitingCommands.push_back(
+                                    {DeviceKey::of(*Pin::parse("1032AE100801035")), Ask::Reset, Instant{}});
+                              },
+                              "Reset: not on the bus yet", StatusTone::Fault, "Reset of 1032 AE 100801035"},
+                      SentRow{"Commands", [](ServiceStatus& s) { s.waitingCommands.resize(2); },
+                              "2 commands not on the bus yet", StatusTone::Fault, ""}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(NoticeText, SaysWhyAListenOnlyAdapterIsNotUnlocked) {
+  Snapshot snapshot = link(Progress::Running);
+  snapshot.source.isListenOnly = true;
+  EXPECT_EQ(notice(snapshot), "") << "nobody wanted to send";
+  ServiceStatus services;
+  services.refusal = Refusal::ListenOnly;
+  snapshot.services = std::make_shared<const ServiceStatus>(services);
+  EXPECT_TRUE(says(notice(snapshot), "listen-only mode and cannot send"));
+  EXPECT_TRUE(noticeOf(snapshot, {}).command.endsWith(QLatin1String("listen-only off")));
+}
+
 TEST(CompletenessFact, CountsWhatIsMissing) {
   EXPECT_EQ(completenessFact(link(Progress::Running)).text.toStdString(), "Complete");
   Snapshot lossy = link(Progress::Running);

@@ -174,6 +174,14 @@ inline std::vector<Scene> windowScenes() {
   Snapshot down = snapshotOf("", Kind::Link, Progress::Failed);
   down.source.error = LinkError{LinkFault::InterfaceDown, "The interface is down."};
   add("link_down", down);
+  Snapshot kept = askingSnapshot();
+  ServiceStatus waiting = *kept.services;
+  waiting.waitingCommands.push_back(
+      {DeviceKey::of(*Pin::parse("1032AE100801035")), Ask::SetupMode, kept.view.cursor.time});
+  waiting.unconfirmed = 3;
+  waiting.notTaken = 12;
+  kept.services = std::make_shared<const ServiceStatus>(waiting);
+  add("live_not_on_bus", kept);
   Snapshot unsent = paused;
   unsent.notSent = Refusal::NotLive;
   add("live_nothing_sent", unsent);

@@ -58,9 +58,9 @@ TEST_F(Claim, UnlockedItAsksWhoIsThereFirstThenClaimsTheServiceTools) {
   ASSERT_EQ(names().size(), 1u);
   EXPECT_EQ(names()[0].frame.id, frame("18EEFFF9", "").id);
   EXPECT_EQ(status().progress, Progress::Claiming);
-  pair.run(kClaimTime - 1ms);
-  EXPECT_EQ(status().progress, Progress::Claiming);
-  pair.run(1ms);
+  pair.run(kClaimTime);
+  EXPECT_EQ(status().progress, Progress::Claiming) << "counted from its echo";
+  pair.run(Pair::kFlight);
   EXPECT_EQ(status().progress, Progress::Claimed);
   EXPECT_EQ(status().address, Address{0xF9});
   EXPECT_EQ(pair.console().state.channel(Channel{}).ownAddress, Address{0xF9});
@@ -108,7 +108,7 @@ TEST_F(Claim, ALowerNameTakesTheAddressAndAnotherIsClaimed) {
   EXPECT_EQ(status().address, Address{0xFA});
   EXPECT_EQ(status().lost, 1);
   EXPECT_EQ(pair.console().state.channel(Channel{}).ownAddress, kNullAddress);
-  pair.run(kClaimTime);
+  pair.run(kClaimTime + Pair::kFlight);
   EXPECT_EQ(status().progress, Progress::Claimed);
 }
 
@@ -119,7 +119,7 @@ TEST_F(Claim, ContestedWhileClaimingItNeverUsesTheAddress) {
   pair.run(kClaimTime - 1ms);
   EXPECT_EQ(status().progress, Progress::Claiming);
   EXPECT_EQ(status().address, Address{0xFA});
-  pair.run(2ms);
+  pair.run(3ms);
   EXPECT_EQ(status().progress, Progress::Claimed);
 }
 

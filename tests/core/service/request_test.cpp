@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "service/request_service.h"
 #include "support/pair.h"
 
 namespace deckpipe::test {
@@ -67,10 +68,10 @@ TEST_F(Request, NoAnswerIsSaidAfterThreeTries) {
   ask(Ask::Firmware);
   pair.run(499ms);
   EXPECT_EQ(sent(0x03), 1u);
-  pair.run(1001ms);
+  pair.run(1010ms);
   EXPECT_EQ(end(Ask::Firmware), RequestEnd::NoAnswer);
   EXPECT_EQ(sent(0x03), 3u);
-  EXPECT_EQ(status(Ask::Firmware).ended - begin, 1500ms);
+  EXPECT_EQ(status(Ask::Firmware).ended - begin, 3 * (500ms + Pair::kFlight)) << "each from its echo";
   pair.run(5s);
   EXPECT_EQ(sent(0x03), 3u);
 }
@@ -164,6 +165,34 @@ TEST_F(Request, AnAnswerAfterItWasGivenUpIsSaidToBeLate) {
   EXPECT_EQ(end(Ask::Fault), RequestEnd::AnsweredLate);
 }
 
+TEST_F(Request, AnAnswerThatCameInTimeIsNoSilenceHoweverLateTheThreadIs) {
+  pair.wire = [](const Frame& f) {
+    return Pair::Fate{1, f.data[0] == 0x02 && f.length == 7 ? Duration(400ms) : Duration(0ns)};
+  };
+  ask(Ask::Fault);
+  pair.run(200ms);
+  pair.freeze(pair.console(), 500ms);  // the answer comes meanwhile
+  pair.run(600ms);
+  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
+  EXPECT_EQ(status(Ask::Fault).tries, 1);
+  EXPECT_LT(status(Ask::Fault).latency, 410ms) << "when it came, not when it was read";
+  EXPECT_EQ(sent(0x02), 1u);
+}
+
+// What a person asks for meanwhile judges nothing either.
+TEST_F(Request, AWishOfALateThreadEndsNothingWhoseAnswerWaits) {
+  pair.wire = [](const Frame& f) {
+    return Pair::Fate{1, f.data[0] == 0x02 && f.length == 7 ? Duration(400ms) : Duration(0ns)};
+  };
+  ask(Ask::Fault);
+  pair.run(200ms);
+  pair.freeze(pair.console(), 500ms);
+  pair.run(450ms);
+  ask(Ask::Firmware);
+  EXPECT_EQ(status(Ask::Fault).progress, Progress::Waiting);
+  EXPECT_EQ(sent(0x02), 1u);
+}
+
 TEST_F(Request, RepeatedPollsKeepTheirPeriodUntilTheyAreEnded) {
   pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
   pair.run(10500ms);
@@ -243,6 +272,43 @@ TEST_F(Request, OfEveryoneOnlyPollsAreAsked) {
   pair.run(3s);
   EXPECT_EQ(sent(0x02), pair.console().status(pair.now()).devices.size());
   EXPECT_EQ(sent(0x45) + sent(0x41), 0u);
+}
+
+TEST_F(Request, ACommandToADeviceThatIsSilentForASecondIsRefusedAndAPollIsNot) {
+  pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };  // it is not heard any more
+  pair.run(900ms);
+  EXPECT_EQ(ask(Ask::SetupMode), Refusal::None);
+  pair.run(300ms);
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::NotHeard);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
+  EXPECT_EQ(sent(0x41), 0u);
+}
+
+TEST_F(Request, ACommandToAContestedAddressIsRefusedUntilItIsDecided) {
+  Frame claim = frame("18EEFF00", "FFFFFFFFFFFFFFFF");  // would lose, and the holder does not answer yet
+  claim.id = J1939Id{6, pgn::kAddressClaimed, Address{monitorAddress()}, kGlobalAddress}.frameId();
+  pair.wire = [](const Frame& f) {
+    return Pair::Fate{J1939Id::of(f.identifier()).pgn == pgn::kAddressClaimed && f.data[0] != 0xFF ? 0 : 1,
+                      0ns};
+  };
+  pair.inject(claim);
+  pair.run(Pair::kFlight);
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Contested);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
+  EXPECT_EQ(sent(0x41), 0u);
+}
+
+TEST_F(Request, NothingIsUnlockedOnAListenOnlyAdapter) {
+  Console& console = pair.console();
+  console.services.setListenOnly(pair.now(), console.state, true);
+  EXPECT_TRUE(console.status(pair.now()).locked) << "what was unlocked is locked";
+  EXPECT_EQ(pair.want(wish::Unlock{}), Refusal::ListenOnly);
+  pair.run(1s);
+  const Instant before = pair.now();
+  pair.run(1s);
+  EXPECT_TRUE(pair.sentBy(&console, before).empty());
+  console.services.setListenOnly(pair.now(), console.state, false);
+  EXPECT_EQ(pair.want(wish::Unlock{}), Refusal::None);
 }
 
 TEST_F(Request, LockingEndsWhatIsOpenAndRepeated) {

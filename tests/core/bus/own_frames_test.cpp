@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/own_frames.h"
+#include "bus/own_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +58,19 @@ TEST(OwnFrames, ALaterOneMayOvertake) {
   own.wrote(frameOf(0x080, {}));
   EXPECT_TRUE(own.cameBack(frameOf(0x080, {})));
   EXPECT_TRUE(own.cameBack(frameOf(0x700, {})));
+}
+
+TEST(OwnFrames, OfEqualFramesTheFirstHandedOverComesBackFirst) {
+  OwnFrames own;
+  own.wrote(frameOf(0x123, {1}), {0, 1}, Instant{10});
+  own.wrote(frameOf(0x124, {1}), {1, 2}, Instant{20});
+  own.wrote(frameOf(0x123, {1}), {2, 3}, Instant{30});
+  EXPECT_EQ(own.waitingSince(Instant{20}), 2u);
+  EXPECT_EQ(own.take(frameOf(0x123, {1})).value().tag, (FrameTag{0, 1}));
+  EXPECT_EQ(own.take(frameOf(0x123, {1})).value().when, Instant{30});
+  EXPECT_FALSE(own.take(frameOf(0x123, {1})));
+  ASSERT_EQ(own.takeAll().size(), 1u);
+  EXPECT_EQ(own.waiting(), 0u);
 }
 
 TEST(OwnFrames, TheOldestIsGivenUpAboveTheLimit) {

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/pipe.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "control/pipe_event.h"
+
+namespace deckpipe {
+namespace {
+
+using Progress = PipeStatus::Progress;
+using Stall = PipeStatus::Stall;
+using FileEnd = PipeStatus::FileEnd;
+using What = wish::PipeAction::What;
+
+void notePipe(const Pipe::Turn& turn, const DeviceKey& device, Address address, PipeEvent event,
+              const std::string& file = {}) {
+  turn.out.note(note::Pipe{turn.live.channel, address, device.pin, event, file});
+}
+
+Address addressOf(const Pipe::Turn& turn, const DeviceKey& device) {
+  return turn.live.addressOf(device).value_or(kNullAddress);
+}
+
+constexpr bool isHeld(Progress progress) {
+  return progress == Progress::Paused || progress == Progress::Stalled;
+}
+
+}  // namespace
+
+// Paused and stalled time is no time that the file took.
+void Pipe::countHeld(Instant now) {
+  if (m_heldSince == kNotYet) return;
+  if (m_status.isSendingFile()) m_status.filePaused += now - m_heldSince;
+  m_heldSince = now;
+}
+
+bool Pipe::move(Instant now, PipeMove what) {
+  const auto to = after(m_status.progress, what);
+  if (!to) return false;
+  if (isHeld(m_status.progress)) countHeld(now);
+  if (!isHeld(*to)) {
+    m_heldSince = kNotYet;
+    m_status.stall = Stall::None;
+  } else if (m_heldSince == kNotYet) {
+    m_heldSince = now;
+  }
+  m_status.progress = *to;
+  if (*to == Progress::Settling && what != PipeMove::GiveUp) m_deadline = now + kSettle;
+  return true;
+}
+
+bool Pipe::isBusy() const {
+  return m_flying || waiting() > 0 || m_status.isSendingFile() || m_status.progress == Progress::Settling;
+}
+
+Refusal Pipe::write(const Turn& turn, const std::string& bytes) {
+  if (m_status.isSendingFile()) return Refusal::Busy;  // it would end up in the middle of the file
+  if (waiting() + bytes.size() > kMostTyped) return Refusal::TooMuch;
+  m_typed += bytes;
+  sendNext(turn);
+  return Refusal::None;
+}
+
+Refusal Pipe::sendFile(const Turn& turn, const wish::PipeFile& wish) {
+  if (m_status.isSendingFile() || waiting() > 0 || m_flying) return Refusal::Busy;
+  m_content = wish.content;
+  m_status.file = wish.name;
+  m_status.fileSize = wish.content->size();
+  m_status.fileSent = 0;
+  m_status.fileEnd = FileEnd::None;
+  m_status.fileBegan = turn.now;
+  m_status.fileEnded = kNotYet;
+  m_status.filePaused = 0ns;
+  m_status.fileSkipped = m_status.fileResent = 0;
+  notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::FileBegan, wish.name);
+  if (m_status.fileSize == 0) endFile(turn, FileEnd::Done);
+  sendNext(turn);
+  return Refusal::None;
+}
+
+// The next packet, if one may go.
+void Pipe::sendNext(const Turn& turn) {
+  m_status.waiting = static_cast<std::uint32_t>(waiting());
+  if (!after(m_status.progress, PipeMove::Next)) return;
+  if (m_status.isPaused) {
+    move(turn.now, PipeMove::Hold);
+    return;
+  }
+  Packet packet;
+  if (waiting() > 0) {
+    packet.bytes = m_typed.substr(m_typedFrom, kPacket);
+    m_typedFrom += packet.bytes.size();
+    if (waiting() == 0) {
+      m_typed.clear();
+      m_typedFrom = 0;
+    }
+  } else if (m_status.isSendingFile()) {
+    packet.bytes = m_content->substr(m_status.fileSent, kPacket);
+    packet.isOfFile = true;
+  }
+  m_status.waiting = static_cast<std::uint32_t>(waiting());
+  if (packet.bytes.empty()) {
+    move(turn.now, PipeMove::Nothing);
+    return;
+  }
+  m_flying = std::move(packet);
+  move(turn.now, PipeMove::Next);
+  fly(turn);
+}
+
+void Pipe::fly(const Turn& turn) {
+  Packet& packet = *m_flying;
+  const auto to = turn.live.addressOf(m_device);
+  if (!to) return stall(turn, Stall::Gone);
+  packet.to = *to;
+  packet.sent = turn.now;
+  packet.isOnBus = false;
+  m_deadline = turn.now + kAckTimeout;
+  Encoded data{.length = static_cast<std::uint8_t>(1 + packet.bytes.size())};
+  data.data[0] = static_cast<std::uint8_t>(messageOf(MessageId::PipeData).firstByte);
+  std::ranges::transform(packet.bytes, data.data.begin() + 1,
+                         [](char c) { return static_cast<std::uint8_t>(c); });
+  packet.tag = turn.out.send(turn.live, turn.from, MessageId::PipeData, *to, data);
+}
+
+void Pipe::writeEnded(const Turn& turn, FrameTag tag, WriteOutcome outcome) {
+  if (!m_flying || m_flying->tag != tag) return;
+  switch (outcome) {
+    case WriteOutcome::OnBus:
+    case WriteOutcome::CannotTell:
+      m_flying->isOnBus = true;
+      m_flying->sent = turn.now;
+      m_deadline = turn.now + kAckTimeout;
+      move(turn.now, PipeMove::LateEcho);
+      return;
+    case WriteOutcome::QueueFull:
+    case WriteOutcome::NotTaken: return stall(turn, Stall::NotTaken);
+    case WriteOutcome::Gone: return;  // a lost link ends the pipe
+  }
+}
+
+void Pipe::ackHeard(const Turn& turn, Address source) {
+  if (!m_flying || m_flying->to != source || !m_flying->isOnBus) {
+    ++m_status.strayAcks;
+    return;
+  }
+  const Duration took = std::max<Duration>(turn.now - m_flying->sent, 0ns);
+  ++m_status.acks;
+  m_status.ackLast = took;
+  m_status.ackWorst = std::max(m_status.ackWorst, took);
+  m_status.ackSum += took;
+  if (m_status.progress == Progress::Stalled) {
+    ++m_status.lateAcks;
+    notePipe(turn, m_device, m_flying->to, PipeEvent::AckLate);
+  }
+  move(turn.now, m_flying->wasResent ? PipeMove::AckAgain : PipeMove::Ack);
+  passed(turn);
+  sendNext(turn);
+}
+
+// The packet in flight counts as delivered.
+void Pipe::passed(const Turn& turn) {
+  const Packet packet = std::move(*m_flying);
+  m_flying.reset();
+  if (m_status.progress != Progress::Settling) m_deadline = kNever;
+  m_status.sent += packet.bytes.size();
+  if (!packet.isOfFile || !m_status.isSendingFile()) return;
+  m_status.fileSent += packet.bytes.size();
+  if (m_status.fileSent >= m_status.fileSize) endFile(turn, FileEnd::Done);
+}
+
+void Pipe::endFile(const Turn& turn, FileEnd how) {
+  if (!m_status.isSendingFile()) return;
+  countHeld(turn.now);
+  m_status.isPaused = false;
+  m_status.fileEnd = how;
+  m_status.fileEnded = turn.now;
+  m_content.reset();
+  const PipeEvent event = how == FileEnd::Done        ? PipeEvent::FileDone
+                          : how == FileEnd::Cancelled ? PipeEvent::FileCancelled
+                                                      : PipeEvent::FileAborted;
+  notePipe(turn, m_device, addressOf(turn, m_device), event, m_status.file);
+}
+
+void Pipe::stall(const Turn& turn, Stall why) {
+  if (!move(turn.now, PipeMove::Silence)) return;
+  m_deadline = kNever;
+  m_status.stall = why;
+  notePipe(turn, m_device, m_flying->to, PipeEvent::Stalled);
+}
+
+PipeStatus::Stall Pipe::whyNoAck(const Live& live) const {
+  const auto address = live.addressOf(m_device);
+  if (!address) return Stall::Gone;
+  if (!m_flying->isOnBus) return m_status.stall == Stall::NotTaken ? Stall::NotTaken : Stall::NotOnBus;
+  return *address != m_flying->to ? Stall::Moved : Stall::NoAck;
+}
+
+void Pipe::followDevice(const Live& live) {
+  if (m_status.progress == Progress::Stalled) m_status.stall = whyNoAck(live);
+}
+
+Refusal Pipe::act(const Turn& turn, What what) {
+  switch (what) {
+    case What::Pause: m_status.isPaused = true; break;
+    case What::Resume: m_status.isPaused = false; break;
+    case What::Cancel: cancelFile(turn); break;
+    case What::Resend: return resend(turn);
+    case What::Skip: return skip(turn);
+    case What::Abort: drop(turn); return Refusal::None;
+  }
+  sendNext(turn);
+  return Refusal::None;
+}
+
+Refusal Pipe::resend(const Turn& turn) {
+  if (!after(m_status.progress, PipeMove::Resend) || m_status.stall == Stall::NotOnBus) return Refusal::Busy;
+  if (const Refusal why = turn.live.whyNotTo(turn.now, m_device); why != Refusal::None) return why;
+  move(turn.now, PipeMove::Resend);
+  ++m_status.resent;
+  if (m_flying->isOfFile) ++m_status.fileResent;
+  m_flying->wasResent = true;
+  notePipe(turn, m_device, m_flying->to, PipeEvent::Resent);
+  fly(turn);
+  return Refusal::None;
+}
+
+Refusal Pipe::skip(const Turn& turn) {
+  if (!move(turn.now, PipeMove::Skip)) return Refusal::Busy;
+  ++m_status.skipped;
+  if (m_flying->isOfFile) ++m_status.fileSkipped;
+  notePipe(turn, m_device, m_flying->to, PipeEvent::Skipped);
+  passed(turn);
+  return Refusal::None;
+}
+
+// A packet whose ack is in doubt goes with its file.
+void Pipe::cancelFile(const Turn& turn) {
+  const bool isInDoubt = m_status.progress == Progress::Stalled && m_flying->isOfFile;
+  endFile(turn, FileEnd::Cancelled);
+  if (!isInDoubt) return;
+  m_flying.reset();
+  move(turn.now, PipeMove::GiveUp);
+  m_deadline = turn.now + kSettle;
+}
+
+void Pipe::drop(const Turn& turn) {
+  const bool wasFlying = m_flying.has_value();
+  const bool had = wasFlying || waiting() > 0;
+  m_flying.reset();
+  m_status.isPaused = false;
+  m_typed.clear();
+  m_typedFrom = 0;
+  m_status.waiting = 0;
+  if (m_status.isSendingFile()) {
+    endFile(turn, FileEnd::Aborted);
+  } else if (had) {
+    notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::Dropped);
+  }
+  move(turn.now, PipeMove::GiveUp);
+  if (wasFlying) m_deadline = turn.now + kSettle;
+}
+
+void Pipe::take(const Turn& turn, Pipe&& other) {
+  if (other.isBusy() && isBusy()) {
+    other.drop(turn);
+    drop(turn);
+    move(turn.now, PipeMove::Joined);
+  } else if (other.isBusy()) {
+    std::swap(*this, other);
+    std::swap(m_device, other.m_device);
+  }
+  const PipeStatus& more = other.m_status;
+  m_status.sent += more.sent;
+  m_status.received += more.received;
+  m_status.skipped += more.skipped;
+  m_status.resent += more.resent;
+  m_status.lateAcks += more.lateAcks;
+  m_status.strayAcks += more.strayAcks;
+  m_status.acks += more.acks;
+  m_status.ackSum += more.ackSum;
+  m_status.ackWorst = std::max(m_status.ackWorst, more.ackWorst);
+}
+
+void Pipe::timeCame(const Turn& turn) {
+  if (m_deadline > turn.now) return;
+  m_deadline = kNever;
+  if (move(turn.now, PipeMove::Settled)) return sendNext(turn);
+  if (m_status.progress == Progress::Sending) stall(turn, whyNoAck(turn.live));
+}
+
+}  // namespace deckpipe

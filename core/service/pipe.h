@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The data pipe to one device. PipeService has one for each and gives it what concerns it; the rules stand
+// at its head.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "service/pipe_moves.h"
+#include "service/service.h"
+
+namespace deckpipe {
+
+class Pipe {
+ public:
+  static constexpr std::size_t kPacket = 7;
+  static constexpr Duration kAckTimeout = 1s;
+  static constexpr Duration kSettle = 1s;
+  static constexpr std::size_t kMostTyped = 65'536;  // characters that may wait
+
+  // What a call is given.
+  struct Turn {
+    Instant now;
+    const Live& live;
+    Address from;  // ours
+    Outgoing& out;
+  };
+
+  explicit Pipe(const DeviceKey& device) : m_device(device) {}
+
+  const DeviceKey& device() const { return m_device; }
+  const PipeStatus& status() const { return m_status; }
+  // Its PIN has become known.
+  void rename(const DeviceKey& device) { m_device = device; }
+
+  Refusal write(const Turn& turn, const std::string& bytes);
+  Refusal sendFile(const Turn& turn, const wish::PipeFile& wish);
+  Refusal act(const Turn& turn, wish::PipeAction::What what);
+  // Nothing more of all that waits; what is in flight may or may not arrive.
+  void drop(const Turn& turn);
+
+  void dataHeard(unsigned characters) { m_status.received += characters; }
+  void ackHeard(const Turn& turn, Address source);
+  // While a person decides, the device may go, or come back elsewhere.
+  void followDevice(const Live& live);
+  void writeEnded(const Turn& turn, FrameTag tag, WriteOutcome outcome);
+  void timeCame(const Turn& turn);
+  Instant deadline() const { return m_deadline; }
+
+  // Another pipe to the same device goes on in this one. Where both were under way both end, since nobody
+  // could tell whose the next ack is.
+  void take(const Turn& turn, Pipe&& other);
+
+ private:
+  struct Packet {
+    std::string bytes;
+    Address to;
+    Instant sent = kNotYet;  // on the bus; handed over, until that is known
+    FrameTag tag{};
+    bool isOnBus = false;
+    bool isOfFile = false;
+    bool wasResent = false;
+  };
+
+  std::size_t waiting() const { return m_typed.size() - m_typedFrom; }
+  bool isBusy() const;
+  bool move(Instant now, PipeMove what);
+  void sendNext(const Turn& turn);
+  void fly(const Turn& turn);
+  void passed(const Turn& turn);
+  void stall(const Turn& turn, PipeStatus::Stall why);
+  PipeStatus::Stall whyNoAck(const Live& live) const;
+  Refusal resend(const Turn& turn);
+  Refusal skip(const Turn& turn);
+  void cancelFile(const Turn& turn);
+  void endFile(const Turn& turn, PipeStatus::FileEnd how);
+  void countHeld(Instant now);
+
+  DeviceKey m_device;
+  PipeStatus m_status;
+  std::string m_typed;  // from m_typedFrom on it is still to be sent
+  std::size_t m_typedFrom = 0;
+  std::shared_ptr<const std::string> m_content;
+  std::optional<Packet> m_flying;
+  Instant m_deadline = kNever;    // of the ack, or of settling
+  Instant m_heldSince = kNotYet;  // paused or stalled
+};
+
+}  // namespace deckpipe

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes back of requests: the fate of their frames, and answers.
+#include <algorithm>
+#include <utility>
+
+#include "bus/j1939.h"
+#include "service/request_service.h"
+
+namespace deckpipe {
+namespace {
+
+using Progress = RequestStatus::Progress;
+
+constexpr Ask askAt(std::size_t i) { return static_cast<Ask>(i); }
+
+}  // namespace
+
+bool RequestService::isHanded(const DeviceKey& device, Ask ask) const {
+  return std::ranges::any_of(m_commands, [&](const Handed& c) { return c.device == device && c.ask == ask; });
+}
+
+RequestService::Asked* RequestService::openWith(FrameTag tag, Ask& ask) {
+  for (Asked& at : m_devices) {
+    for (std::size_t i = 0; i < kAsks; ++i) {
+      if (at.timings[i].tag != tag || !at.statuses[i].isOpen()) continue;
+      ask = askAt(i);
+      return &at;
+    }
+  }
+  return nullptr;
+}
+
+void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
+                                Outgoing& out) {
+  const bool isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell;
+  const auto handed = std::ranges::find(m_commands, tag, &Handed::tag);
+  if (handed != m_commands.end()) {
+    const Handed command = *handed;
+    m_commands.erase(handed);
+    if (isOnBus && command.isSaid) return commandEnded(now, live, command, RequestEnd::WentOutLate, out);
+    if (outcome == WriteOutcome::Gone)
+      return commandEnded(now, live, command, RequestEnd::GoneWithInterface, out);
+  }
+  Ask ask{};
+  Asked* at = openWith(tag, ask);
+  if (at == nullptr || outcome == WriteOutcome::Gone) return;  // a lost link ends the polls
+  RequestStatus& status = at->status(ask);
+  Timing& timing = at->timing(ask);
+  if (!isOnBus) {
+    if (!timing.wasOnBus) end(now, live, *at, ask, RequestEnd::NotOnBus, out);
+    return;
+  }
+  timing.isOnBus = timing.wasOnBus = true;
+  timing.deadline = now + ruleOf(ask).patience;
+  timing.lastStatus = now;
+  status.sent = now;
+  if (status.tries == 1) status.firstSent = now;
+}
+
+void RequestService::commandEnded(Instant now, const Live& live, const Handed& command, RequestEnd how,
+                                  Outgoing& out) {
+  Ask ask{};
+  if (Asked* at = openWith(command.tag, ask)) return end(now, live, *at, ask, how, out);
+  // Its asker was told an end before, by a lock or the like; this is the truth.
+  RequestStatus& status = asked(command.device).status(command.ask);
+  status.end = how;
+  status.ended = now;
+  noteEnd(live, command.device, command.to, command.ask, how, out);
+}
+
+void RequestService::sayNotOnBus(const Live& live, Handed& command, Outgoing& out) {
+  if (std::exchange(command.isSaid, true)) return;
+  out.note(note::AskWaits{live.channel, command.to, command.device.pin, command.ask});
+  Ask ask{};
+  if (Asked* at = openWith(command.tag, ask)) at->status(ask).progress = Progress::NotOnBusYet;
+}
+
+void RequestService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
+  if (!frame.isExtended() || frame.isRemote() || frame.isError() || (frame.flags & Frame::kSent) != 0) return;
+  const J1939Id id = J1939Id::of(frame.identifier());
+  if (source() == kNullAddress || id.pgn != pgn::kProprietaryA || frame.length == 0) return;
+  adopt(now, live, out);
+  if (id.destination == kGlobalAddress) return broadcastHeard(now, live, id.source, frame, out);
+  if (id.destination != source()) return;
+  for (Asked& at : m_devices) {
+    for (std::size_t i = 0; i < kAsks; ++i) {
+      if (askAt(i) == Ask::Reset || at.timings[i].to != id.source) continue;
+      const AskRule& rule = kAskRules[i];
+      for (std::size_t part = 0; part < rule.answers.size(); ++part) {
+        if (rule.answers[part] == kNoAnswer || messageOf(rule.answers[part]).firstByte != frame.data[0])
+          continue;
+        // The address may have gone to somebody else since.
+        if (live.addressOf(at.device) != id.source) continue;
+        if (!allows(messageOf(rule.answers[part]).lengths, frame.length)) {
+          ++at.statuses[i].wrong;
+          if (at.timings[i].wasOnBus) at.timings[i].wrong = true;
+        } else {
+          answered(now, live, at, askAt(i), part, out);
+        }
+      }
+    }
+  }
+}
+
+void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask, std::size_t part,
+                              Outgoing& out) {
+  RequestStatus& status = at.status(ask);
+  Timing& timing = at.timing(ask);
+  if (status.progress == Progress::Waiting) {
+    if (!timing.wasOnBus) {  // it answers nothing of ours
+      ++status.unasked;
+      return;
+    }
+    const unsigned whole = wholeAnswer(ruleOf(ask));
+    if ((timing.answers >> part & 1u) != 0) ++status.unasked;
+    timing.answers = static_cast<std::uint8_t>(timing.answers | 1u << part);
+    if (timing.answers == whole) end(now, live, at, ask, RequestEnd::Answered, out);
+    return;
+  }
+  const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer ||
+                          status.end == RequestEnd::NotOnBus || status.end == RequestEnd::WentOutLate;
+  if (!wasGivenUp || now - status.ended > kLate) {
+    if (timing.spare > 0) {
+      --timing.spare;
+    } else {
+      ++status.unasked;
+    }
+    return;
+  }
+  status.end = RequestEnd::AnsweredLate;
+  status.latency = std::max<Duration>(now - status.sent, 0ns);
+  status.ended = now;
+  noteEnd(live, at.device, timing.to, ask, status.end, out);
+}
+
+// A reset has no acknowledgement: the device comes back under its PIN, perhaps at another address. It
+// announces itself whenever NAMEs are asked for, too; what tells a restart is that its statuses stopped
+// before.
+void RequestService::broadcastHeard(Instant now, const Live& live, Address source, const Frame& frame,
+                                    Outgoing& out) {
+  const Message& message = messageOf(MessageId::AddressAnnouncement);
+  const bool isAnnouncement = frame.data[0] == message.firstByte && allows(message.lengths, frame.length);
+  const auto pin = isAnnouncement ? announcedPin(frame) : std::nullopt;
+  for (Asked& at : m_devices) {
+    Timing& timing = at.timing(Ask::Reset);
+    if (at.status(Ask::Reset).progress != Progress::Waiting || !timing.isOnBus) continue;
+    if (!isAnnouncement) {
+      if (source == timing.to) timing.lastStatus = now;
+      continue;
+    }
+    const bool isIt =
+        at.device.kind == DeviceKey::Kind::Pin ? pin == at.device.pin : source == at.device.address;
+    if (isIt && now - timing.lastStatus >= kRestart)
+      end(now, live, at, Ask::Reset, RequestEnd::Answered, out);
+  }
+}
+
+}  // namespace deckpipe
