@@ -134,7 +134,7 @@ struct Gallery {
   void all() {
     QApplication::setPalette(qtPalette(coloursOf(theme)));
     const auto busy = test::logOfText(test::busyText(400));
-    busy->notes.append({.frame = 300, .time = busy->frames.timeAt(300), .text = "water on"});
+    busy->notes.append({.frame = 300, .time = busy->frames.timeAt(300), .value = note::Mark{"water on"}});
     busy->notes.append({.frame = 900, .time = busy->frames.timeAt(900), .value = note::Dropped{{}, 12}});
     busy->notes.append({.frame = 2000, .time = busy->frames.timeAt(2000), .value = note::LinkDown{}});
     const auto foreign = test::logOfText(test::foreignText(300));
