@@ -46,6 +46,9 @@ class LiveBus : public QObject, private PortListener {
 
  public Q_SLOTS:
   void start();
+  // Closes the link and writes down what came until then. To be called before the bus is destroyed, which
+  // writes and publishes nothing.
+  void stop();
   // Carried out or refused at once; a refusal is in the next Published. Where the log takes no more nothing
   // is begun.
   void apply(const deckpipe::Intent& intent);
@@ -53,7 +56,6 @@ class LiveBus : public QObject, private PortListener {
   void sayDrive(deckpipe::Address address, bool isDrive);
 
  private:
-  void stop();
   Arrival arrival() const;
   void framesReceived(std::span<const Frame> frames) override;
   void framesNotKept(NotKept reason, std::uint32_t count) override;
