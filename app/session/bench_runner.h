@@ -55,7 +55,6 @@ class BenchRunner : public QObject, private PortListener {
   void twinChanged(const deckpipe::TwinStatus& status);
 
  private:
-  void stop();
   void framesReceived(std::span<const Frame> frames) override;
   void framesNotKept(NotKept, std::uint32_t) override {}
   void linkChanged(LinkState state, const std::string& reason) override;

@@ -34,7 +34,7 @@ LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, C
   m_published.services = std::make_shared<const ServiceStatus>();
 }
 
-LiveBus::~LiveBus() { stop(); }
+LiveBus::~LiveBus() = default;
 
 LiveBus::Published LiveBus::latest() const {
   const std::lock_guard lock(m_lock);

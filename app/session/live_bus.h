@@ -47,6 +47,9 @@ class LiveBus : public QObject, private PortListener {
 
  public Q_SLOTS:
   void start();
+  // Closes the link and writes down what came until then. To be called before the bus is destroyed, which
+  // writes and publishes nothing.
+  void stop();
   // Carried out or refused at once; a refusal is in the next Published. Where the log takes no more nothing
   // is begun.
   void apply(const deckpipe::Intent& intent);
@@ -57,7 +60,6 @@ class LiveBus : public QObject, private PortListener {
   void close();
 
  private:
-  void stop();
   Arrival arrival() const;
   void framesReceived(std::span<const Frame> frames) override;
   void framesNotKept(NotKept reason, std::uint32_t count) override;

@@ -29,27 +29,34 @@ Session::Session(QObject* parent) : QObject(parent) {
   connect(&m_timer, &QTimer::timeout, this, &Session::tick);
 }
 
-Session::~Session() { closeSource(); }
+Session::~Session() { endSource(); }
 
-// Links, and in the demo the twin, live on one thread with an event loop. Each is deleted there when it ends,
-// which closes its link.
-void Session::startOnBusThread(QObject* worker, std::function<void()> start) {
+// Links, and in the demo the twin, live on one thread with an event loop. When it ends, each is stopped and
+// deleted there.
+void Session::startOnBusThread(QObject* worker, std::function<void()> start, std::function<void()> stop) {
   if (m_busThread == nullptr) {
     m_busThread = new QThread(this);
     m_busThread->setObjectName(QStringLiteral("bus"));
     m_busThread->start();
   }
   worker->moveToThread(m_busThread);
+  connect(m_busThread, &QThread::finished, worker, std::move(stop));
   connect(m_busThread, &QThread::finished, worker, &QObject::deleteLater);
   QMetaObject::invokeMethod(worker, std::move(start), Qt::QueuedConnection);
 }
 
 void Session::closeSource() {
+  const bool hadTwin = m_bench != nullptr;
+  endSource();
+  if (hadTwin) Q_EMIT twinChanged({});
+}
+
+void Session::endSource() {
   m_timer.stop();
   LiveBus* live = std::exchange(m_live, nullptr);
   if (live != nullptr) QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
   endThread(std::exchange(m_busThread, nullptr), live != nullptr ? Quit::ByItself : Quit::Now);
-  if (std::exchange(m_bench, nullptr) != nullptr) Q_EMIT twinChanged({});
+  m_bench = nullptr;
   m_opening.reset();
   m_walker.reset();
   m_document.reset();
@@ -89,7 +96,8 @@ void Session::openLink(const LinkSettings& wanted) {
   LinkSettings onChannel = settings;
   onChannel.channel = {m_document->frames.channel(channelName.toStdString())};
   m_live = new LiveBus(m_document, onChannel, m_claim);
-  startOnBusThread(m_live, [live = m_live] { live->start(); });
+  startOnBusThread(
+      m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
   Q_EMIT changed();
 }
 
@@ -116,7 +124,8 @@ void Session::openDemo() {
     const Channel channel{m_document->frames.channel("can0")};
     m_live = new LiveBus(
         m_document, {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel}, m_claim);
-    startOnBusThread(m_live, [live = m_live] { live->start(); });
+    startOnBusThread(
+        m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
   });
   connect(m_bench, &BenchRunner::twinChanged, this, [this, own](const TwinStatus& status) {
     if (m_document != nullptr && own.lock() == m_document) Q_EMIT twinChanged(status);
@@ -127,7 +136,8 @@ void Session::openDemo() {
     m_snapshot.source.error = LinkError{LinkFault::Other, reason.toStdString()};
     Q_EMIT changed();
   });
-  startOnBusThread(m_bench, [bench = m_bench] { bench->startDemo(); });
+  startOnBusThread(
+      m_bench, [bench = m_bench] { bench->startDemo(); }, [] {});
   Q_EMIT changed();
 }
 

@@ -84,7 +84,9 @@ class Session : public QObject {
   void setCursor(Cursor cursor);
   Cursor endCursor() const;
   bool grows() const { return m_live != nullptr; }
-  void startOnBusThread(QObject* worker, std::function<void()> start);
+  // `stop` is called there before the worker is deleted.
+  void startOnBusThread(QObject* worker, std::function<void()> start, std::function<void()> stop);
+  void endSource();
 
   Snapshot m_snapshot;
   LinkSettings m_lastLink;

@@ -8,16 +8,6 @@
 
 namespace deckpipe::test {
 
-// Every value of an enum of bytes that has isKnown().
-template <typename E>
-std::vector<E> allOf() {
-  std::vector<E> all;
-  for (unsigned n = 0; n <= 0xFF; ++n) {
-    if (isKnown(static_cast<E>(n))) all.push_back(static_cast<E>(n));
-  }
-  return all;
-}
-
 inline constexpr Channel kNotedChannel{2};
 inline constexpr Address kNotedAddress{0x81};
 inline const Pin kNotedPin = *Pin::parse("1032AE100801035");

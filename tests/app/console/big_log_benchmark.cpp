@@ -19,6 +19,7 @@
 #include "console/main_window.h"
 #include "panel/id_view.h"
 #include "panel/trace_panel.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -67,11 +68,11 @@ struct BigLog {
     window.resize(1366, 768);
     window.show();
   }
-  TracePanel& trace() const { return *window.findChild<TracePanel*>(); }
+  TracePanel& trace() const { return *test::child<TracePanel>(window); }
   TraceView& rows() const { return *trace().view(); }
   template <typename T>
   T* named(const char* name) const {
-    return window.findChild<T*>(QLatin1String(name));
+    return test::child<T>(window, name);
   }
 };
 std::unique_ptr<BigLog> theLog;

@@ -14,6 +14,7 @@
 #include "panel/monitor_page.h"
 #include "panel/monitor_tile.h"
 #include "panel/overview_panel.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -33,22 +34,20 @@ TEST_F(WindowDevices, KeepsALabelThatAPersonGives) {
   auto* list = named<QTreeView>("deviceList");
   list->setFocus();
   QTest::keyClick(list, Qt::Key_F2);
-  auto* editor = list->findChild<QLineEdit*>(QStringLiteral("labelEditor"));
-  ASSERT_NE(editor, nullptr);
+  auto* editor = test::child<QLineEdit>(*list, "labelEditor");
   QTest::keyClicks(editor, QStringLiteral("Roof"));
   QTest::keyClick(editor, Qt::Key_Return);
   QCoreApplication::processEvents();
   EXPECT_EQ(text("pageTitle"), QStringLiteral("Roof"));
   EXPECT_EQ(SettingsLabels().read().of(kPin), QStringLiteral("Roof"));
   const MainWindow later(m_session);
-  EXPECT_EQ(later.findChild<QLabel*>(QStringLiteral("pageTitle"))->text(), QStringLiteral("Roof"));
+  EXPECT_EQ(test::child<QLabel>(later, "pageTitle")->text(), QStringLiteral("Roof"));
 }
 
 TEST_F(WindowDevices, ShowsAllMonitorsAndGoesToThePageOfOne) {
   openLog(kTruck + "(10.300000) can0 18EFFF81#011D940371000041\n");
   tabs()->setCurrentWidget(only<OverviewPanel>());
   auto* second = named<MonitorTile>("monitorTile2");
-  ASSERT_NE(second, nullptr);
   QTest::mouseClick(second, Qt::LeftButton);
   EXPECT_EQ(tabs()->currentWidget(), only<MonitorPage>());
   EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey::at(Channel{0}, Address{0x81}));
@@ -59,7 +58,6 @@ TEST_F(WindowDevices, SpreadsTheDialOverTheWorkspace) {
   openLog(kTruck);
   QTest::mouseDClick(named<QWidget>("dial"), Qt::LeftButton);
   auto* full = only<FullDial>();
-  ASSERT_NE(full, nullptr);
   EXPECT_EQ(full->parentWidget(), only<Workspace>());
   EXPECT_EQ(full->size(), only<Workspace>()->size());
   QTest::keyClick(full, Qt::Key_Escape);

@@ -11,6 +11,7 @@
 #include "console/language.h"
 #include "console/status_text.h"
 #include "panel/elided_label.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -69,7 +70,7 @@ TEST_F(LongTexts, AreNotCutInAnyStateOfTheWindow) {
     EXPECT_LE(window.width(), 1366) << scene.name;
   }
   for (const char* action : {"settingsAction", "aboutAction"}) {
-    window.findChild<QAction*>(QLatin1String(action))->trigger();
+    test::child<QAction>(window, action)->trigger();
     QTest::qWait(0);
     EXPECT_EQ(cut(window).join(QLatin1Char('\n')).toStdString(), "") << action;
   }

@@ -8,6 +8,7 @@
 #include "panel/monitor_page.h"
 #include "panel/trace_view.h"
 #include "panel/transport_bar.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -18,7 +19,7 @@ using test::kTruck;
 class Window : public test::WindowTest {};
 
 TEST_F(Window, SaysWhatToDoWhileNothingIsOpen) {
-  EXPECT_TRUE(m_window.findChild<QWidget*>(QStringLiteral("startPage"))->isVisible());
+  EXPECT_TRUE(test::child<QWidget>(m_window, "startPage")->isVisible());
   EXPECT_EQ(text("sourceStatus"), QStringLiteral("Nothing open"));
 }
 
@@ -54,10 +55,10 @@ TEST_F(Window, PlaysFromTheTimelineWithSpace) {
 TEST_F(Window, ChangesItsThemeAtOnce) {
   openLog(kTruck);
   const QImage light = m_window.grab().toImage();
-  m_window.findChild<QAction*>(QStringLiteral("darkThemeAction"))->trigger();
+  test::child<QAction>(m_window, "darkThemeAction")->trigger();
   EXPECT_EQ(m_window.theme(), Theme::Dark);
   EXPECT_NE(m_window.grab().toImage(), light);
-  m_window.findChild<QAction*>(QStringLiteral("lightThemeAction"))->trigger();
+  test::child<QAction>(m_window, "lightThemeAction")->trigger();
 }
 
 TEST_F(Window, SaysWhyALogCannotBeRead) {
@@ -70,15 +71,15 @@ TEST_F(Window, SaysWhyALogCannotBeRead) {
 
 TEST_F(Window, ForgetsTheDevicesOfALogThatWasClosed) {
   openLog(kTruck);
-  m_window.findChild<QAction*>(QStringLiteral("closeAction"))->trigger();
-  EXPECT_TRUE(m_window.findChild<QWidget*>(QStringLiteral("startPage"))->isVisible());
+  test::child<QAction>(m_window, "closeAction")->trigger();
+  EXPECT_TRUE(test::child<QWidget>(m_window, "startPage")->isVisible());
   EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey{});
   openLog("(1.000000) can0 123#11\n");
   EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey{});
 }
 
 TEST_F(Window, ShowsTheDemoMoving) {
-  m_window.findChild<QAction*>(QStringLiteral("demoAction"))->trigger();
+  test::child<QAction>(m_window, "demoAction")->trigger();
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         const Device* monitor =
@@ -97,7 +98,7 @@ TEST_F(Window, SaysThatAQuestionAnsweredInThePastSentNothing) {
   QWidget* question = QApplication::activeModalWidget();
   ASSERT_NE(question, nullptr);
   m_session.pause();
-  QTest::mouseClick(question->findChild<QAbstractButton*>(QStringLiteral("dangerVerb")), Qt::LeftButton);
+  QTest::mouseClick(test::child<QAbstractButton>(*question, "dangerVerb"), Qt::LeftButton);
   EXPECT_TRUE(only<NoticeBar>()->notice().text.contains(QStringLiteral("Nothing was sent")))
       << qPrintable(only<NoticeBar>()->notice().text);
   EXPECT_TRUE(m_session.snapshot().services->locked);

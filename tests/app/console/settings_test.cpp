@@ -19,6 +19,7 @@
 #include "panel/help_panel.h"
 #include "panel/status_cell.h"
 #include "panel/trace_panel.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -126,17 +127,15 @@ TEST_F(Looks, DoNotUseAKeptAddressOfAJoystickAndSaySoOnce) {
   QSettings().setValue(QStringLiteral("bus/preferredAddress"), 0x33);
   EXPECT_EQ(claimSettings().preferred, Address{0xF9});
   MainWindow next(m_session);
-  const auto* notice = next.findChild<NoticeBar*>();
+  const auto* notice = test::child<NoticeBar>(next);
   ASSERT_NE(notice, nullptr);
   EXPECT_TRUE(notice->notice().text.contains(QStringLiteral("preferred address 33")))
       << qPrintable(notice->notice().text);
-  next.findChild<QAction*>(QStringLiteral("settingsAction"))->trigger();
+  test::child<QAction>(next, "settingsAction")->trigger();
   EXPECT_TRUE(notice->notice().text.isEmpty());
-  EXPECT_TRUE(next.findChild<QLabel*>(QStringLiteral("preferredAddressNote"))
-                  ->text()
-                  .startsWith(QStringLiteral("33 ")));
+  EXPECT_TRUE(test::child<QLabel>(next, "preferredAddressNote")->text().startsWith(QStringLiteral("33 ")));
   MainWindow third(m_session);
-  EXPECT_TRUE(third.findChild<NoticeBar*>()->notice().text.isEmpty());
+  EXPECT_TRUE(test::child<NoticeBar>(third)->notice().text.isEmpty());
 }
 
 TEST_F(Looks, AreKeptForTheNextTime) {
@@ -146,20 +145,20 @@ TEST_F(Looks, AreKeptForTheNextTime) {
   MainWindow next(m_session);
   next.restoreLayout();
   EXPECT_EQ(next.theme(), Theme::Dark);
-  EXPECT_TRUE(next.findChild<QAction*>(QStringLiteral("fieldDensityAction"))->isChecked());
+  EXPECT_TRUE(test::child<QAction>(next, "fieldDensityAction")->isChecked());
 }
 
 // Widths were measured in the letters of their density: taken in others they would grow each time.
 TEST_F(Looks, KeepTheColumnsOfTheFieldAsWideAsTheyWere) {
   const auto widthIn = [](const MainWindow& window, int column) {
     QCoreApplication::sendPostedEvents();  // new letters come by one
-    return window.findChild<TracePanel*>()->view()->header()->sectionSize(column);
+    return test::child<TracePanel>(window)->view()->header()->sectionSize(column);
   };
   const int desk = widthIn(m_window, TraceModel::Identifier);
   m_window.setDensity(Density::Field);
   const int field = widthIn(m_window, TraceModel::Identifier);
   EXPECT_LT(desk, field);
-  m_window.findChild<TracePanel*>()->view()->header()->resizeSection(TraceModel::Name, 400);
+  test::child<TracePanel>(m_window)->view()->header()->resizeSection(TraceModel::Name, 400);
   m_window.close();
   m_window.setDensity(Density::Desk);
   MainWindow next(m_session);

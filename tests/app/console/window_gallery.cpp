@@ -11,6 +11,7 @@
 #include "app/console/window_scenes.h"
 #include "console/language.h"
 #include "console/main_window.h"
+#include "support/child.h"
 
 namespace {
 
@@ -39,23 +40,23 @@ bool drawTheme(MainWindow& window, const QDir& folder, const QString& theme) {
   }
   window.setSnapshot(test::windowScenes()[1].snapshot);
   for (const char* action : {"settingsAction", "aboutAction"}) {
-    window.findChild<QAction*>(QLatin1String(action))->trigger();
+    test::child<QAction>(window, action)->trigger();
     isWell = save(window, folder, QLatin1String(action).chopped(6) + QLatin1Char('_') + theme) && isWell;
   }
   window.setSnapshot(test::windowScenes()[0].snapshot);
   window.setSnapshot(test::windowScenes()[1].snapshot);
-  window.findChild<QAction*>(QStringLiteral("explainAction"))->trigger();
-  window.findChild<QDockWidget*>(QStringLiteral("eventsDock"))->raise();
+  test::child<QAction>(window, "explainAction")->trigger();
+  test::child<QDockWidget>(window, "eventsDock")->raise();
   isWell = save(window, folder, QStringLiteral("events_and_help_") + theme) && isWell;
-  window.findChild<QAction*>(QStringLiteral("resetLayoutAction"))->trigger();
+  test::child<QAction>(window, "resetLayoutAction")->trigger();
   for (const auto& [name, snapshot] : {std::pair("asking_", test::askingSnapshot()),
                                        std::pair("asking_locked_", test::windowScenes()[7].snapshot)}) {
     window.setSnapshot(snapshot);
-    window.findChild<QDockWidget*>(QStringLiteral("requestsDock"))->show();
-    window.findChild<QDockWidget*>(QStringLiteral("terminalDock"))->raise();
+    test::child<QDockWidget>(window, "requestsDock")->show();
+    test::child<QDockWidget>(window, "terminalDock")->raise();
     isWell = save(window, folder, QLatin1String(name) + theme) && isWell;
   }
-  window.findChild<QAction*>(QStringLiteral("resetLayoutAction"))->trigger();
+  test::child<QAction>(window, "resetLayoutAction")->trigger();
   return isWell;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "session/snapshot.h"
+#include "support/enums.h"
 #include "support/logs.h"
 
 namespace deckpipe::test {
@@ -95,8 +96,7 @@ inline Snapshot askingSnapshot() {
   DeviceServices& device = services.devices.emplace_back();
   device.device = DeviceKey::of(*Pin::parse("1032AE100801035"));
   device.address = Address{0x80};
-  device.takes = kPolls;
-  for (const Ask command : {Ask::ZeroAxes, Ask::Reset, Ask::SetupMode}) device.takes.add(command);
+  for (const Ask ask : allOf<Ask>()) device.takes.add(ask);
   using Progress = RequestStatus::Progress;
   const auto request = [&](Ask ask, Progress progress, RequestEnd end, int tries) {
     RequestStatus& status = device.requests[static_cast<std::size_t>(ask)];

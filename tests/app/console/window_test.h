@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "console/main_window.h"
+#include "support/child.h"
 
 namespace deckpipe::test {
 
@@ -47,11 +48,11 @@ class WindowTest : public testing::Test {
   }
   template <typename T>
   T* only() const {
-    return m_window.findChild<T*>();
+    return test::child<T>(m_window);
   }
   template <typename T>
   T* named(const char* name) const {
-    return m_window.findChild<T*>(QLatin1String(name));
+    return test::child<T>(m_window, name);
   }
   void trigger(const char* action) const { named<QAction>(action)->trigger(); }
   QString text(const char* label) const { return named<QLabel>(label)->text(); }

@@ -15,6 +15,7 @@
 #include "panel/full_dial.h"
 #include "panel/trace_view.h"
 #include "panel/transport_bar.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -93,10 +94,10 @@ TEST_F(Docks, AreTheNextTimeAsTheyWereLeft) {
   m_window.close();
   MainWindow next(m_session);
   next.restoreLayout();
-  auto* workspace = next.findChild<Workspace*>();
-  EXPECT_EQ(workspace->dockWidgetArea(next.findChild<QDockWidget*>(QStringLiteral("devicesDock"))),
+  auto* workspace = test::child<Workspace>(next);
+  EXPECT_EQ(workspace->dockWidgetArea(test::child<QDockWidget>(next, "devicesDock")),
             Qt::RightDockWidgetArea);
-  EXPECT_TRUE(next.findChild<QDockWidget*>(QStringLiteral("traceDock"))->isHidden());
+  EXPECT_TRUE(test::child<QDockWidget>(next, "traceDock")->isHidden());
 }
 
 TEST_F(Docks, ShowTheFrameInDetailOnceOneIsLookedAt) {
@@ -129,14 +130,13 @@ TEST_F(Docks, LeaveTheWindowToTheDialAtF11WhateverHasTheFocus) {
   only<TraceView>()->setFocus();
   QTest::keyClick(only<TraceView>(), Qt::Key_F11);
   auto* full = only<FullDial>();
-  ASSERT_NE(full, nullptr);
   EXPECT_EQ(full->width(), m_window.width());
   EXPECT_TRUE(named<QWidget>("statusStrip")->isVisible()) << "link and lock stay in sight";
   const QRect covered(full->mapTo(&m_window, QPoint()), full->size());
   const auto* strip = named<QWidget>("statusStrip");
   EXPECT_FALSE(covered.intersects(QRect(strip->mapTo(&m_window, QPoint()), strip->size())));
   QTest::keyClick(full, Qt::Key_F11);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return only<FullDial>() == nullptr; }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return m_window.findChild<FullDial*>() == nullptr; }));
 }
 
 TEST_F(Docks, ComeForwardFromBehindATabByTheViewMenu) {

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QTcpSocket>
 #include <QTest>
 #include <QTimer>
+#include <QUrl>
+#include <memory>
 
 #include "session/twin_faults.h"
 #include "support/frames.h"
@@ -30,8 +33,8 @@ class RunningTwin : public testing::Test {
   }
   bool has(std::size_t device) const { return m_status.devices[device].address != kNullAddress; }
 
-  BenchRunner m_twin;
   TwinStatus m_status;
+  BenchRunner m_twin;
 };
 
 TEST_F(RunningTwin, SaysWhoItsDevicesAre) {
@@ -134,6 +137,29 @@ TEST_F(Rule20Twin, WithTheWordStaysOffABusWithAJoystick) {
   EXPECT_TRUE(std::ranges::all_of(m_heard.frames, [](const Frame& f) {
     return (f.flags & Frame::kSent) != 0;
   })) << "it sent something";
+}
+
+// A frame that the link has taken, but not handed over yet, changes what the twin would say.
+TEST(BenchRunner, SaysNothingWhileItIsDestroyed) {
+  auto twin = std::make_unique<BenchRunner>();
+  QUrl where;
+  int said = 0;
+  QObject::connect(twin.get(), &BenchRunner::busReady, [&](const QString& name) { where = QUrl(name); });
+  QObject::connect(twin.get(), &BenchRunner::twinChanged, [&] { ++said; });
+  twin->startDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return where.isValid() && !where.isEmpty(); }, kPatience));
+  // Another end of the bus, without a link's own queue: what it has read has just been read by the twin too.
+  QTcpSocket peer;
+  peer.connectToHost(where.host(), static_cast<quint16>(where.port()));
+  peer.write("connect:can0\n");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return peer.bytesAvailable() > 0; }, kPatience));
+  for (const qint64 before = peer.bytesAvailable(); peer.bytesAvailable() == before;)
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  simulator::Bench& bench = twin->bench().bench;
+  bench.press(bench.nextTime(), 1, simulator::Bench::Button::PowerOff);
+  said = 0;
+  twin.reset();
+  EXPECT_EQ(said, 0);
 }
 
 TEST(TwinFaultsOfTheBench, EachChangesSomethingOfItsOwn) {

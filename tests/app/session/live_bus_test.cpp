@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bus thread's object on a virtual bus of this process: what it does where the log takes no more.
+// The bus thread's object on a virtual bus of this process: what it does where the log takes no more, how it
+// ends.
 #include "session/live_bus.h"
 
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <memory>
 
 #include "link/virtual_bus.h"
 #include "support/frames.h"
@@ -45,6 +47,36 @@ TEST(LiveBus, LocksWhereTheLogTakesNoMoreAndAnswersNothingFromThenOn) {
   EXPECT_EQ(ours(), before);
   live.apply({wish::Unlock{}, bootTime(), 2});
   EXPECT_TRUE(live.latest().services->locked) << "nothing is sent on a picture that stands still";
+}
+
+struct EndOfALiveBus : testing::Test {
+  void SetUp() override {
+    ASSERT_TRUE(bus.start());
+    live = std::make_unique<LiveBus>(
+        log, LinkSettings{QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}});
+    live->start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return live->latest().link.state == LinkState::Up; }, kPatience));
+    ASSERT_EQ(noted(), (std::vector<std::string_view>{"link_up"}));
+  }
+  std::vector<std::string_view> noted() const {
+    std::vector<std::string_view> keys;
+    for (const Note& note : log->notes.all()) keys.push_back(noteKey(note.value));
+    return keys;
+  }
+  VirtualBus bus;
+  std::shared_ptr<LogDocument> log = std::make_shared<LogDocument>();
+  std::unique_ptr<LiveBus> live;
+};
+
+TEST_F(EndOfALiveBus, IsWrittenDownWhenItIsStopped) {
+  live->stop();
+  EXPECT_EQ(noted(), (std::vector<std::string_view>{"link_up", "link_down"}));
+  EXPECT_EQ(live->latest().link.state, LinkState::Closed);
+}
+
+TEST_F(EndOfALiveBus, WritesNothingWhileItIsDestroyed) {
+  live.reset();
+  EXPECT_EQ(noted(), (std::vector<std::string_view>{"link_up"}));
 }
 
 }  // namespace

@@ -156,6 +156,31 @@ TEST(Demo, ShowsLiveWhatAReplayOfTheSameLogShows) {
   EXPECT_EQ(replayed, *live);
 }
 
+TEST(Demo, SaysNothingWhileItIsDestroyedButWritesDownThatTheLinkEnded) {
+  auto session = std::make_unique<Session>();
+  session->openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(*session); }, kPatience));
+  const auto document = session->snapshot().view.document;
+  int said = 0;
+  QObject::connect(session.get(), &Session::changed, [&] { ++said; });
+  QObject::connect(session.get(), &Session::twinChanged, [&] { ++said; });
+  session.reset();
+  EXPECT_EQ(said, 0);
+  const std::vector<Note> notes = document->notes.all();
+  ASSERT_FALSE(notes.empty());
+  EXPECT_EQ(noteKey(notes.back().value), "link_down");
+}
+
+TEST(Demo, SaysThatTheTwinIsGoneWhenItIsClosed) {
+  Session session;
+  TwinStatus twin;
+  QObject::connect(&session, &Session::twinChanged, [&](const TwinStatus& status) { twin = status; });
+  session.openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !twin.devices.empty(); }, kPatience));
+  session.closeSource();
+  EXPECT_TRUE(twin.devices.empty());
+}
+
 TEST(Demo, RunsTwiceAtOnceWithoutMixing) {
   Session one, two;
   one.openDemo();

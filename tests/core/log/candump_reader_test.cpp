@@ -229,18 +229,21 @@ TEST(CandumpReader, AgreesWithItselfOnRandomMixtures) {
                                           "x\n",
                                           "(",
                                           "can0",
-                                          "\0",
+                                          std::string(1, '\0'),
                                           " ",
                                           "123#",
                                           "11",
                                           "\n",
                                           std::string(9000, 'y'),
                                           "(1.0) long_name_here 123#R T\n"};
+  std::map<Unkept, int> reasons;
   for (int round = 0; round < 60; ++round) {
     std::string text;
     for (std::uint64_t n = random() % 40; n > 0; --n) text += parts[random() % parts.size()];
-    readEveryWay(text);
+    for (const UnkeptPlace& place : readEveryWay(text).unkept) ++reasons[place.reason];
   }
+  for (const Unkept reason : {Unkept::Layout, Unkept::Binary, Unkept::LineTooLong})
+    EXPECT_GT(reasons[reason], 0) << unkeptText(reason) << ": the mixtures lack what makes it";
 }
 
 TEST(CandumpReader, PublishesTheFirstRowsBeforeItReadsOn) {

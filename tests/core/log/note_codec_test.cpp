@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 
+#include "support/enums.h"
 #include "support/note_samples.h"
 
 namespace deckpipe {
@@ -91,6 +92,19 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
     EXPECT_EQ(bytes[bytes.size() - 2], n);
   }
   EXPECT_EQ(test::allOf<PipeEvent>().size(), std::size(events));
+}
+
+template <typename E>
+void expectKnown() {
+  for (const E value : test::allOf<E>()) EXPECT_TRUE(isKnown(value)) << static_cast<int>(value);
+  EXPECT_FALSE(isKnown(static_cast<E>(200)));
+}
+
+TEST(NoteCodec, KnowsEveryValueOfItsEnums) {
+  expectKnown<Ask>();
+  expectKnown<RequestEnd>();
+  expectKnown<PipeEvent>();
+  expectKnown<note::OwnAddress::How>();
 }
 
 TEST(NoteCodec, ReadsBackWhatItWrote) {

@@ -2,8 +2,6 @@
 // The bench as a whole: misbehaviours, determinism, totality, speed.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
 #include <random>
 #include <set>
 
@@ -351,25 +349,6 @@ TEST(Bench, SixtyMonitorsAreSteadyWhenAnotherTimeComesOften) {
     return frames;
   };
   EXPECT_EQ(run(1ms), run(100ms));
-}
-
-TEST(Bench, SixtyMonitorsForTheRecord) {
-  constexpr int kSeconds = 20;
-  StandardBench s = standardBench(1, {}, 60);
-  s.bench.powerOn({});
-  const auto start = std::chrono::steady_clock::now();
-  for (Instant t{}; t <= Instant{} + kSeconds * Duration(1s); t = t + 1ms) s.bench.timeCame(t);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  std::printf("[   NOTE   ] 60 monitors: %.1f %% of a core\n", 100 * took.count() / kSeconds);
-}
-
-TEST(Bench, SpeedForTheRecord) {
-  constexpr int kSeconds = 600;
-  const auto start = std::chrono::steady_clock::now();
-  const auto frames = standardRun(1, kSeconds * Duration(1s));
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  std::printf("[   NOTE   ] %zu frames, %.0f simulated seconds a second\n", frames.size(),
-              kSeconds / took.count());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
+#include "support/enums.h"
 #include "support/logs.h"
 #include "support/note_samples.h"
 

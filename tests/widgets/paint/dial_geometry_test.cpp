@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "support/enums.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
@@ -74,8 +75,7 @@ TEST(DialNeedle, ElevationIsHeldAtTheScalesEndAndMarked) {
 }
 
 TEST(DialNeedle, IsThereForAReadingThatIsOkAndForNoOther) {
-  for (const Reading reading :
-       {Reading::NoData, Reading::SensorError, Reading::NotFitted, Reading::Invalid}) {
+  for (const Reading reading : test::allBut(Reading::Ok)) {
     DialValues v = usualValues();
     v.rotation.reading = v.elevation.reading = reading;
     const DialGeometry g = dialGeometry(v, kUsual);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "paint/dial_geometry.h"
+#include "support/enums.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
@@ -61,8 +62,7 @@ class DialInTheme : public testing::TestWithParam<Theme> {};
 TEST_P(DialInTheme, ANeedleIsPaintedForAFreshReadingOnly) {
   const Colours colours = coloursOf(GetParam());
   for (const QSize size : {QSize(640, 360), QSize(200, 200)}) {
-    for (const Reading reading :
-         {Reading::NoData, Reading::Ok, Reading::SensorError, Reading::NotFitted, Reading::Invalid}) {
+    for (const Reading reading : test::allOf<Reading>()) {
       for (const bool stale : {false, true}) {
         DialValues v = usualValues();
         for (DialAxis* axis : {&v.rotation, &v.elevation}) {
@@ -104,8 +104,7 @@ TEST_P(DialInTheme, EveryReadingHasItsOwnDrawingWithoutItsWords) {
   const DialLayout layout = layOutDial(QRectF(QPointF(0, 0), size));
   std::vector<std::vector<bool>> drawings;
   for (const bool stale : {false, true}) {
-    for (const Reading reading :
-         {Reading::NoData, Reading::Ok, Reading::SensorError, Reading::NotFitted, Reading::Invalid}) {
+    for (const Reading reading : test::allOf<Reading>()) {
       if (stale && reading != Reading::Ok) continue;
       DialValues v = usualValues();
       v.rotation.reading = v.elevation.reading = reading;

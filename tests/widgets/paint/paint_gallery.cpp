@@ -11,6 +11,7 @@
 #include "paint/dial.h"
 #include "paint/status_lamp.h"
 #include "paint/timeline.h"
+#include "support/enums.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
@@ -71,7 +72,7 @@ QImage lamps(Theme theme) {
   image.fill(colours.surface);
   QPainter painter(&image);
   int column = 0;
-  for (const WhenOn whenOn : {WhenOn::Stop, WhenOn::Plain, WhenOn::Fine, WhenOn::Attend}) {
+  for (const WhenOn whenOn : test::allOf<WhenOn>()) {
     int row = 0;
     const auto draw = [&](State state, bool stale) {
       StatusLamp lamp;
@@ -83,8 +84,7 @@ QImage lamps(Theme theme) {
       painter.drawImage(QPoint(8 + column * 208, 8 + row++ * 40),
                         picture(lamp, QSize(200, 32), colours.surface));
     };
-    for (const State state : {State::Unknown, State::Off, State::On, State::Error, State::NotAvailable})
-      draw(state, false);
+    for (const State state : test::allOf<State>()) draw(state, false);
     draw(State::On, true);
     draw(State::Off, true);
     ++column;

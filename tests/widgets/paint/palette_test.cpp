@@ -8,6 +8,7 @@
 
 #include "paint/contrast.h"
 #include "paint/glyph.h"
+#include "support/enums.h"
 
 namespace deckpipe {
 namespace {
@@ -82,30 +83,30 @@ QImage glyphPicture(Glyph glyph, int size) {
 
 TEST(Glyph, NoTwoAreAlikeWithoutColourAtTwelvePixels) {
   constexpr int kSize = 12;
-  const int last = static_cast<int>(Glyph::Oscillating);
-  for (int a = 0; a <= last; ++a) {
-    const QImage first = glyphPicture(static_cast<Glyph>(a), kSize);
-    for (int b = a + 1; b <= last; ++b) {
-      const QImage second = glyphPicture(static_cast<Glyph>(b), kSize);
+  for (const Glyph a : test::allOf<Glyph>()) {
+    const QImage first = glyphPicture(a, kSize);
+    for (const Glyph b : test::allOf<Glyph>()) {
+      if (b <= a) continue;
+      const QImage second = glyphPicture(b, kSize);
       int different = 0;
       for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
           different += std::abs(qGray(first.pixel(x, y)) - qGray(second.pixel(x, y))) > 96;
-      EXPECT_GE(different, 5) << "glyphs " << a << " and " << b;
+      EXPECT_GE(different, 5) << "glyphs " << static_cast<int>(a) << " and " << static_cast<int>(b);
     }
   }
 }
 
 TEST(Glyph, StaysInsideItsBox) {
-  for (int g = 0; g <= static_cast<int>(Glyph::Oscillating); ++g) {
+  for (const Glyph g : test::allOf<Glyph>()) {
     QImage image(60, 60, QImage::Format_Grayscale8);
     image.fill(Qt::white);
     QPainter painter(&image);
-    drawGlyph(painter, QRectF(10, 10, 40, 40), static_cast<Glyph>(g), Qt::black);
+    drawGlyph(painter, QRectF(10, 10, 40, 40), g, Qt::black);
     for (int i = 0; i < 60; ++i) {
       for (const int edge : {7, 52}) {
-        EXPECT_EQ(qGray(image.pixel(i, edge)), 255) << "glyph " << g;
-        EXPECT_EQ(qGray(image.pixel(edge, i)), 255) << "glyph " << g;
+        EXPECT_EQ(qGray(image.pixel(i, edge)), 255) << "glyph " << static_cast<int>(g);
+        EXPECT_EQ(qGray(image.pixel(edge, i)), 255) << "glyph " << static_cast<int>(g);
       }
     }
   }

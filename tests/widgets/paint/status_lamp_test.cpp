@@ -6,12 +6,13 @@
 #include <QImage>
 #include <array>
 
+#include "support/enums.h"
+
 namespace deckpipe {
 namespace {
 
 using State = StatusLamp::State;
 using WhenOn = StatusLamp::WhenOn;
-constexpr std::array kStates{State::Unknown, State::Off, State::On, State::Error, State::NotAvailable};
 
 QImage picture(StatusLamp& lamp, QSize size) {
   lamp.resize(size);
@@ -23,9 +24,9 @@ QImage picture(StatusLamp& lamp, QSize size) {
 
 TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
   for (const Theme theme : kThemes) {
-    for (const WhenOn whenOn : {WhenOn::Plain, WhenOn::Fine, WhenOn::Attend, WhenOn::Stop}) {
+    for (const WhenOn whenOn : test::allOf<WhenOn>()) {
       std::vector<QImage> pictures;
-      for (const State state : kStates) {
+      for (const State state : test::allOf<State>()) {
         for (const bool stale : {false, true}) {
           // What was never known cannot have become old; a stale lamp says so, its word says what it was.
           if (stale && state != State::On) continue;
@@ -69,7 +70,7 @@ TEST(StatusLamp, SizeDoesNotDependOnTheState) {
   lamp.setLabel(QStringLiteral("Right"));
   const QSize size = lamp.sizeHint();
   EXPECT_GE(size.height(), 32);
-  for (const State state : kStates) {
+  for (const State state : test::allOf<State>()) {
     lamp.setState(state);
     EXPECT_EQ(lamp.sizeHint(), size);
   }

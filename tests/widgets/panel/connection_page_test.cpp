@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "panel/notice_bar.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -63,7 +64,7 @@ TEST_F(PageToConnect, CopiesTheCommandThatHelps) {
 
 TEST_F(PageToConnect, TellsThatARateWasChosenByHand) {
   QSignalSpy chosen(&page, &ConnectionPage::bitRateChosen);
-  auto* rates = page.findChild<QComboBox*>(QStringLiteral("bitRate"));
+  auto* rates = test::child<QComboBox>(page, "bitRate");
   rates->setFocus();
   QTest::keyClick(rates, Qt::Key_Down);
   ASSERT_EQ(chosen.size(), 1);
@@ -85,9 +86,9 @@ TEST_F(PageToConnect, ListsRecentLogsAndShowsWhichAreGone) {
 
 TEST_F(PageToConnect, SaysThatThereIsNoAdapter) {
   page.setOffers({});
-  EXPECT_TRUE(page.findChild<QWidget*>(QStringLiteral("noAdapters"))->isVisible());
+  EXPECT_TRUE(test::child<QWidget>(page, "noAdapters")->isVisible());
   page.setOffers({{offer("can0")}});
-  EXPECT_FALSE(page.findChild<QWidget*>(QStringLiteral("noAdapters"))->isVisible());
+  EXPECT_FALSE(test::child<QWidget>(page, "noAdapters")->isVisible());
 }
 
 TEST(BarOfNotices, TakesNoRoomWithoutWordsAndActsOnAClick) {
@@ -99,7 +100,7 @@ TEST(BarOfNotices, TakesNoRoomWithoutWordsAndActsOnAClick) {
   bar.setNotice(notice);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar));
   QSignalSpy actions(&bar, &NoticeBar::actionRequested);
-  QTest::mouseClick(bar.findChild<QPushButton*>(QStringLiteral("noticeAction")), Qt::LeftButton);
+  QTest::mouseClick(test::child<QPushButton>(bar, "noticeAction"), Qt::LeftButton);
   EXPECT_EQ(actions.size(), 1);
   bar.setNotice({});
   EXPECT_TRUE(bar.isHidden());

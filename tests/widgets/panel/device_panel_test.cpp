@@ -14,6 +14,7 @@
 #include <QTreeView>
 
 #include "model/device_model.h"
+#include "support/child.h"
 #include "widgets/panel/panel_scenes.h"
 
 namespace deckpipe {
@@ -26,8 +27,7 @@ class DevicePanelTest : public testing::Test {
   void SetUp() override {
     m_panel.resize(332, 600);
     m_panel.show();
-    m_list = m_panel.findChild<QTreeView*>(QStringLiteral("deviceList"));
-    ASSERT_NE(m_list, nullptr);
+    m_list = test::child<QTreeView>(m_panel, "deviceList");
   }
   void show() {
     m_panel.setView(m_bus.view());
@@ -58,8 +58,7 @@ class DevicePanelTest : public testing::Test {
 };
 
 TEST_F(DevicePanelTest, SaysWhatIsMissing) {
-  const auto* empty = m_panel.findChild<QLabel*>(QStringLiteral("noDevices"));
-  ASSERT_NE(empty, nullptr);
+  const auto* empty = test::child<QLabel>(m_panel, "noDevices");
   EXPECT_TRUE(empty->isVisible());
   show();
   EXPECT_TRUE(empty->text().startsWith(QStringLiteral("No device heard yet.")))
@@ -139,8 +138,7 @@ TEST_F(DevicePanelTest, ChoosesNobodyElseWhereTheDeviceIsNotHeardYet) {
 TEST_F(DevicePanelTest, SortsByItsHeaderAndBack) {
   m_bus.hear("18EFFF95", kPosition).hear("18EFFF93", kPosition).hear("18EFFF94", kPosition);
   show();
-  auto* header = m_list->findChild<QHeaderView*>(QStringLiteral("deviceListHeader"));
-  ASSERT_NE(header, nullptr);
+  auto* header = test::child<QHeaderView>(*m_list, "deviceListHeader");
   EXPECT_GE(header->height(), 32);
   const auto order = [&] {
     QStringList text;
@@ -181,7 +179,7 @@ TEST_F(DevicePanelTest, HasRowsForGlovesAndNamesForReaders) {
 TEST_F(DevicePanelTest, NeedsNoMoreThanItsWidth) {
   neighbours(m_bus.monitor());
   show();
-  const auto* header = m_list->findChild<QHeaderView*>(QStringLiteral("deviceListHeader"));
+  const auto* header = test::child<QHeaderView>(*m_list, "deviceListHeader");
   EXPECT_LE(header->length(), m_list->viewport()->width());
   const int pin = m_list->fontMetrics().horizontalAdvance(QString::fromLatin1(kPinA)) + 16;
   EXPECT_GE(header->sectionSize(DeviceModel::DeviceColumn), pin) << "a PIN is never cut";
@@ -192,8 +190,7 @@ TEST_F(DevicePanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {
   show();
   click(QString::fromLatin1(kPinA));
   const int all = m_list->model()->rowCount();
-  auto* filter = m_panel.findChild<QLineEdit*>(QStringLiteral("deviceFilter"));
-  ASSERT_NE(filter, nullptr);
+  auto* filter = test::child<QLineEdit>(m_panel, "deviceFilter");
   EXPECT_GE(filter->height(), 32);
   m_panel.activateWindow();
   m_list->setFocus();
@@ -205,7 +202,7 @@ TEST_F(DevicePanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {
   EXPECT_EQ(m_panel.selectedDevice(), keyOfA()) << "filtered away, it stays chosen";
   EXPECT_EQ(m_chosen.size(), 1);
   QTest::keyClicks(filter, QStringLiteral(" of nowhere"));
-  const auto* empty = m_panel.findChild<QLabel*>(QStringLiteral("noDevices"));
+  const auto* empty = test::child<QLabel>(m_panel, "noDevices");
   EXPECT_TRUE(empty->isVisible());
   EXPECT_EQ(empty->text(), QStringLiteral("No device matches “forestry of nowhere”."));
   show();
@@ -222,8 +219,7 @@ TEST_F(DevicePanelTest, EditsALabelInPlaceByKeyboard) {
   QSignalSpy edited(&m_panel, &DevicePanel::labelEdited);
   click(QString::fromLatin1(kPinA));
   QTest::keyClick(m_list, Qt::Key_F2);
-  auto* editor = m_list->findChild<QLineEdit*>(QStringLiteral("labelEditor"));
-  ASSERT_NE(editor, nullptr);
+  auto* editor = test::child<QLineEdit>(*m_list, "labelEditor");
   EXPECT_EQ(editor->accessibleName(), QStringLiteral("Label of 1032AE100801035"));
   EXPECT_GE(editor->height(), 32);
   EXPECT_GE(editor->width(), 120);
@@ -256,15 +252,13 @@ TEST_F(DevicePanelTest, SortsAndCopiesFromItsMenu) {
   show();
   click(QString::fromLatin1(kPinA));
   Q_EMIT m_list->customContextMenuRequested(QPoint(10, 10));
-  auto* menu = m_panel.findChild<QMenu*>(QStringLiteral("deviceMenu"));
-  ASSERT_NE(menu, nullptr);
+  auto* menu = test::child<QMenu>(m_panel, "deviceMenu");
   EXPECT_TRUE(menu->isVisible());
   for (QAction* action : menu->actions()) {
     if (action->objectName() == QStringLiteral("copyDeviceAction")) action->trigger();
   }
   EXPECT_EQ(QApplication::clipboard()->text(), QString::fromLatin1(kPinA));
-  const auto* sorts = m_panel.findChild<QMenu*>(QStringLiteral("deviceSortMenu"));
-  ASSERT_NE(sorts, nullptr);
+  const auto* sorts = test::child<QMenu>(m_panel, "deviceSortMenu");
   const auto first = [&] { return m_list->model()->index(0, DeviceModel::AddressColumn).data().toString(); };
   QAction* byAddress = sorts->actions()[1 + DeviceModel::AddressColumn];
   EXPECT_EQ(byAddress->text(), QStringLiteral("Addr."));

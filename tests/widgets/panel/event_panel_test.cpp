@@ -9,6 +9,7 @@
 #include <QTreeView>
 
 #include "model/event_model.h"
+#include "support/child.h"
 #include "support/logs.h"
 
 namespace deckpipe {
@@ -24,7 +25,7 @@ struct PanelOfEvents : testing::Test {
     panel.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
   }
-  QTreeView* list() const { return panel.findChild<QTreeView*>(); }
+  QTreeView* list() const { return test::child<QTreeView>(panel); }
   EventPanel panel;
 };
 
@@ -45,7 +46,7 @@ TEST_F(PanelOfEvents, PutsTheCursorByKeyboard) {
 }
 
 TEST_F(PanelOfEvents, SaysThatNothingHappened) {
-  auto* empty = panel.findChild<QLabel*>(QStringLiteral("noEvents"));
+  auto* empty = test::child<QLabel>(panel, "noEvents");
   EXPECT_FALSE(empty->isVisible());
   panel.setView(viewOf(logOfText("(1.000000) can0 123#11\n")));
   EXPECT_TRUE(empty->isVisible());

@@ -13,6 +13,7 @@
 #include "paint/figures.h"
 #include "paint/status_lamp.h"
 #include "panel/full_dial.h"
+#include "support/child.h"
 #include "text/age_text.h"
 #include "widgets/panel/panel_scenes.h"
 
@@ -40,16 +41,14 @@ class PageTest : public testing::Test {
   }
   template <typename W>
   W* find(const char* name) const {
-    return m_page.findChild<W*>(QString::fromLatin1(name));
+    return test::child<W>(m_page, name);
   }
   bool isShown(const char* name) const {
-    const auto* w = find<QWidget>(name);
+    // Most parts of a page are made when they are first wanted.
+    const auto* w = m_page.findChild<QWidget*>(QString::fromLatin1(name));
     return w != nullptr && w->isVisible();
   }
-  QString text(const char* name) const {
-    const auto* label = find<QLabel>(name);
-    return label == nullptr ? QStringLiteral("no such label") : label->text();
-  }
+  QString text(const char* name) const { return find<QLabel>(name)->text(); }
   StatusLamp* lamp(const char* name) const { return find<StatusLamp>(name); }
 
   Heard m_bus;
@@ -80,7 +79,6 @@ TEST_F(PageTest, ShowsAMonitor) {
   EXPECT_EQ(text("pageAddress"), QStringLiteral("address 80 hex"));
   EXPECT_EQ(text("pageHealth"), QStringLiteral("fine"));
   const auto* dial = find<Dial>("dial");
-  ASSERT_NE(dial, nullptr);
   EXPECT_TRUE(dial->isVisible());
   EXPECT_NEAR(dial->values().rotation.degrees, 47.3, 1e-9);
   EXPECT_NEAR(dial->values().elevation.degrees, -5.5, 1e-9);
@@ -297,8 +295,7 @@ TEST_F(FullDialTest, FillsTheWindowOnADoubleClickAndGoesBackOnEscape) {
   ASSERT_NE(full, nullptr);
   EXPECT_EQ(full->parentWidget(), &m_window);
   EXPECT_EQ(full->geometry(), m_window.rect());
-  auto* dial = full->findChild<Dial*>();
-  ASSERT_NE(dial, nullptr);
+  auto* dial = test::child<Dial>(*full);
   EXPECT_NEAR(dial->values().rotation.degrees, 47.3, 1e-9);
   m_window.resize(1000, 700);
   settle();
@@ -312,11 +309,10 @@ TEST_F(FullDialTest, FillsTheWindowOnADoubleClickAndGoesBackOnEscape) {
 
 TEST_F(FullDialTest, OpensAndClosesByItsButtons) {
   auto* button = find<QAbstractButton>("fullButton");
-  ASSERT_NE(button, nullptr);
   EXPECT_GE(button->height(), 44);
   QTest::mouseClick(button, Qt::LeftButton);
   ASSERT_NE(m_page.full(), nullptr);
-  QTest::mouseClick(m_page.full()->findChild<QAbstractButton*>(QStringLiteral("fullButton")), Qt::LeftButton);
+  QTest::mouseClick(test::child<QAbstractButton>(*m_page.full(), "fullButton"), Qt::LeftButton);
   EXPECT_EQ(m_page.full(), nullptr);
 }
 
@@ -324,7 +320,7 @@ TEST_F(FullDialTest, SaysThatTheDeviceIsNotThereAtTheCursor) {
   m_page.toggleFull();
   ASSERT_NE(m_page.full(), nullptr);
   m_page.setView(Heard().view());
-  const auto* message = m_page.full()->findChild<QLabel*>(QStringLiteral("fullMessage"));
+  const auto* message = test::child<QLabel>(*m_page.full(), "fullMessage");
   EXPECT_TRUE(message->isVisible());
   m_page.setView(m_bus.view());
   EXPECT_FALSE(message->isVisible());

@@ -12,6 +12,7 @@
 #include "paint/dial.h"
 #include "panel/monitor_tile.h"
 #include "panel/overview_grid.h"
+#include "support/child.h"
 #include "widgets/panel/panel_scenes.h"
 
 namespace deckpipe {
@@ -74,9 +75,9 @@ class OverviewTest : public testing::Test {
     for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
   }
   MonitorTile* tile(int number) const {
-    return m_panel.findChild<MonitorTile*>(QStringLiteral("monitorTile%1").arg(number));
+    return test::child<MonitorTile>(m_panel, QStringLiteral("monitorTile%1").arg(number));
   }
-  QLabel* empty() const { return m_panel.findChild<QLabel*>(QStringLiteral("noMonitors")); }
+  QLabel* empty() const { return test::child<QLabel>(m_panel, "noMonitors"); }
 
   Heard m_bus;
   OverviewPanel m_panel;
@@ -97,13 +98,12 @@ TEST_F(OverviewTest, SaysWhyThereIsNothing) {
 
 TEST_F(OverviewTest, ShowsEveryMonitorAtOnceWithItsDial) {
   hear(4);
-  ASSERT_NE(tile(4), nullptr);
-  EXPECT_EQ(tile(5), nullptr);
+  EXPECT_EQ(m_panel.findChildren<MonitorTile*>().size(), 4);
   EXPECT_TRUE(tile(4)->isVisible());
-  EXPECT_NEAR(tile(1)->findChild<Dial*>()->values().rotation.degrees, 47.3, 1e-9);
+  EXPECT_NEAR(test::child<Dial>(*tile(1))->values().rotation.degrees, 47.3, 1e-9);
   EXPECT_EQ(tile(1)->accessibleName(), QStringLiteral("1032AE100801035, 6032 Universal II · 80 hex, fine"));
   EXPECT_TRUE(
-      tile(1)->findChild<Dial*>()->accessibleDescription().contains(QStringLiteral("47.3 degrees right")));
+      test::child<Dial>(*tile(1))->accessibleDescription().contains(QStringLiteral("47.3 degrees right")));
   Heard fewer;
   fewer.monitor();
   m_panel.setView(fewer.view());
@@ -133,7 +133,7 @@ TEST_F(OverviewTest, GoesFromTileToTileByArrows) {
   EXPECT_TRUE(tile(5)->hasFocus());
   QTest::keyClick(tile(5), Qt::Key_End);
   EXPECT_TRUE(tile(30)->hasFocus());
-  auto* scroll = m_panel.findChild<QScrollArea*>(QStringLiteral("overviewScroll"));
+  auto* scroll = test::child<QScrollArea>(m_panel, "overviewScroll");
   EXPECT_TRUE(scroll->viewport()->rect().contains(
       QRect(tile(30)->mapTo(scroll->viewport(), QPoint()), tile(30)->size())));
   EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0);

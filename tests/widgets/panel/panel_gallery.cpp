@@ -18,6 +18,7 @@
 #include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
 #include "panel/twin_panel.h"
+#include "support/child.h"
 #include "widgets/panel/panel_samples.h"
 #include "widgets/panel/twin_samples.h"
 
@@ -75,8 +76,8 @@ struct Gallery {
     while (panel.model()->isFiltering() && patience.elapsed() < 5000) QApplication::processEvents();
     if (search != nullptr) {
       QTest::keyClick(panel.view(), Qt::Key_F, Qt::ControlModifier);
-      panel.findChild<QLineEdit*>(QStringLiteral("traceSearch"))->setText(QString::fromUtf8(search));
-      const auto* said = panel.findChild<QLabel*>(QStringLiteral("traceSearchSaid"));
+      test::child<QLineEdit>(panel, "traceSearch")->setText(QString::fromUtf8(search));
+      const auto* said = test::child<QLabel>(panel, "traceSearchSaid");
       while (said->text().startsWith(QStringLiteral("Searching…")) && patience.elapsed() < 5000)
         QApplication::processEvents();
     }
@@ -90,7 +91,7 @@ struct Gallery {
     panel.setFilter(QString::fromUtf8(filter));
     panel.resize(kWidth, 420);
     panel.show();
-    panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
+    test::child<QTabBar>(panel, "traceOrder")->setCurrentIndex(1);
     QElapsedTimer patience;
     patience.start();
     while (panel.ids()->rows()->isBehind() && patience.elapsed() < 5000) QApplication::processEvents();
@@ -134,7 +135,7 @@ struct Gallery {
   void all() {
     QApplication::setPalette(qtPalette(coloursOf(theme)));
     const auto busy = test::logOfText(test::busyText(400));
-    busy->notes.append({.frame = 300, .time = busy->frames.timeAt(300), .text = "water on"});
+    busy->notes.append({.frame = 300, .time = busy->frames.timeAt(300), .value = note::Mark{"water on"}});
     busy->notes.append({.frame = 900, .time = busy->frames.timeAt(900), .value = note::Dropped{{}, 12}});
     busy->notes.append({.frame = 2000, .time = busy->frames.timeAt(2000), .value = note::LinkDown{}});
     const auto foreign = test::logOfText(test::foreignText(300));

@@ -10,6 +10,7 @@
 
 #include "model/answer_history.h"
 #include "panel/ask_card.h"
+#include "support/child.h"
 #include "widgets/panel/talk_rig.h"
 
 namespace deckpipe {
@@ -29,9 +30,9 @@ struct AskedDevice : test::Talk<RequestPanel> {
   }
   RequestStatus& request(Ask ask) { return services.devices[0].requests[static_cast<std::size_t>(ask)]; }
   AskCard* card(Ask ask) {
-    return panel.findChild<AskCard*>(QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
+    return test::child<AskCard>(panel, QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
   }
-  QPushButton* button(Ask ask) { return card(ask)->findChild<QPushButton*>(QStringLiteral("askButton")); }
+  QPushButton* button(Ask ask) { return test::child<QPushButton>(*card(ask), "askButton"); }
   using Talk::button;
   QString hint() { return child<QLabel>("requestHint")->text(); }
 };
@@ -89,9 +90,8 @@ TEST_F(AskedDevice, ACommandIsAskedOnceByTheDevicesName) {
   QTest::mouseClick(button(Ask::Reset), Qt::LeftButton);
   EXPECT_TRUE(wishes.empty());
   ASSERT_NE(dialog(), nullptr);
-  EXPECT_TRUE(
-      dialog()->findChild<QLabel*>(QStringLiteral("dangerTitle"))->text().contains(QStringLiteral("Roof")));
-  QTest::mouseClick(dialog()->findChild<QPushButton*>(QStringLiteral("dangerVerb")), Qt::LeftButton);
+  EXPECT_TRUE(test::child<QLabel>(*dialog(), "dangerTitle")->text().contains(QStringLiteral("Roof")));
+  QTest::mouseClick(test::child<QPushButton>(*dialog(), "dangerVerb"), Qt::LeftButton);
   ASSERT_EQ(wishes.size(), 1u);
   EXPECT_EQ(std::get<wish::AskDevice>(wishes[0]).asks, AskSet{Ask::Reset});
 }
@@ -208,7 +208,7 @@ TEST_F(AskedDevice, TheWheelBeginsNoRepeatedPoll) {
 }
 
 TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce) {
-  EXPECT_FALSE(panel.findChild<QWidget*>(QStringLiteral("repeatBar"))->isVisible());
+  EXPECT_FALSE(test::child<QWidget>(panel, "repeatBar")->isVisible());
   for (int i = 0; i < 6; ++i) {
     DeviceServices& other = services.devices.emplace_back();
     other.device = DeviceKey::of(*Pin::make(1032, 'A', 'E', 200u + static_cast<unsigned>(i)));
@@ -218,7 +218,7 @@ TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce)
   labels.set(services.devices[1].device.pin, QStringLiteral("Front"));
   panel.setLabels(labels);
   show();
-  auto* text = panel.findChild<QLabel*>(QStringLiteral("repeatText"));
+  auto* text = test::child<QLabel>(panel, "repeatText");
   EXPECT_TRUE(text->isVisible());
   EXPECT_TRUE(text->text().contains(QStringLiteral("Front: every 5.0 s\n1032AE000000201: every")))
       << text->text().toStdString();
@@ -233,7 +233,7 @@ TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce)
 }
 
 TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {
-  QAbstractItemModel* history = panel.findChild<AnswerHistory*>();
+  QAbstractItemModel* history = test::child<AnswerHistory>(panel);
   QAbstractItemModelTester tester(history, QAbstractItemModelTester::FailureReportingMode::Fatal);
   add({frame("18EFF980", "02000000000000", 0, 2 * kSecond)});
   add({frame("18EFF980", "0200200000000B", 0, 3 * kSecond),

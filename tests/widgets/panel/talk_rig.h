@@ -12,6 +12,7 @@
 #include "control/intent.h"
 #include "control/status.h"
 #include "state/conversations.h"
+#include "support/child.h"
 #include "support/frames.h"
 
 namespace deckpipe::test {
@@ -49,7 +50,7 @@ struct Talk : ::testing::Test {
   }
   template <typename T>
   T* child(const char* name) {
-    return panel.template findChild<T*>(QLatin1String(name));
+    return test::child<T>(panel, name);
   }
   QAbstractButton* button(const char* name) { return child<QAbstractButton>(name); }
   void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }

@@ -23,6 +23,7 @@
 #include "panel/id_view.h"
 #include "panel/trace_filter_edit.h"
 #include "panel/trace_search_bar.h"
+#include "support/child.h"
 #include "support/frames.h"
 #include "support/logs.h"
 #include "widgets/panel/panel_samples.h"
@@ -57,7 +58,7 @@ struct TracePanelTest : testing::Test {
   TraceModel& model() { return *panel.model(); }
   template <typename T>
   T* child(const char* name) {
-    return panel.findChild<T*>(QString::fromLatin1(name));
+    return test::child<T>(panel, name);
   }
   TraceFilterEdit* filter() { return child<TraceFilterEdit>("traceFilter"); }
   QString count() { return child<QLabel>("traceCount")->text(); }
@@ -84,7 +85,6 @@ struct TracePanelTest : testing::Test {
   // The entry of the open menu that begins with this.
   QAction* entry(const char* menu, const char* text) {
     auto* open = child<QMenu>(menu);
-    if (open == nullptr) return nullptr;
     QList<QAction*> actions = open->actions();
     for (QMenu* sub : open->findChildren<QMenu*>()) actions += sub->actions();
     for (QAction* action : actions) {
@@ -242,7 +242,7 @@ TEST_F(TracePanelTest, FiltersByPointingAtACell) {
   waitForFilter();
   EXPECT_EQ(panel.filter(), QStringLiteral("sa=81"));
   openMenu(0, TraceModel::Name);
-  auto* hide = child<QMenu>("traceMenu")->findChildren<QMenu*>().first();
+  auto* hide = test::child<QMenu>(*child<QMenu>("traceMenu"));
   hide->actions().first()->trigger();
   closeMenu("traceMenu");
   EXPECT_EQ(panel.filter(), QStringLiteral("sa=81 and id!=18EFFF81"));
@@ -290,7 +290,7 @@ TEST_F(TracePanelTest, ShowsTheColumnsThatWereChosen) {
 
 TEST_F(TracePanelTest, KeepsTheColumnsByIdentifierAsAPersonMadeThem) {
   open(traffic(100));
-  panel.findChild<QTabBar*>(QStringLiteral("traceOrder"))->setCurrentIndex(1);
+  test::child<QTabBar>(panel, "traceOrder")->setCurrentIndex(1);
   FlatHeader& header = *panel.ids()->header();
   const int usual = header.sectionSize(IdModel::Name);
   Q_EMIT header.customContextMenuRequested({10, 10});

@@ -13,6 +13,7 @@
 #include "paint/timeline.h"
 #include "panel/time_readout.h"
 #include "panel/transport_button.h"
+#include "support/child.h"
 #include "support/frames.h"
 #include "support/logs.h"
 #include "widgets/panel/panel_samples.h"
@@ -36,7 +37,7 @@ struct TransportBarTest : testing::Test {
   }
   template <typename T>
   T* child(const char* name) const {
-    return bar.findChild<T*>(QString::fromLatin1(name));
+    return test::child<T>(bar, name);
   }
   Timeline* timeline() const { return child<Timeline>("timeline"); }
 };
@@ -226,7 +227,6 @@ TEST_F(TransportBarTest, SaysWhatIsSelectedAndOffersItAsAFilter) {
   const QSignalSpy only(&bar, &TransportBar::spanRequested);
   Q_EMIT timeline()->customContextMenuRequested({20, 20});
   auto* menu = child<QMenu>("timelineMenu");
-  ASSERT_NE(menu, nullptr);
   menu->actions()[1]->trigger();
   EXPECT_EQ(only.back().front().toString(), QStringLiteral("t>=0.000000 and t<0.010000"));
   menu->actions()[0]->trigger();

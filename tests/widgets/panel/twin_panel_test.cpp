@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QTest>
 
+#include "support/child.h"
 #include "widgets/panel/twin_samples.h"
 
 namespace deckpipe {
@@ -26,7 +27,7 @@ struct TwinPanelTest : testing::Test {
   }
   template <typename T>
   T* child(const char* name) const {
-    return panel.findChild<T*>(QString::fromLatin1(name));
+    return test::child<T>(panel, name);
   }
   void click(const char* name) {
     auto* button = child<QAbstractButton>(name);

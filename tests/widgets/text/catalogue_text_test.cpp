@@ -9,6 +9,7 @@
 #include "protocol/catalogue.h"
 #include "protocol/decode.h"
 #include "protocol/device_types.h"
+#include "support/enums.h"
 #include "text/device_text.h"
 
 namespace deckpipe {
@@ -50,8 +51,7 @@ TEST(CatalogueText, HasEveryWordThatAFieldCanTake) {
     }
   }
   for (const char* key : {"off", "on", "error", "na"}) EXPECT_TRUE(hasWord(key)) << key;
-  for (const PositionState state :
-       {PositionState::Ok, PositionState::SensorError, PositionState::NotFitted, PositionState::Invalid}) {
+  for (const PositionState state : test::allOf<PositionState>()) {
     EXPECT_TRUE(hasWord(keyOf(state))) << keyOf(state);
   }
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All enumerators of an enum of bytes, for tests that go through every one: no list that a new one could be
+// forgotten in. An enumerator named Count is none.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace deckpipe::test {
+
+// The compiler writes a value that has a name as "deckpipe::Ask::Fault" and any other as "(deckpipe::Ask)8".
+template <auto Value>
+constexpr bool isEnumerator() {
+  std::string_view text = __PRETTY_FUNCTION__;
+  text = text.substr(text.rfind(" = ") + 3);
+  return text.front() != '(' && text.find("::Count") == std::string_view::npos;
+}
+
+template <typename E, std::size_t... N>
+std::vector<E> enumerators(std::index_sequence<N...>) {
+  std::vector<E> all;
+  (void)((isEnumerator<static_cast<E>(N)>() && (all.push_back(static_cast<E>(N)), true)), ...);
+  return all;
+}
+
+// In order of their numbers, 0 to 127.
+template <typename E>
+std::vector<E> allOf() {
+  return enumerators<E>(std::make_index_sequence<128>());
+}
+template <typename E>
+std::vector<E> allBut(E left) {
+  std::vector<E> all = allOf<E>();
+  std::erase(all, left);
+  return all;
+}
+
+}  // namespace deckpipe::test
