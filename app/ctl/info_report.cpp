@@ -158,8 +158,7 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
   out += line;
   if (m_timeJumps != 0) out += "  " + std::to_string(m_timeJumps) + " frames whose time goes back or leaps\n";
   if (unkept.unreadable() != 0) out += "  " + std::to_string(unkept.unreadable()) + " unreadable lines\n";
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
-    const auto reason = static_cast<Unkept>(i);
+  for (const Unkept reason : kAllOf<Unkept>) {
     if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
     out +=
         "  " + std::to_string(unkept.count(reason)) + " not kept: " + std::string(unkeptText(reason)) + "\n";
@@ -202,8 +201,7 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
     if (!first) out += ',';
     first = false;
   };
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
-    const auto reason = static_cast<Unkept>(i);
+  for (const Unkept reason : kAllOf<Unkept>) {
     if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
     comma();
     appendJsonString(out, unkeptText(reason));
