@@ -50,7 +50,6 @@ inline constexpr auto kCommands = [] {
   return commands;
 }();
 
-inline constexpr std::size_t kAsks = kCountOf<Ask>;
 using AskSet = EnumSet<Ask>;
 inline constexpr AskSet kPolls = [] {
   AskSet polls;
