@@ -13,8 +13,6 @@
 
 namespace deckpipe {
 
-inline constexpr std::size_t kMessageCount = kCountOf<MessageId>;
-
 inline constexpr EnumArray<MessageId, Message> kCatalogue = [] {
   EnumArray<MessageId, Message> all;
   auto at = all.begin();
