@@ -3,17 +3,13 @@
 // word never changes once shipped.
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "control/status.h"
 
 namespace deckpipe::ctl {
 
-inline constexpr std::array<std::string_view, kAsks> kAskWords{"fault", "firmware",  "pcode", "config",
-                                                               "vista", "zero_axes", "reset", "setup_mode"};
-
-constexpr std::string_view askWord(Ask ask) { return kAskWords[static_cast<std::size_t>(ask)]; }
+constexpr std::string_view askWord(Ask ask) { return kAskFacts[ask].key; }
 
 constexpr std::string_view endWord(RequestEnd end) {
   switch (end) {

@@ -20,13 +20,13 @@ struct Answer {
 };
 Answer answerIn(const Frame& frame, const Classified& what) {
   if (!what.malformed && !what.isDecoded()) return {};
-  for (std::size_t i = 0; i < kAsks; ++i) {
-    if (isCommand(static_cast<Ask>(i))) continue;
-    for (std::size_t part = 0; part < kAskRules[i].answers.size(); ++part) {
-      const MessageId message = kAskRules[i].answers[part];
+  for (const Ask ask : kAllOf<Ask>) {
+    if (isCommand(ask)) continue;
+    const auto& answers = ruleOf(ask).answers;
+    for (std::size_t part = 0; part < answers.size(); ++part) {
+      const MessageId message = answers[part];
       if (message == kNoAnswer) continue;
-      if (what.malformed ? messageOf(message).firstByte == frame.data[0] : message == what.message)
-        return {static_cast<Ask>(i), part};
+      if (what.malformed ? hasTypeOf(frame, message) : message == what.message) return {ask, part};
     }
   }
   return {};
@@ -37,8 +37,8 @@ constexpr Duration kBusPatience = 2s;
 
 template <typename F>
 void forEachAsk(AskSet asks, F&& f) {
-  for (std::size_t i = 0; i < kAsks; ++i) {
-    if (asks.has(static_cast<Ask>(i))) f(static_cast<Ask>(i));
+  for (const Ask ask : kAllOf<Ask>) {
+    if (asks.has(ask)) f(ask);
   }
 }
 

@@ -3,46 +3,12 @@
 
 #include "base/overload.h"
 #include "json_line.h"
-#include "protocol/catalogue.h"
 #include "protocol/device_types.h"
+#include "protocol/lists.h"
 #include "report/decode_lines.h"
 
 namespace deckpipe::ctl {
 namespace {
-
-// What a device says of itself or is told to do. Neither polls nor the data pipe, and not the stream of a
-// joystick.
-bool isValue(MessageId message) {
-  switch (message) {
-    case MessageId::PositionLimitStatus:
-    case MessageId::RotationSoftLimits:
-    case MessageId::ElevationSoftLimits:
-    case MessageId::DigitalOutputs:
-    case MessageId::MiniDigitalOutputs:
-    case MessageId::DigitalInputs:
-    case MessageId::SoePermissive:
-    case MessageId::DiagnosticData:
-    case MessageId::FaultResponse:
-    case MessageId::FirmwareResponse:
-    case MessageId::PcodeResponse:
-    case MessageId::ConfigResponse:
-    case MessageId::VistaStatus:
-    case MessageId::VistaPosition:
-    case MessageId::ZeroAxesAck:
-    case MessageId::ResetRequest:
-    case MessageId::SetupModeAck:
-    case MessageId::NmtCommand:
-    case MessageId::Heartbeat:
-    case MessageId::SdoReadResponse:
-    case MessageId::SdoWriteResponse:
-    case MessageId::SdoAbort: return true;
-    default: return false;
-  }
-}
-
-constexpr std::array<std::string_view, kPeriodics> kPeriodicWords{
-    "position_limit_status", "rotation_soft_limits", "elevation_soft_limits", "digital_outputs",
-    "mini_digital_outputs",  "digital_inputs",       "soe_permissive",        "heartbeat"};
 
 // Words of the output: they never change once shipped.
 std::string_view ownAddressWord(note::OwnAddress::How how) {
@@ -78,12 +44,11 @@ Changes::Changes(BusFollower& follower, Channel channel, std::string channelName
 
 void Changes::frameCame(const Frame& frame, const Classified& what) {
   compare();  // who speaks comes before what is said
-  if (!what.isDecoded() || !isValue(what.message) || what.family == Family::Copley) return;
+  if (!what.isDecoded() || !messageOf(what.message).isWatched) return;
   const Message& message = messageOf(what.message);
-  if (message.period > 0ns || what.message == MessageId::SoePermissive) {
-    // The priority and, of a heartbeat, the toggle bit say nothing.
-    const std::uint64_t toggle = what.message == MessageId::Heartbeat ? 0x80 : 0;
-    const std::uint64_t bytes = loadLittle(frame.data) & ~toggle;
+  if (message.period > 0ns) {
+    const std::uint64_t bytes = loadLittle(frame.data) & newsBits(message);
+    // Nor does the priority in its identifier say anything.
     const auto [last, isNew] = m_last.try_emplace({frame.identifier() & 0x3FF'FFFFu, what.message}, bytes);
     if (!isNew && last->second == bytes) return;
     last->second = bytes;
@@ -161,7 +126,7 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
       }
       m_out += line.text();
     }
-    shown = {device.kind, device.pin, device.address, device.node, 0};
+    shown = {device.kind, device.pin, device.address, device.node, {}};
   }
   if (shown.address != device.address) {
     m_out += begin(device.address == kNullAddress ? "address_lost" : "address_changed")
@@ -169,12 +134,11 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
                  .text();
     shown.address = device.address;
   }
-  for (std::size_t i = 0; i < kPeriodics && shown.stale != device.stale; ++i) {
-    const auto bit = static_cast<std::uint16_t>(1u << i);
-    if ((shown.stale & bit) == (device.stale & bit)) continue;
-    m_out += begin((device.stale & bit) != 0 ? "stale" : "fresh").add("message", kPeriodicWords[i]).text();
+  for (const MessageId id : kPeriodicReports) {
+    if (shown.stale.has(id) == device.isStale(id)) continue;
+    m_out += begin(device.isStale(id) ? "stale" : "fresh").add("message", messageOf(id).key).text();
   }
-  shown.stale = device.stale;
+  shown.stale = device.stale();
 }
 
 }  // namespace deckpipe::ctl

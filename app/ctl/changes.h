@@ -22,7 +22,7 @@ class Changes {
     Pin pin;
     Address address;
     NodeId node;
-    std::uint16_t stale = 0;
+    EnumSet<MessageId> stale;
   };
   void frameCame(const Frame& frame, const Classified& what);
   void noteCame(const Note& note);

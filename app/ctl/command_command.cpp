@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl command: what changes something in a device. Named, confirmed by --yes, sent once.
+#include <algorithm>
 #include <cstdio>
 
 #include "arguments.h"
@@ -12,12 +13,11 @@ namespace {
 
 struct Word {
   const char* word;
-  Ask ask;
   const char* deed;
 };
-constexpr Word kWords[] = {{"zero-axes", Ask::ZeroAxes, "zero the axes of"},
-                           {"reset", Ask::Reset, "reset"},
-                           {"setup-mode", Ask::SetupMode, "put into setup mode"}};
+constexpr KeyTable<kCommands, Word> kWords{{{Ask::ZeroAxes, {"zero-axes", "zero the axes of"}},
+                                            {Ask::Reset, {"reset", "reset"}},
+                                            {Ask::SetupMode, {"setup-mode", "put into setup mode"}}}};
 
 }  // namespace
 
@@ -36,11 +36,10 @@ int commandCommand(const QStringList& arguments) {
   const QCommandLineOption yes(QStringLiteral("yes"), QStringLiteral("Yes, this device."));
   parser.addOption(yes);
   if (const auto status = parse(parser, arguments)) return *status;
-  const Word* word = nullptr;
-  for (const Word& known : kWords) {
-    if (parser.positionalArguments() == QStringList(QLatin1String(known.word))) word = &known;
-  }
-  if (word == nullptr)
+  const auto ask = std::ranges::find_if(kCommands, [&](Ask known) {
+    return parser.positionalArguments() == QStringList(QLatin1String(kWords.find(known)->word));
+  });
+  if (ask == kCommands.end())
     return badUsage(QStringLiteral("command: one of zero-axes, reset and setup-mode is wanted"));
   const auto whom = device.read(QStringLiteral("command"));
   if (!whom) return kBadUsage;
@@ -59,11 +58,11 @@ int commandCommand(const QStringList& arguments) {
       const std::vector<DeviceServices> found = finder.devices();
       if (!parser.isSet(yes)) {
         run.say(QStringLiteral("this would %1 %2; add --yes to do it")
-                    .arg(QLatin1String(word->deed), deviceText(found.front())));
+                    .arg(QLatin1String(kWords.find(*ask)->deed), deviceText(found.front())));
         return run.finish(kBadUsage);
       }
       isAsking = true;
-      asker.begin(found, AskSet(word->ask), Asker::NotTaken::IsAFailure);
+      asker.begin(found, AskSet(*ask), Asker::NotTaken::IsAFailure);
     }
     if (isAsking && asker.isOver()) run.finish(asker.allAnswered() ? kDone : kNotWhole);
   };

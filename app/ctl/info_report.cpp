@@ -52,40 +52,41 @@ void appendDeviceJson(std::string& out, const Device& device, std::string_view c
   appendJsonNumber(out, device.frames);
   key("malformed");
   appendJsonNumber(out, device.malformed);
-  if (device.position.isKnown()) {
+  if (device.position().isKnown()) {
     key("rotation_deg");
-    appendAngle(out, device.position.value().rotation);
+    appendAngle(out, device.position().value().rotation);
     key("rotation_state");
-    appendJsonString(out, keyOf(device.position.value().rotation.state));
+    appendJsonString(out, keyOf(device.position().value().rotation.state));
     key("elevation_deg");
-    appendAngle(out, device.position.value().elevation);
+    appendAngle(out, device.position().value().elevation);
     key("elevation_state");
-    appendJsonString(out, keyOf(device.position.value().elevation.state));
+    appendJsonString(out, keyOf(device.position().value().elevation.state));
   }
-  if (device.faults.isKnown()) {
+  if (device.faults().isKnown()) {
     key("faults");
     std::uint32_t named = 0;
     for (const ValueName& bit : akron::kFaultBits) named |= 1u << bit.value;
-    appendJsonValue(out, Value::names(device.faults.value().map & named, akron::kFaultBits));
+    appendJsonValue(out, Value::names(device.faults().value().map & named, akron::kFaultBits));
     key("reserved_bits");
-    appendJsonValue(out, Value::numbers(device.faults.value().map & ~named));
+    appendJsonValue(out, Value::numbers(device.faults().value().map & ~named));
     key("pcode_error");
-    appendJsonValue(
-        out, device.faults.value().pcodeError ? Value::integer(*device.faults.value().pcodeError) : Value());
+    appendJsonValue(out, device.faults().value().pcodeError
+                             ? Value::integer(*device.faults().value().pcodeError)
+                             : Value());
   }
-  if (device.firmware.isKnown()) {
+  if (device.firmware().isKnown()) {
     key("system");
-    appendJsonString(out, versionText(device.firmware.value().system));
+    appendJsonString(out, versionText(device.firmware().value().system));
   }
-  if (device.pcode.isKnown()) {
+  if (device.pcode().isKnown()) {
     key("style");
-    appendJsonNumber(out, device.pcode.value().style);
+    appendJsonNumber(out, device.pcode().value().style);
     key("pcode_version");
-    appendJsonString(out, versionText(device.pcode.value().version));
+    appendJsonString(out, versionText(device.pcode().value().version));
   }
-  if (device.config.isKnown()) {
+  if (device.config().isKnown()) {
     key("config_type");
-    appendJsonNumber(out, device.config.value().type);
+    appendJsonNumber(out, device.config().value().type);
   }
   if (device.partNumber.isKnown()) {
     key("part_number");
@@ -113,13 +114,13 @@ std::string deviceText(const Device& device, std::string_view channel) {
   }
   out += "  " + std::to_string(device.frames) + " frames";
   if (device.malformed != 0) out += ", " + std::to_string(device.malformed) + " malformed";
-  if (device.position.isKnown()) {
+  if (device.position().isKnown()) {
     const auto angle = [](const PositionReading& reading) {
       return reading.state == PositionState::Ok ? toText(Value::decimal(reading.tenths, 1)) + " deg"
                                                 : std::string(keyOf(reading.state));
     };
-    out += ", rotation " + angle(device.position.value().rotation);
-    out += ", elevation " + angle(device.position.value().elevation);
+    out += ", rotation " + angle(device.position().value().rotation);
+    out += ", elevation " + angle(device.position().value().elevation);
   }
   return out;
 }
@@ -158,8 +159,7 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
   out += line;
   if (m_timeJumps != 0) out += "  " + std::to_string(m_timeJumps) + " frames whose time goes back or leaps\n";
   if (unkept.unreadable() != 0) out += "  " + std::to_string(unkept.unreadable()) + " unreadable lines\n";
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
-    const auto reason = static_cast<Unkept>(i);
+  for (const Unkept reason : kAllOf<Unkept>) {
     if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
     out +=
         "  " + std::to_string(unkept.count(reason)) + " not kept: " + std::string(unkeptText(reason)) + "\n";
@@ -202,8 +202,7 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
     if (!first) out += ',';
     first = false;
   };
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
-    const auto reason = static_cast<Unkept>(i);
+  for (const Unkept reason : kAllOf<Unkept>) {
     if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
     comma();
     appendJsonString(out, unkeptText(reason));

@@ -104,17 +104,16 @@ int LogInput::readStream(int descriptor, const std::function<bool()>& more) {
 
 int LogInput::sayUnkept() const {
   const UnkeptPlaces content = unkept.content();
-  std::array<std::uint64_t, kUnkeptReasons> said{};
+  EnumArray<Unkept, std::uint64_t> said;
   for (const UnkeptPlace& place : content.places()) {
     if (!isUnreadable(place.reason)) continue;
     const std::string_view reason = unkeptText(place.reason);
     std::fprintf(stderr, "%s:%" PRIu64 ": %.*s\n", name().c_str(), place.place,
                  static_cast<int>(reason.size()), reason.data());
-    ++said[static_cast<std::size_t>(place.reason)];
+    ++said[place.reason];
   }
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
-    const auto reason = static_cast<Unkept>(i);
-    const std::uint64_t rest = content.count(reason) - said[i];
+  for (const Unkept reason : kAllOf<Unkept>) {
+    const std::uint64_t rest = content.count(reason) - said[reason];
     if (rest == 0) continue;
     const std::string_view text = unkeptText(reason);
     std::fprintf(

@@ -140,9 +140,14 @@ std::optional<WordValue> valueFor(const MisbehaveWord& word, const QString& text
 }
 
 QString valueHelp(const MisbehaveWord& word) {
-  if (word.takes == Takes::Nothing) return {};
-  constexpr std::array<const char*, 5> kNames{"", "N", "MS", "[K/]N", "FAULT"};
-  const QString value = QLatin1Char('=') + QLatin1String(kNames[static_cast<std::size_t>(word.takes)]);
+  QString value;
+  switch (word.takes) {
+    case Takes::Nothing: return {};
+    case Takes::Number: value = QStringLiteral("=N"); break;
+    case Takes::Milliseconds: value = QStringLiteral("=MS"); break;
+    case Takes::Losses: value = QStringLiteral("=[K/]N"); break;
+    case Takes::Fault: value = QStringLiteral("=FAULT"); break;
+  }
   return word.leftOut == 0 ? value : QLatin1Char('[') + value + QLatin1Char(']');
 }
 

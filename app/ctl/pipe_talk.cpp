@@ -147,7 +147,9 @@ void PipeTalk::frameCame(const Frame& frame) {
   if (m_phase == Phase::Finding || !frame.isExtended() || frame.isRemote() || frame.isError()) return;
   if ((frame.flags & Frame::kSent) != 0 || frame.length < 2) return;
   const J1939Id id = J1939Id::of(frame.identifier());
-  if (id.pgn != pgn::kProprietaryA || frame.data[0] != 0xFE || id.destination != m_run.ownAddress()) return;
+  if (id.pgn != pgn::kProprietaryA || !hasTypeOf(frame, MessageId::PipeData) ||
+      id.destination != m_run.ownAddress())
+    return;
   const Device* device = m_run.follower().state().devices().byAddress(m_run.channel(), id.source);
   const bool isIt = m_device.kind == DeviceKey::Kind::Pin ? device != nullptr && device->pin == m_device.pin
                                                           : id.source == m_address;

@@ -17,10 +17,9 @@ namespace {
 std::optional<AskSet> parseKinds(const QString& text) {
   AskSet set;
   for (const QString& word : text.split(QLatin1Char(','))) {
-    const auto found = std::ranges::find(kAskWords, word.toStdString());
-    const auto ask = static_cast<Ask>(found - kAskWords.begin());
-    if (found == kAskWords.end() || isCommand(ask)) return {};
-    set.add(ask);
+    const auto found = std::ranges::find(kAllOf<Ask>, word.toStdString(), askWord);
+    if (found == kAllOf<Ask>.end() || isCommand(*found)) return {};
+    set.add(*found);
   }
   return set;
 }

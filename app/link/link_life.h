@@ -8,9 +8,9 @@
 // 3. isWaiting(): the stage ends by DeviceFailed when nobody answers in time.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
+#include "base/enum_table.h"
 #include "bus/port.h"
 
 namespace deckpipe {
@@ -24,7 +24,8 @@ enum class LinkStage : std::uint8_t {
   Away,       // was up. There is no device, as the interface was removed or does not fit
   Returning,  // was up. The interface is back, and a new device connects
 };
-inline constexpr std::size_t kLinkStages = static_cast<std::size_t>(LinkStage::Returning) + 1;
+template <>
+inline constexpr LinkStage kLastOf<LinkStage> = LinkStage::Returning;
 
 enum class LinkEvent : std::uint8_t {
   Open,
@@ -36,7 +37,8 @@ enum class LinkEvent : std::uint8_t {
   DeviceConnected,
   DeviceFailed,  // it could not be made or connected, nobody answered in time, or its other end went away
 };
-inline constexpr std::size_t kLinkEvents = static_cast<std::size_t>(LinkEvent::DeviceFailed) + 1;
+template <>
+inline constexpr LinkEvent kLastOf<LinkEvent> = LinkEvent::DeviceFailed;
 
 LinkStage next(LinkStage stage, LinkEvent event);
 

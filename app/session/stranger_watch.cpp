@@ -46,7 +46,7 @@ std::vector<Stranger> StrangerWatch::strangers() const {
       found.push_back({.pin = device.pin});
     if (device.kind != Device::Kind::Node) continue;
     // What only has a heartbeat may be any CANopen device.
-    const bool saysStatus = device.position.isKnown() || device.outputs.isKnown();
+    const bool saysStatus = device.position().isKnown() || device.outputs().isKnown();
     if (saysStatus || bus.book.isAkronNode(device.node)) found.push_back({.node = device.node});
   }
   return found;

@@ -49,8 +49,8 @@ TwinFaults possibleFor(unsigned model) {
 
 Misbehaviour misbehaviourOf(const TwinFaults& faults) {
   Misbehaviour result;
-  for (std::size_t i = 0; i < kTwinFaults; ++i) {
-    if (faults.has(static_cast<TwinFault>(i))) put(result, static_cast<TwinFault>(i));
+  for (const TwinFault fault : kAllOf<TwinFault>) {
+    if (faults.has(fault)) put(result, fault);
   }
   return result;
 }

@@ -20,6 +20,9 @@ enum class CobFunction : std::uint16_t {
   Heartbeat = 0x700,
 };
 
+// TPDO1, RPDO1 .. TPDO4, RPDO4.
+constexpr bool isPdo(std::uint32_t function) { return function >= 0x180 && function <= 0x500; }
+
 struct CobId {
   std::uint16_t function = 0;  // identifier with the node id masked out
   NodeId node;                 // 0 where the message is for nobody in particular

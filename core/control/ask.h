@@ -1,49 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be asked of an Akron device: the polls, which only read, and the commands, which change something
-// and are guarded (CAN Messaging manual, message types 02-05, 21, 41, 45, 46).
+// How each thing that can be asked of an Akron device is asked: the polls, which only read, and the commands,
+// which change something and are guarded. Source: CAN Messaging manual, message types 02-05, 21, 41, 45, 46;
+// deadlines are Deckpipe's own. Which messages ask and answer it the catalogue says (protocol/akron.h).
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <string_view>
+
+#include "base/ask.h"
+#include "base/enum_table.h"
+#include "base/time.h"
 
 namespace deckpipe {
 
-// Numbers stand in files (core/log/note_codec.h): never renumber one, never use one again. They count from 0
-// without a gap, as tables are indexed by them.
-enum class Ask : std::uint8_t {
-  Fault = 0,
-  Firmware = 1,
-  Pcode = 2,
-  Config = 3,
-  Vista = 4,
-  ZeroAxes = 5,   // command, acknowledged
-  Reset = 6,      // command, never acknowledged: the device announces itself anew
-  SetupMode = 7,  // command, acknowledged
-  Count,
+enum class AskKind : std::uint8_t {
+  Poll,     // reads; may be repeated
+  Command,  // changes something in the device; sent once
 };
-inline constexpr std::size_t kAsks = static_cast<std::size_t>(Ask::Count);
-constexpr bool isKnown(Ask ask) { return ask < Ask::Count; }
 
-// A set of them.
-struct AskSet {
-  std::uint8_t bits = 0;
+struct AskFacts {
+  std::string_view key;  // on command lines and in JSON: frozen contract
+  AskKind kind;
+  Duration patience;                // of one try
+  unsigned tries;                   // commands are never repeated by themselves
+  std::array<unsigned, 4> takenBy;  // PIN digits 1-4; all 0: every Akron device
+};
 
-  constexpr AskSet() = default;
-  template <typename... Asks>
-  constexpr explicit AskSet(Asks... asks)
-      : bits(static_cast<std::uint8_t>(((1u << static_cast<unsigned>(asks)) | ...))) {}
-  constexpr bool has(Ask ask) const { return (bits >> static_cast<unsigned>(ask) & 1u) != 0; }
-  constexpr bool isEmpty() const { return bits == 0; }
-  constexpr void add(Ask ask) { bits = static_cast<std::uint8_t>(bits | 1u << static_cast<unsigned>(ask)); }
-  friend constexpr AskSet operator&(AskSet a, AskSet b) {
-    a.bits &= b.bits;
-    return a;
+// To add a poll: an Ask, its row here, its messages in the catalogue, its words in text/service_text.cpp.
+inline constexpr EnumTable<Ask, AskFacts> kAskFacts{{
+    {Ask::Fault, {"fault", AskKind::Poll, 500ms, 3, {}}},
+    {Ask::Firmware, {"firmware", AskKind::Poll, 500ms, 3, {}}},
+    {Ask::Pcode, {"pcode", AskKind::Poll, 500ms, 3, {}}},
+    {Ask::Config, {"config", AskKind::Poll, 500ms, 3, {}}},
+    {Ask::Vista, {"vista", AskKind::Poll, 500ms, 3, {1032}}},
+    {Ask::ZeroAxes, {"zero_axes", AskKind::Command, 1s, 1, {1032}}},
+    {Ask::Reset, {"reset", AskKind::Command, 10s, 1, {1032, 1040, 1042, 1052}}},
+    {Ask::SetupMode, {"setup_mode", AskKind::Command, 1s, 1, {1032, 1040, 1042, 1052}}},
+}};
+
+constexpr bool isCommand(Ask ask) { return kAskFacts[ask].kind == AskKind::Command; }
+
+// The commands, in order; tables over them have a row for each.
+inline constexpr auto kCommands = [] {
+  constexpr auto kCount = static_cast<std::size_t>(std::ranges::count_if(kAllOf<Ask>, isCommand));
+  std::array<Ask, kCount> commands{};
+  std::ranges::copy_if(kAllOf<Ask>, commands.begin(), isCommand);
+  return commands;
+}();
+
+using AskSet = EnumSet<Ask>;
+inline constexpr AskSet kPolls = [] {
+  AskSet polls;
+  for (const Ask ask : kAllOf<Ask>) {
+    if (!isCommand(ask)) polls.add(ask);
   }
-  friend constexpr bool operator==(AskSet, AskSet) = default;
-};
-inline constexpr AskSet kPolls{Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config, Ask::Vista};
-
-constexpr bool isCommand(Ask ask) { return !kPolls.has(ask); }
+  return polls;
+}();
 
 // How a request came to its end. Numbers stand in files: never renumber one, never use one again.
 enum class RequestEnd : std::uint8_t {

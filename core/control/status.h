@@ -122,11 +122,11 @@ struct DeviceServices {
   DeviceKey device;
   Address address;
   AskSet takes;  // what may be asked of it, by its type
-  std::array<RequestStatus, kAsks> requests{};
+  EnumArray<Ask, RequestStatus> requests;
   std::optional<PipeStatus> pipe;
 
-  const RequestStatus& of(Ask ask) const { return requests[static_cast<std::size_t>(ask)]; }
-  // Of what is repeated; 0 where nothing is.
+  const RequestStatus& of(Ask ask) const { return requests[ask]; }
+  // Period of the repeated polls, the longest if they differ; 0 if none is repeated.
   Duration longestPeriod() const {
     return std::ranges::max_element(requests, {}, &RequestStatus::period)->period;
   }

@@ -4,13 +4,13 @@
 // an intent: it goes to the simulated truck, never to a bus.
 #pragma once
 
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <variant>
 #include <vector>
 
+#include "base/enum_table.h"
 #include "base/ids.h"
 #include "base/time.h"
 
@@ -53,7 +53,8 @@ enum class TwinFault : std::uint8_t {
   PacketsLost,
   VanishesInTransfer,
 };
-inline constexpr std::size_t kTwinFaults = static_cast<std::size_t>(TwinFault::VanishesInTransfer) + 1;
+template <>
+inline constexpr TwinFault kLastOf<TwinFault> = TwinFault::VanishesInTransfer;
 
 class TwinFaults {
  public:
@@ -63,16 +64,16 @@ class TwinFaults {
   }
   static TwinFaults all() {
     TwinFaults faults;
-    faults.m_bits.set();
+    for (const TwinFault fault : kAllOf<TwinFault>) faults.set(fault);
     return faults;
   }
-  bool has(TwinFault fault) const { return m_bits[static_cast<std::size_t>(fault)]; }
-  void set(TwinFault fault, bool on = true) { m_bits[static_cast<std::size_t>(fault)] = on; }
-  bool isNone() const { return m_bits.none(); }
+  bool has(TwinFault fault) const { return m_faults.has(fault); }
+  void set(TwinFault fault, bool on = true) { on ? m_faults.add(fault) : m_faults.remove(fault); }
+  bool isNone() const { return m_faults.isEmpty(); }
   friend bool operator==(const TwinFaults&, const TwinFaults&) = default;
 
  private:
-  std::bitset<kTwinFaults> m_bits;
+  EnumSet<TwinFault> m_faults;
 };
 
 enum class TwinButton : std::uint8_t { PowerOff, PowerOn, Reset };

@@ -25,7 +25,7 @@ std::string_view unkeptText(Unkept reason) {
 }
 
 void UnkeptPlaces::add(const UnkeptPlaces& other, std::uint64_t placesOn) {
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) m_counts[i] += other.m_counts[i];
+  for (const Unkept reason : kAllOf<Unkept>) m_counts[reason] += other.m_counts[reason];
   const std::size_t room = kMaxPlaces - m_places.size();
   const std::size_t n = std::min(room, other.m_places.size());
   for (std::size_t i = 0; i < n; ++i) {
@@ -35,8 +35,8 @@ void UnkeptPlaces::add(const UnkeptPlaces& other, std::uint64_t placesOn) {
 
 std::uint64_t UnkeptPlaces::sum(bool unreadable) const {
   std::uint64_t n = 0;
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) {
-    if (isUnreadable(static_cast<Unkept>(i)) == unreadable) n += m_counts[i];
+  for (const Unkept reason : kAllOf<Unkept>) {
+    if (isUnreadable(reason) == unreadable) n += m_counts[reason];
   }
   return n;
 }

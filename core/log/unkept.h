@@ -5,11 +5,12 @@
 // place, all are counted by reason.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <mutex>
 #include <string_view>
 #include <vector>
+
+#include "base/enum_table.h"
 
 namespace deckpipe {
 
@@ -30,7 +31,8 @@ enum class Unkept : std::uint8_t {
   DataTooLong,
   LengthMismatch,
 };
-inline constexpr std::size_t kUnkeptReasons = static_cast<std::size_t>(Unkept::LengthMismatch) + 1;
+template <>
+inline constexpr Unkept kLastOf<Unkept> = Unkept::LengthMismatch;
 
 // A file of which this is true was not read whole; frames of a kind that is not held do not count.
 constexpr bool isUnreadable(Unkept reason) { return reason >= Unkept::Layout; }
@@ -52,7 +54,7 @@ class UnkeptPlaces {
   static constexpr std::size_t kMaxPlaces = 10'000;
 
   void add(std::uint64_t place, Unkept reason) {
-    ++m_counts[static_cast<std::size_t>(reason)];
+    ++m_counts[reason];
     if (m_places.size() < kMaxPlaces) m_places.push_back({place, reason});
   }
   // All of another list behind these, its places moved on by so many.
@@ -60,7 +62,7 @@ class UnkeptPlaces {
   void clear() { *this = {}; }
 
   const std::vector<UnkeptPlace>& places() const { return m_places; }
-  std::uint64_t count(Unkept reason) const { return m_counts[static_cast<std::size_t>(reason)]; }
+  std::uint64_t count(Unkept reason) const { return m_counts[reason]; }
   // All of which isUnreadable() is true, and all others.
   std::uint64_t unreadable() const { return sum(true); }
   std::uint64_t understood() const { return sum(false); }
@@ -69,7 +71,7 @@ class UnkeptPlaces {
   std::uint64_t sum(bool unreadable) const;
 
   std::vector<UnkeptPlace> m_places;
-  std::array<std::uint64_t, kUnkeptReasons> m_counts{};
+  EnumArray<Unkept, std::uint64_t> m_counts;
 };
 
 // The same, to be looked at while a reader on another thread fills it.

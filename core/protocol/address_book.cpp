@@ -5,7 +5,7 @@
 
 #include "bus/canopen.h"
 #include "bus/j1939.h"
-#include "protocol/catalogue.h"
+#include "protocol/lists.h"
 #include "protocol/typed.h"
 
 namespace deckpipe {
@@ -60,11 +60,8 @@ bool AddressBook::learn(const Frame& frame, Instant time, const Classified& clas
         m_akronNodes.set(node.value);
         return true;
       }
-      case MessageId::ZeroAxesRequest:
-      case MessageId::ZeroAxesAck:
-      case MessageId::SetupModeRequest:
-      case MessageId::SetupModeAck: return exchanged(frame, time, classified);
-      default: return false;
+      case MessageId::Count: return false;
+      default: return kLooksAlikeBothWays[classified.message] && exchanged(frame, time, classified);
     }
   }();
   return isFirst || hasChanged;

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "protocol/message.h"
 
@@ -216,7 +217,7 @@ inline constexpr std::array kPipeDataFields{
 
 // A status that its sender broadcasts.
 constexpr Message status(MessageId id, std::string_view key, std::string_view name, int type, Lengths lengths,
-                         std::span<const Field> fields, Duration period, std::string_view source) {
+                         std::span<const Field> fields, std::string_view source) {
   return {.id = id,
           .key = key,
           .name = name,
@@ -227,8 +228,11 @@ constexpr Message status(MessageId id, std::string_view key, std::string_view na
           .fields = fields,
           .broadcast = true,
           .device = DeviceEnd::Sender,
-          .period = period,
           .source = source};
+}
+// One that it repeats, and that stands on its page.
+constexpr Message periodic(Duration period, PageGroups page, Message status) {
+  return watched(onPage(page, every(period, status)));
 }
 // Sent to the device.
 constexpr Message toDevice(MessageId id, std::string_view key, std::string_view name, int type,
@@ -247,78 +251,115 @@ constexpr Message toDevice(MessageId id, std::string_view key, std::string_view 
 // The device's answer or acknowledgement.
 constexpr Message fromDevice(MessageId id, std::string_view key, std::string_view name, int type,
                              Lengths lengths, std::string_view source, std::span<const Field> fields = {}) {
+  return watched({.id = id,
+                  .key = key,
+                  .name = name,
+                  .family = Family::Akron,
+                  .selector = pgn::kProprietaryA,
+                  .firstByte = type,
+                  .lengths = lengths,
+                  .fields = fields,
+                  .device = DeviceEnd::Sender,
+                  .source = source});
+}
+constexpr Message pipe(MessageId id, std::string_view key, std::string_view name, Lengths lengths,
+                       std::span<const Field> fields = {}) {
   return {.id = id,
           .key = key,
           .name = name,
           .family = Family::Akron,
           .selector = pgn::kProprietaryA,
-          .firstByte = type,
+          .firstByte = 0xFE,
           .lengths = lengths,
           .fields = fields,
-          .device = DeviceEnd::Sender,
-          .source = source};
+          .device = DeviceEnd::Either,
+          .sharedType = true,
+          .source = "CAN Messaging manual, message type FE",
+          .part = Part::Pipe};
+}
+// As the gateway sends it too.
+constexpr Message inPdo(CobFunction function, Message message) {
+  message.pdo = static_cast<std::uint32_t>(function);
+  return message;
 }
 
 inline constexpr auto kMessages = [] {
   using enum MessageId;
-  Message permissive = toDevice(SoePermissive, "soe_permissive", "SOE permissive", 0xA1, lengths(3),
-                                "CAN Messaging manual, message type A1", kSoePermissiveFields);
-  permissive.period = 100ms;
+  using Page = PageGroup;
   return std::array{
-      status(AddressAnnouncement, "address_announcement", "Address announcement", 0xFF, lengths(8),
-             kAddressAnnouncementFields, 0ms, "CAN Messaging manual, message type FF and Appendix A"),
-      status(DiagnosticData, "diagnostic_data", "Diagnostic data", 0xFD, lengthsFrom(3, 8),
-             kDiagnosticDataFields, 0ms, "CAN Messaging manual, message type FD"),
-      status(PositionLimitStatus, "position_limit_status", "Position / limit status", 0x01, lengths(8),
-             kPositionLimitStatusFields, 100ms,
-             "CAN Messaging manual, message type 01; gateway manual, TPDO1"),
-      status(RotationSoftLimits, "rotation_soft_limits", "Rotation soft limits", 0x81, lengths(6),
-             kRotationSoftLimitsFields, 100ms, "CAN Messaging manual, message type 81"),
-      status(ElevationSoftLimits, "elevation_soft_limits", "Elevation soft limits", 0x82, lengths(6),
-             kElevationSoftLimitsFields, 100ms, "CAN Messaging manual, message type 82"),
-      status(DigitalOutputs, "digital_outputs", "Digital outputs", 0x83, lengths(3), kDigitalOutputsFields,
-             100ms, "CAN Messaging manual, message type 83; gateway manual, TPDO2"),
-      status(MiniDigitalOutputs, "mini_digital_outputs", "Digital outputs (6033)", 0x84, lengths(3),
-             kMiniDigitalOutputsFields, 100ms, "CAN Messaging manual, message type 84"),
-      status(DigitalInputs, "digital_inputs", "Digital inputs (6039)", 0x85, lengths(2), kDigitalInputsFields,
-             100ms, "CAN Messaging manual, message type 85"),
-      permissive,
-      toDevice(FaultPoll, "fault_poll", "Fault status poll", 0x02, lengths(1),
-               "CAN Messaging manual, message type 02"),
-      fromDevice(FaultResponse, "fault_response", "Fault status", 0x02, lengths(5, 7),
-                 "CAN Messaging manual, message type 02", kFaultResponseFields),
-      toDevice(FirmwarePoll, "firmware_poll", "Firmware version poll", 0x03, lengths(1),
-               "CAN Messaging manual, message type 03"),
-      fromDevice(FirmwareResponse, "firmware_response", "Firmware version", 0x03, lengths(7),
-                 "CAN Messaging manual, message type 03", kFirmwareResponseFields),
-      toDevice(PcodePoll, "pcode_poll", "pCode version poll", 0x04, lengths(1),
-               "CAN Messaging manual, message type 04"),
-      fromDevice(PcodeResponse, "pcode_response", "pCode version", 0x04, lengths(7),
-                 "CAN Messaging manual, message type 04", kPcodeResponseFields),
-      toDevice(ConfigPoll, "config_poll", "Config version poll", 0x05, lengths(1),
-               "CAN Messaging manual, message type 05"),
-      fromDevice(ConfigResponse, "config_response", "Config version", 0x05, lengths(7),
-                 "CAN Messaging manual, message type 05", kConfigResponseFields),
-      toDevice(VistaPoll, "vista_poll", "Vista poll", 0x21, lengths(1),
-               "CAN Messaging manual, message type 21"),
-      fromDevice(VistaStatus, "vista_status", "Vista status", 0x21, lengths(8),
-                 "CAN Messaging manual, message type 21", kVistaStatusFields),
-      fromDevice(VistaPosition, "vista_position", "Vista position", 0x22, lengths(5),
-                 "CAN Messaging manual, message type 22", kVistaPositionFields),
-      toDevice(ZeroAxesRequest, "zero_axes_request", "Zero axes request", 0x41, lengths(1),
-               "CAN Messaging manual, message type 41"),
-      fromDevice(ZeroAxesAck, "zero_axes_ack", "Zero axes acknowledgement", 0x41, lengths(1),
-                 "CAN Messaging manual, message type 41"),
-      toDevice(ResetRequest, "reset_request", "Reset controller", 0x45, lengths(1),
-               "CAN Messaging manual, message type 45"),
-      toDevice(SetupModeRequest, "setup_mode_request", "Setup mode request", 0x46, lengths(1),
-               "CAN Messaging manual, message type 46"),
-      fromDevice(SetupModeAck, "setup_mode_ack", "Setup mode acknowledgement", 0x46, lengths(1),
-                 "CAN Messaging manual, message type 46"),
-      toDevice(PipeData, "pipe_data", "Data pipe", 0xFE, lengthsFrom(2, 8),
-               "CAN Messaging manual, message type FE", kPipeDataFields),
-      toDevice(PipeAck, "pipe_ack", "Data pipe acknowledgement", 0xFE, lengths(1),
-               "CAN Messaging manual, message type FE"),
+      ends(Ask::Reset, onPage(PageGroups{Page::Address},
+                              status(AddressAnnouncement, "address_announcement", "Address announcement",
+                                     0xFF, lengths(8), kAddressAnnouncementFields,
+                                     "CAN Messaging manual, message type FF and Appendix A"))),
+      watched(status(DiagnosticData, "diagnostic_data", "Diagnostic data", 0xFD, lengthsFrom(3, 8),
+                     kDiagnosticDataFields, "CAN Messaging manual, message type FD")),
+      periodic(100ms, PageGroups{Page::Dial, Page::Stops, Page::Status},
+               inPdo(CobFunction::Tpdo1,
+                     status(PositionLimitStatus, "position_limit_status", "Position / limit status", 0x01,
+                            lengths(8), kPositionLimitStatusFields,
+                            "CAN Messaging manual, message type 01; gateway manual, TPDO1"))),
+      periodic(100ms, PageGroups{Page::Dial},
+               status(RotationSoftLimits, "rotation_soft_limits", "Rotation soft limits", 0x81, lengths(6),
+                      kRotationSoftLimitsFields, "CAN Messaging manual, message type 81")),
+      periodic(100ms, PageGroups{Page::Dial},
+               status(ElevationSoftLimits, "elevation_soft_limits", "Elevation soft limits", 0x82, lengths(6),
+                      kElevationSoftLimitsFields, "CAN Messaging manual, message type 82")),
+      periodic(
+          100ms, PageGroups{Page::Dial, Page::Outputs},
+          inPdo(CobFunction::Tpdo2, status(DigitalOutputs, "digital_outputs", "Digital outputs", 0x83,
+                                           lengths(3), kDigitalOutputsFields,
+                                           "CAN Messaging manual, message type 83; gateway manual, TPDO2"))),
+      periodic(100ms, PageGroups{Page::Riser},
+               status(MiniDigitalOutputs, "mini_digital_outputs", "Digital outputs (6033)", 0x84, lengths(3),
+                      kMiniDigitalOutputsFields, "CAN Messaging manual, message type 84")),
+      periodic(100ms, PageGroups{Page::Inputs},
+               status(DigitalInputs, "digital_inputs", "Digital inputs (6039)", 0x85, lengths(2),
+                      kDigitalInputsFields, "CAN Messaging manual, message type 85")),
+      periodic(100ms, PageGroups{Page::Permissive},
+               toDevice(SoePermissive, "soe_permissive", "SOE permissive", 0xA1, lengths(3),
+                        "CAN Messaging manual, message type A1", kSoePermissiveFields)),
+      asks(Ask::Fault, toDevice(FaultPoll, "fault_poll", "Fault status poll", 0x02, lengths(1),
+                                "CAN Messaging manual, message type 02")),
+      answers(Ask::Fault,
+              onPage(PageGroups{Page::Faults},
+                     fromDevice(FaultResponse, "fault_response", "Fault status", 0x02, lengths(5, 7),
+                                "CAN Messaging manual, message type 02", kFaultResponseFields))),
+      asks(Ask::Firmware, toDevice(FirmwarePoll, "firmware_poll", "Firmware version poll", 0x03, lengths(1),
+                                   "CAN Messaging manual, message type 03")),
+      answers(Ask::Firmware,
+              onPage(PageGroups{Page::Versions},
+                     fromDevice(FirmwareResponse, "firmware_response", "Firmware version", 0x03, lengths(7),
+                                "CAN Messaging manual, message type 03", kFirmwareResponseFields))),
+      asks(Ask::Pcode, toDevice(PcodePoll, "pcode_poll", "pCode version poll", 0x04, lengths(1),
+                                "CAN Messaging manual, message type 04")),
+      answers(Ask::Pcode,
+              onPage(PageGroups{Page::Versions},
+                     fromDevice(PcodeResponse, "pcode_response", "pCode version", 0x04, lengths(7),
+                                "CAN Messaging manual, message type 04", kPcodeResponseFields))),
+      asks(Ask::Config, toDevice(ConfigPoll, "config_poll", "Config version poll", 0x05, lengths(1),
+                                 "CAN Messaging manual, message type 05")),
+      answers(Ask::Config,
+              onPage(PageGroups{Page::Versions},
+                     fromDevice(ConfigResponse, "config_response", "Config version", 0x05, lengths(7),
+                                "CAN Messaging manual, message type 05", kConfigResponseFields))),
+      asks(Ask::Vista, toDevice(VistaPoll, "vista_poll", "Vista poll", 0x21, lengths(1),
+                                "CAN Messaging manual, message type 21")),
+      answers(Ask::Vista, fromDevice(VistaStatus, "vista_status", "Vista status", 0x21, lengths(8),
+                                     "CAN Messaging manual, message type 21", kVistaStatusFields)),
+      answers(Ask::Vista, fromDevice(VistaPosition, "vista_position", "Vista position", 0x22, lengths(5),
+                                     "CAN Messaging manual, message type 22", kVistaPositionFields)),
+      asks(Ask::ZeroAxes, toDevice(ZeroAxesRequest, "zero_axes_request", "Zero axes request", 0x41,
+                                   lengths(1), "CAN Messaging manual, message type 41")),
+      acknowledges(Ask::ZeroAxes, fromDevice(ZeroAxesAck, "zero_axes_ack", "Zero axes acknowledgement", 0x41,
+                                             lengths(1), "CAN Messaging manual, message type 41")),
+      watched(asks(Ask::Reset, toDevice(ResetRequest, "reset_request", "Reset controller", 0x45, lengths(1),
+                                        "CAN Messaging manual, message type 45"))),
+      asks(Ask::SetupMode, toDevice(SetupModeRequest, "setup_mode_request", "Setup mode request", 0x46,
+                                    lengths(1), "CAN Messaging manual, message type 46")),
+      acknowledges(Ask::SetupMode, fromDevice(SetupModeAck, "setup_mode_ack", "Setup mode acknowledgement",
+                                              0x46, lengths(1), "CAN Messaging manual, message type 46")),
+      pipe(PipeData, "pipe_data", "Data pipe", lengthsFrom(2, 8), kPipeDataFields),
+      pipe(PipeAck, "pipe_ack", "Data pipe acknowledgement", lengths(1)),
   };
 }();
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole catalogue: every message the console knows, in the order of MessageId, checked at compile time.
-// To add a message: give it a MessageId, a line in its family's table with its fields, and a sample.
+// To add a message: give it a MessageId, a line in its family's table with its fields, and a sample
+// (samples.h). The compiler then asks for its words (text/catalogue_words.cpp) and, if it stands in a new
+// group of the page, for its drawing (model/page_lamps.cpp).
 #pragma once
 
-#include <array>
-
+#include "base/enum_table.h"
 #include "protocol/akron.h"
 #include "protocol/copley.h"
 #include "protocol/gateway.h"
@@ -12,13 +13,11 @@
 
 namespace deckpipe {
 
-inline constexpr std::size_t kMessageCount = static_cast<std::size_t>(MessageId::Count);
-
-inline constexpr std::array<Message, kMessageCount> kCatalogue = [] {
-  std::array<Message, kMessageCount> all{};
-  std::size_t at = 0;
+inline constexpr EnumArray<MessageId, Message> kCatalogue = [] {
+  EnumArray<MessageId, Message> all;
+  auto at = all.begin();
   const auto append = [&](const auto& family) {
-    for (const Message& message : family) all.at(at++) = message;
+    for (const Message& message : family) *at++ = message;
   };
   append(j1939::kMessages);
   append(akron::kMessages);
@@ -27,7 +26,7 @@ inline constexpr std::array<Message, kMessageCount> kCatalogue = [] {
   return all;
 }();
 
-constexpr const Message& messageOf(MessageId id) { return kCatalogue[static_cast<std::size_t>(id)]; }
+constexpr const Message& messageOf(MessageId id) { return kCatalogue[id]; }
 
 // Null where no message has that key.
 constexpr const Message* messageByKey(std::string_view key) {
@@ -35,6 +34,16 @@ constexpr const Message* messageByKey(std::string_view key) {
     if (message.key == key) return &message;
   }
   return nullptr;
+}
+
+// Whether any message has such a field.
+constexpr bool isFieldKey(std::string_view key) {
+  for (const Message& message : kCatalogue) {
+    for (const Field& field : message.fields) {
+      if (field.kind != Kind::Reserved && field.key == key) return true;
+    }
+  }
+  return false;
 }
 
 namespace checks {
@@ -79,18 +88,16 @@ constexpr bool everyBitIsAccountedFor() {
   return true;
 }
 constexpr bool idsAreInOrder() {
-  for (std::size_t i = 0; i < kCatalogue.size(); ++i) {
-    if (kCatalogue[i].id != static_cast<MessageId>(i)) return false;
+  for (const MessageId id : kAllOf<MessageId>) {
+    if (messageOf(id).id != id) return false;
   }
   return true;
 }
 constexpr bool keysAreUnique() {
-  for (std::size_t i = 0; i < kCatalogue.size(); ++i) {
-    if (kCatalogue[i].key.empty() || kCatalogue[i].name.empty() || kCatalogue[i].source.empty()) return false;
-    for (std::size_t k = 0; k < i; ++k) {
-      if (kCatalogue[i].key == kCatalogue[k].key) return false;
-    }
-    const auto fields = kCatalogue[i].fields;
+  for (const Message& message : kCatalogue) {
+    if (message.key.empty() || message.name.empty() || message.source.empty()) return false;
+    if (messageByKey(message.key) != &message) return false;
+    const auto fields = message.fields;
     for (std::size_t a = 0; a < fields.size(); ++a) {
       if (fields[a].kind == Kind::Reserved) continue;
       if (fields[a].key.empty() || fields[a].name.empty()) return false;
@@ -105,7 +112,7 @@ constexpr bool keysAreUnique() {
   return true;
 }
 
-static_assert(idsAreInOrder(), "kCatalogue is indexed by MessageId");
+static_assert(idsAreInOrder(), "every MessageId has its line in a family's table, in the order of MessageId");
 static_assert(keysAreUnique(), "a key names one thing");
 static_assert(everyBitIsAccountedFor(), "fields overlap, leave the payload, or leave bits unsaid");
 

@@ -4,7 +4,7 @@
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "protocol/address_book.h"
-#include "protocol/catalogue.h"
+#include "protocol/lists.h"
 
 namespace deckpipe {
 namespace {
@@ -15,6 +15,7 @@ struct TypeEntry {
   MessageId second = MessageId::Count;
 
   constexpr bool isKnown() const { return first != MessageId::Count; }
+  constexpr bool isShared() const { return isKnown() && messageOf(first).sharedType; }
   constexpr Lengths lengths() const {
     return static_cast<Lengths>(messageOf(first).lengths |
                                 (second == MessageId::Count ? Lengths{0} : messageOf(second).lengths));
@@ -35,8 +36,6 @@ constexpr TypeTable makeTable(Family family) {
 }
 constexpr TypeTable kAkronTypes = makeTable(Family::Akron);
 constexpr TypeTable kCopleyCommands = makeTable(Family::Copley);
-
-constexpr std::uint8_t kPipeType = 0xFE;
 
 constexpr bool isDynamicAddress(Address a) { return a.value >= 0x80 && a.value <= 0xF7; }
 
@@ -98,7 +97,7 @@ Classified classifyProprietary(const Frame& frame, const J1939Id& id, Instant ti
   if (book.isForeign(id.source) && (broadcast || book.isForeign(id.destination)))
     return {.family = Family::Other};
 
-  if (length > 0 && type == kPipeType) return {.family = Family::Ambiguous};
+  if (length > 0 && entry.isShared()) return {.family = Family::Ambiguous};
   if (!fits) return {};
   const MessageId message = akronMessage(entry, frame, id, time, book);
   const Message& m = messageOf(message);
@@ -107,38 +106,55 @@ Classified classifyProprietary(const Frame& frame, const J1939Id& id, Instant ti
   return decoded(Family::Presumed, message, length);
 }
 
-MessageId sdoMessage(std::uint8_t specifier, bool response) {
-  switch (specifier) {
-    case 0x80: return MessageId::SdoAbort;
-    case 0x40: return response ? MessageId::SdoOther : MessageId::SdoReadRequest;
-    case 0x60: return response ? MessageId::SdoWriteResponse : MessageId::SdoOther;
-    case 0x43:
-    case 0x47:
-    case 0x4B:
-    case 0x4F: return response ? MessageId::SdoReadResponse : MessageId::SdoOther;
-    case 0x23:
-    case 0x27:
-    case 0x2B:
-    case 0x2F: return response ? MessageId::SdoOther : MessageId::SdoWriteRequest;
-    default: return MessageId::SdoOther;
-  }
-}
+using SpecifierTable = std::array<MessageId, 256>;
 
-Classified classifySdo(const Frame& frame, bool response) {
+// Which SDO a command specifier is in frames of one function code.
+constexpr SpecifierTable makeSpecifiers(CobFunction function) {
+  SpecifierTable table;
+  table.fill(MessageId::SdoOther);
+  for (const Message& message : gateway::kMessages) {
+    const bool isHere = message.selector == static_cast<std::uint32_t>(function) ||
+                        (message.selector == static_cast<std::uint32_t>(CobFunction::SdoResponse) &&
+                         message.device == DeviceEnd::Either);
+    if (!isHere || message.firstByte < 0) continue;
+    for (unsigned byte = 0; byte < table.size(); ++byte) {
+      if ((byte | message.sizeBits) == (static_cast<unsigned>(message.firstByte) | message.sizeBits))
+        table[byte] = message.id;
+    }
+  }
+  return table;
+}
+constexpr SpecifierTable kSdoRequests = makeSpecifiers(CobFunction::SdoRequest);
+constexpr SpecifierTable kSdoResponses = makeSpecifiers(CobFunction::SdoResponse);
+
+Classified classifySdo(const Frame& frame, const SpecifierTable& specifiers) {
   if (frame.length == 0) return decoded(Family::Canopen, MessageId::SdoOther, 0);
-  const MessageId id = sdoMessage(frame.data[0], response);
+  const MessageId id = specifiers[frame.data[0]];
   Classified result = decoded(Family::Canopen, id, frame.length);
-  if (id == MessageId::SdoReadResponse || id == MessageId::SdoWriteRequest) {
+  if (messageOf(id).sizeBits != 0) {
     result.wanted = lengths(4 + sdo::valueSize(frame.data[0]), 8u);
     result.malformed = !allows(result.wanted, frame.length);
   }
   return result;
 }
 
+// The message of each function code of the predefined connection set, SDOs apart.
+constexpr std::size_t kFunctions = 16;
+constexpr std::size_t functionIndex(std::uint32_t function) { return function >> 7; }
+constexpr std::array<MessageId, kFunctions> kByFunction = [] {
+  std::array<MessageId, kFunctions> table;
+  table.fill(MessageId::Count);
+  for (const Message& message : kCatalogue) {
+    if (message.family == Family::Canopen) table[functionIndex(message.selector)] = message.id;
+    if (message.pdo != 0) table[functionIndex(message.pdo)] = message.id;
+  }
+  return table;
+}();
+
 // PDOs say nothing of whose they are: known only from their node, and then told by first byte and length.
-Classified classifyPdo(const Frame& frame, NodeId node, const AddressBook& book, MessageId id,
-                       int firstByte) {
+Classified classifyPdo(const Frame& frame, NodeId node, const AddressBook& book, MessageId id) {
   const bool akron = book.isAkronNode(node);
+  const int firstByte = messageOf(id).firstByte;
   if (firstByte >= 0 && (frame.length == 0 || frame.data[0] != firstByte)) {
     return {.family = akron ? Family::Canopen : Family::None};
   }
@@ -150,15 +166,16 @@ Classified classifyStandard(const Frame& frame, const AddressBook& book) {
   const CobId cob = CobId::of(frame.identifier());
   if (frame.identifier() == 0) return decoded(Family::Canopen, MessageId::NmtCommand, frame.length);
   if (cob.node.value == 0) return {};
+  const MessageId id = kByFunction[functionIndex(cob.function)];
   switch (static_cast<CobFunction>(cob.function)) {
-    case CobFunction::Heartbeat: return decoded(Family::Canopen, MessageId::Heartbeat, frame.length);
-    case CobFunction::SdoResponse: return classifySdo(frame, true);
-    case CobFunction::SdoRequest: return classifySdo(frame, false);
-    case CobFunction::Tpdo1: return classifyPdo(frame, cob.node, book, MessageId::PositionLimitStatus, 0x01);
-    case CobFunction::Tpdo2: return classifyPdo(frame, cob.node, book, MessageId::DigitalOutputs, 0x83);
-    case CobFunction::Rpdo1: return classifyPdo(frame, cob.node, book, MessageId::GatewayJoystick, -1);
-    default: return {};
+    case CobFunction::SdoResponse: return classifySdo(frame, kSdoResponses);
+    case CobFunction::SdoRequest: return classifySdo(frame, kSdoRequests);
+    case CobFunction::Nmt: return {};
+    default: break;
   }
+  if (id == MessageId::Count) return {};
+  if (isPdo(cob.function)) return classifyPdo(frame, cob.node, book, id);
+  return decoded(Family::Canopen, id, frame.length);
 }
 
 }  // namespace
@@ -167,14 +184,11 @@ Classified classify(const Frame& frame, Instant time, const AddressBook& book) {
   if ((frame.id & (kRemoteBit | kErrorBit)) != 0 || frame.length > 8) return {};
   if (!frame.isExtended()) return classifyStandard(frame, book);
   const J1939Id id = J1939Id::of(frame.identifier());
-  switch (id.pgn) {
-    case pgn::kProprietaryA: return classifyProprietary(frame, id, time, book);
-    case pgn::kBasicJoystick: return decoded(Family::J1939, MessageId::BasicJoystick, frame.length);
-    case pgn::kExtendedJoystick: return decoded(Family::J1939, MessageId::ExtendedJoystick, frame.length);
-    case pgn::kAddressClaimed: return decoded(Family::J1939, MessageId::Name, frame.length);
-    case pgn::kRequest: return decoded(Family::J1939, MessageId::Request, frame.length);
-    default: return {};
+  if (id.pgn == pgn::kProprietaryA) return classifyProprietary(frame, id, time, book);
+  for (const Message& message : j1939::kMessages) {
+    if (message.selector == id.pgn) return decoded(Family::J1939, message.id, frame.length);
   }
+  return {};
 }
 
 }  // namespace deckpipe

@@ -8,8 +8,6 @@
 namespace deckpipe {
 namespace {
 
-constexpr std::string_view kStatus2Words[] = {"off", "on", "error", "na"};
-
 unsigned lengthOf(const Frame& frame) { return frame.length; }
 
 Value wordOf(const Field& field, std::uint64_t raw) {
@@ -72,11 +70,6 @@ bool hasItsBytes(const Field& field, const Frame& frame) {
 
 }  // namespace
 
-std::string_view keyOf(PositionState state) {
-  constexpr std::string_view kKeys[] = {"ok", "sensor_error", "not_fitted", "invalid"};
-  return kKeys[static_cast<std::size_t>(state)];
-}
-
 bool isPresent(const Field& field, const Frame& frame) {
   if (field.kind == Kind::Reserved) return false;
   if (field.lengths != 0 && !allows(field.lengths, lengthOf(frame))) return false;
@@ -97,7 +90,7 @@ Value valueOf(const Field& field, const Frame& frame) {
     case Kind::Number: return Value::decimal(static_cast<std::int64_t>(raw), field.decimals);
     case Kind::Signed: return Value::decimal(signExtend(raw, field.bits.width), field.decimals);
     case Kind::Flag: return Value::flag(raw != 0);
-    case Kind::Status2: return Value::word(kStatus2Words[raw]);
+    case Kind::Status2: return Value::word(kStatus2Keys[raw]);
     case Kind::Word: return wordOf(field, raw);
     case Kind::Version: return versionOf(raw);
     case Kind::Float32: return realOf(raw);

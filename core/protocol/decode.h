@@ -23,7 +23,15 @@ bool isPresent(const Field& field, const Frame& frame);
 Value valueOf(const Field& field, const Frame& frame);
 
 enum class PositionState : std::uint8_t { Ok, SensorError, NotFitted, Invalid };
-std::string_view keyOf(PositionState state);
+template <>
+inline constexpr PositionState kLastOf<PositionState> = PositionState::Invalid;
+inline constexpr EnumTable<PositionState, std::string_view> kPositionStateKeys{{
+    {PositionState::Ok, "ok"},
+    {PositionState::SensorError, "sensor_error"},
+    {PositionState::NotFitted, "not_fitted"},
+    {PositionState::Invalid, "invalid"},
+}};
+constexpr std::string_view keyOf(PositionState state) { return kPositionStateKeys[state]; }
 
 // The rules of protocol.md 1.2 and 1.4 for signed values, shared with the typed structs.
 // `raw` 12 bits and the two status2: the state, and the angle in 0.1 degree where the state is Ok.

@@ -19,9 +19,8 @@ constexpr std::uint64_t kNoAngle = 0xFFF;
 Bits fail(EncodeError error) { return Failure{error}; }
 
 std::optional<unsigned> status2Of(std::string_view word) {
-  constexpr std::string_view kWords[] = {"off", "on", "error", "na"};
-  for (unsigned i = 0; i < 4; ++i) {
-    if (word == kWords[i]) return i;
+  for (unsigned i = 0; i < kStatus2Keys.size(); ++i) {
+    if (word == kStatus2Keys[i]) return i;
   }
   return {};
 }

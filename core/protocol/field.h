@@ -40,6 +40,9 @@ enum class Kind : std::uint8_t {
 
 enum class Unit : std::uint8_t { None, Degree, Percent, Ampere, CountsPerSecond, Count };
 
+// What a Status2 is called, by its number.
+inline constexpr std::array<std::string_view, 4> kStatus2Keys{"off", "on", "error", "na"};
+
 // What decoding gives for a field whose bytes the frame does not have.
 enum class Missing : std::uint8_t { Null, LeaveOut };
 
@@ -62,6 +65,7 @@ struct Field {
   std::uint16_t lengths = 0;    // only in frames of these lengths (bit n = n bytes); 0 = in all
   std::uint32_t sdoObject = 0;  // only for this object (index << 8 | sub-index); 0 = for all
   bool view = false;            // reads bits that another field already accounts for
+  bool aside = false;           // says nothing of the device: a change of it alone is no news
 };
 
 // Builders, so that a table line reads like a line of the manual.
@@ -107,6 +111,10 @@ constexpr Field orLeftOut(Field field) {
 }
 constexpr Field viewOf(Field field) {
   field.view = true;
+  return field;
+}
+constexpr Field aside(Field field) {
+  field.aside = true;
   return field;
 }
 constexpr Field forObject(std::uint32_t object, Field field) {

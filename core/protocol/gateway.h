@@ -18,8 +18,9 @@ inline constexpr std::array kNmtCommandFields{
     number("node", "Node (0 = all)", big(2, 8, 8)),
 };
 
+inline constexpr std::uint8_t kBooting = 0x00, kOperational = 0x05;
 inline constexpr std::array<ValueName, 4> kHeartbeatStates{
-    {{0x00, "boot"}, {0x04, "stopped"}, {0x05, "operational"}, {0x7F, "pre_operational"}}};
+    {{kBooting, "boot"}, {0x04, "stopped"}, {kOperational, "operational"}, {0x7F, "pre_operational"}}};
 inline constexpr std::array kHeartbeatFields{
     Field{.key = "state",
           .name = "State",
@@ -27,7 +28,7 @@ inline constexpr std::array kHeartbeatFields{
           .bits = big(1, 7, 7),
           .words = kHeartbeatStates,
           .otherwise = "unknown"},
-    flag("toggle", "Toggle bit (node guarding)", 1, 8),
+    aside(flag("toggle", "Toggle bit (node guarding)", 1, 8)),
 };
 
 inline constexpr Field kIndex = number("index", "Object index", little(2, 16));
@@ -72,38 +73,55 @@ inline constexpr std::array kSdoOtherFields{
 };
 
 constexpr Message message(MessageId id, std::string_view key, std::string_view name, CobFunction function,
-                          Lengths lengths, std::span<const Field> fields, std::string_view source,
-                          int firstByte = -1, Duration period = 0ms) {
+                          Lengths lengths, std::span<const Field> fields, std::string_view source) {
   return {.id = id,
           .key = key,
           .name = name,
           .family = Family::Canopen,
           .selector = static_cast<std::uint32_t>(function),
-          .firstByte = firstByte,
           .lengths = lengths,
           .fields = fields,
-          .period = period,
           .source = source};
 }
+// `specifier`: byte 1. `sizeBits`: its bits that tell how many bytes of value follow.
+constexpr Message sdo(int specifier, std::uint8_t sizeBits, DeviceEnd device, Message message) {
+  message.firstByte = specifier;
+  message.sizeBits = sizeBits;
+  message.device = device;
+  return message;
+}
+// Two bits of the specifier count the bytes that carry no value: 2F one byte, 2B two, 27 three, 23 four.
+inline constexpr std::uint8_t kSizeBits = 0x0C;
 
-// First bytes of SDOs are in classify.cpp's table; firstByte says here only that byte 1 is accounted for.
 inline constexpr std::array kMessages{
-    message(MessageId::NmtCommand, "nmt_command", "NMT command", CobFunction::Nmt, lengths(2),
-            kNmtCommandFields, "Gateway manual, CiA DS 301 Network Management"),
-    message(MessageId::Heartbeat, "heartbeat", "Heartbeat", CobFunction::Heartbeat, lengths(1),
-            kHeartbeatFields, "Gateway manual, CiA DS 301 Heartbeat", -1, 1000ms),
-    message(MessageId::SdoReadRequest, "sdo_read_request", "SDO read request", CobFunction::SdoRequest,
-            lengths(4, 8), kSdoHeadFields, "Gateway manual, SDOs; CiA 301", 0x40),
-    message(MessageId::SdoReadResponse, "sdo_read_response", "SDO read response", CobFunction::SdoResponse,
-            lengthsFrom(5, 8), kSdoReadResponseFields, "Gateway manual, SDOs; CiA 301", 0x43),
-    message(MessageId::SdoWriteRequest, "sdo_write_request", "SDO write request", CobFunction::SdoRequest,
-            lengthsFrom(5, 8), kSdoWriteRequestFields, "Gateway manual, SDOs; CiA 301", 0x2F),
-    message(MessageId::SdoWriteResponse, "sdo_write_response", "SDO write response", CobFunction::SdoResponse,
-            lengths(4, 8), kSdoHeadFields, "Gateway manual, SDOs; CiA 301", 0x60),
-    message(MessageId::SdoAbort, "sdo_abort", "SDO abort", CobFunction::SdoResponse, lengths(8),
-            kSdoAbortFields, "CiA 301, SDO abort transfer", 0x80),
-    message(MessageId::SdoOther, "sdo_other", "SDO, other transfer", CobFunction::SdoResponse,
-            lengthsFrom(1, 8), kSdoOtherFields, "CiA 301, segmented and block transfers"),
+    watched(message(MessageId::NmtCommand, "nmt_command", "NMT command", CobFunction::Nmt, lengths(2),
+                    kNmtCommandFields, "Gateway manual, CiA DS 301 Network Management")),
+    watched(
+        onPage(PageGroups{PageGroup::Node},
+               every(1000ms, message(MessageId::Heartbeat, "heartbeat", "Heartbeat", CobFunction::Heartbeat,
+                                     lengths(1), kHeartbeatFields, "Gateway manual, CiA DS 301 Heartbeat")))),
+    sdo(0x40, 0, DeviceEnd::Receiver,
+        message(MessageId::SdoReadRequest, "sdo_read_request", "SDO read request", CobFunction::SdoRequest,
+                lengths(4, 8), kSdoHeadFields, "Gateway manual, SDOs; CiA 301")),
+    watched(onPage(PageGroups{PageGroup::Node},
+                   sdo(0x43, kSizeBits, DeviceEnd::Sender,
+                       message(MessageId::SdoReadResponse, "sdo_read_response", "SDO read response",
+                               CobFunction::SdoResponse, lengthsFrom(5, 8), kSdoReadResponseFields,
+                               "Gateway manual, SDOs; CiA 301")))),
+    sdo(0x2F, kSizeBits, DeviceEnd::Receiver,
+        message(MessageId::SdoWriteRequest, "sdo_write_request", "SDO write request", CobFunction::SdoRequest,
+                lengthsFrom(5, 8), kSdoWriteRequestFields, "Gateway manual, SDOs; CiA 301")),
+    watched(sdo(
+        0x60, 0, DeviceEnd::Sender,
+        message(MessageId::SdoWriteResponse, "sdo_write_response", "SDO write response",
+                CobFunction::SdoResponse, lengths(4, 8), kSdoHeadFields, "Gateway manual, SDOs; CiA 301"))),
+    watched(sdo(0x80, 0, DeviceEnd::Either,
+                message(MessageId::SdoAbort, "sdo_abort", "SDO abort", CobFunction::SdoResponse, lengths(8),
+                        kSdoAbortFields, "CiA 301, SDO abort transfer"))),
+    // Every other specifier.
+    sdo(-1, 0, DeviceEnd::Either,
+        message(MessageId::SdoOther, "sdo_other", "SDO, other transfer", CobFunction::SdoResponse,
+                lengthsFrom(1, 8), kSdoOtherFields, "CiA 301, segmented and block transfers")),
     message(MessageId::GatewayJoystick, "gateway_joystick", "Joystick command to a monitor",
             CobFunction::Rpdo1, lengths(8), j1939::kBasicJoystickFields, "Gateway manual, Monitor RPDO1"),
 };

@@ -342,6 +342,10 @@ FaultStatus FaultStatus::of(const Frame& frame) {
   return status;
 }
 
+std::uint8_t heartbeatState(const Frame& frame) {
+  return static_cast<std::uint8_t>(bitsOf(frame, fieldOf(gateway::kHeartbeatFields, "state").bits));
+}
+
 FirmwareVersions FirmwareVersions::of(const Frame& frame) {
   return {
       static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kFirmwareResponseFields, "fixed_boot").bits)),

@@ -135,6 +135,9 @@ struct ConfigVersion {
   friend bool operator==(const ConfigVersion&, const ConfigVersion&) = default;
 };
 
+// Low seven bits of a heartbeat: gateway::kOperational, …
+std::uint8_t heartbeatState(const Frame& frame);
+
 // Type FF: nothing where the bits are no PIN.
 std::optional<Pin> announcedPin(const Frame& frame);
 

@@ -160,9 +160,17 @@ void appendCsvLine(std::string& out, const Frame& frame, std::string_view channe
 }  // namespace
 
 std::string_view familyKey(Family family) {
-  constexpr std::string_view kKeys[] = {"",        "j1939",    "akron",     "copley",
-                                        "canopen", "presumed", "ambiguous", "other"};
-  return kKeys[static_cast<std::size_t>(family)];
+  constexpr EnumTable<Family, std::string_view> kKeys{{
+      {Family::None, ""},
+      {Family::J1939, "j1939"},
+      {Family::Akron, "akron"},
+      {Family::Copley, "copley"},
+      {Family::Canopen, "canopen"},
+      {Family::Presumed, "presumed"},
+      {Family::Ambiguous, "ambiguous"},
+      {Family::Other, "other"},
+  }};
+  return kKeys[family];
 }
 
 std::string malformedReason(const Classified& what, unsigned length) {

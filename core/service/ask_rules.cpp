@@ -8,10 +8,10 @@ namespace deckpipe {
 AskSet asksTakenBy(const Live& live, const Device& device) {
   AskSet set;
   if (device.kind == Device::Kind::Node || live.bus().book.isDrive(device.address)) return set;
-  for (std::size_t i = 0; i < kAsks; ++i) {
-    const auto& types = kAskRules[i].takenBy;
+  for (const Ask ask : kAllOf<Ask>) {
+    const auto& types = kAskFacts[ask].takenBy;
     if (types[0] == 0 || (!device.pin.isNull() && std::ranges::count(types, device.pin.deviceType()) > 0))
-      set.add(static_cast<Ask>(i));
+      set.add(ask);
   }
   return set;
 }

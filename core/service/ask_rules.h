@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How each thing that can be asked of an Akron device is asked and answered, and who takes it. Source: CAN
-// Messaging manual, message types 02-05, 21, 22, 41, 45, 46; deadlines are Deckpipe's own.
+// What the services need to ask an Akron device something: how it is asked (control/ask.h) and with which
+// messages (the catalogue), in one row; and who takes it.
 #pragma once
 
 #include <array>
@@ -8,35 +8,30 @@
 
 #include "control/ask.h"
 #include "control/status.h"
-#include "protocol/catalogue.h"
+#include "protocol/lists.h"
 #include "service/live.h"
 
 namespace deckpipe {
 
 struct AskRule {
-  MessageId request;
-  std::array<MessageId, 2> answers;  // all of them make the answer; Count = none
-  Duration patience;                 // of one try
-  unsigned tries;                    // commands are never repeated by themselves
-  std::array<unsigned, 4> takenBy;   // PIN digits 1-4; all 0: every Akron device
+  MessageId request = MessageId::Count;
+  std::array<MessageId, kMostAnswers> answers{};  // all of them make the answer; Count = none
+  Duration patience{};                            // of one try
+  unsigned tries = 1;
 };
 
 inline constexpr MessageId kNoAnswer = MessageId::Count;
-inline constexpr std::array<AskRule, kAsks> kAskRules{{
-    {MessageId::FaultPoll, {MessageId::FaultResponse, kNoAnswer}, 500ms, 3, {}},
-    {MessageId::FirmwarePoll, {MessageId::FirmwareResponse, kNoAnswer}, 500ms, 3, {}},
-    {MessageId::PcodePoll, {MessageId::PcodeResponse, kNoAnswer}, 500ms, 3, {}},
-    {MessageId::ConfigPoll, {MessageId::ConfigResponse, kNoAnswer}, 500ms, 3, {}},
-    {MessageId::VistaPoll, {MessageId::VistaStatus, MessageId::VistaPosition}, 500ms, 3, {1032}},
-    {MessageId::ZeroAxesRequest, {MessageId::ZeroAxesAck, kNoAnswer}, 1s, 1, {1032}},
-    {MessageId::ResetRequest, {MessageId::AddressAnnouncement, kNoAnswer}, 10s, 1, {1032, 1040, 1042, 1052}},
-    {MessageId::SetupModeRequest, {MessageId::SetupModeAck, kNoAnswer}, 1s, 1, {1032, 1040, 1042, 1052}},
-}};
+inline constexpr EnumArray<Ask, AskRule> kAskRules = [] {
+  EnumArray<Ask, AskRule> rules;
+  for (const Ask ask : kAllOf<Ask>)
+    rules[ask] = {requestOf(ask), answersOf(ask), kAskFacts[ask].patience, kAskFacts[ask].tries};
+  return rules;
+}();
 
 // All answers that a rule wants, as bits.
 constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
 
-constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[static_cast<std::size_t>(ask)]; }
+constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[ask]; }
 
 // What may be asked of a device by its type; of one without a PIN only what all take is known. Nothing of one
 // that the person said is a Copley drive, whose messages look the same.

@@ -11,8 +11,6 @@ namespace {
 
 using Progress = RequestStatus::Progress;
 
-constexpr Ask askAt(std::size_t i) { return static_cast<Ask>(i); }
-
 }  // namespace
 
 bool RequestService::isHanded(const DeviceKey& device, Ask ask) const {
@@ -21,9 +19,9 @@ bool RequestService::isHanded(const DeviceKey& device, Ask ask) const {
 
 RequestService::Asked* RequestService::openWith(FrameTag tag, Ask& ask) {
   for (Asked& at : m_devices) {
-    for (std::size_t i = 0; i < kAsks; ++i) {
-      if (at.timings[i].tag != tag || !at.statuses[i].isOpen()) continue;
-      ask = askAt(i);
+    for (const Ask each : kAllOf<Ask>) {
+      if (at.timing(each).tag != tag || !at.status(each).isOpen()) continue;
+      ask = each;
       return &at;
     }
   }
@@ -83,19 +81,19 @@ void RequestService::received(Instant now, const Live& live, const Frame& frame,
   if (id.destination == kGlobalAddress) return broadcastHeard(now, live, id.source, frame, out);
   if (id.destination != source()) return;
   for (Asked& at : m_devices) {
-    for (std::size_t i = 0; i < kAsks; ++i) {
-      if (askAt(i) == Ask::Reset || at.timings[i].to != id.source) continue;
-      const AskRule& rule = kAskRules[i];
+    for (const Ask ask : kAllOf<Ask>) {
+      if (ask == Ask::Reset || at.timing(ask).to != id.source) continue;
+      const AskRule& rule = ruleOf(ask);
       for (std::size_t part = 0; part < rule.answers.size(); ++part) {
         if (rule.answers[part] == kNoAnswer || messageOf(rule.answers[part]).firstByte != frame.data[0])
           continue;
         // The address may have gone to somebody else since.
         if (live.addressOf(at.device) != id.source) continue;
         if (!allows(messageOf(rule.answers[part]).lengths, frame.length)) {
-          ++at.statuses[i].wrong;
-          if (at.timings[i].wasOnBus) at.timings[i].wrong = true;
+          ++at.status(ask).wrong;
+          if (at.timing(ask).wasOnBus) at.timing(ask).wrong = true;
         } else {
-          answered(now, live, at, askAt(i), part, out);
+          answered(now, live, at, ask, part, out);
         }
       }
     }

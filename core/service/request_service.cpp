@@ -12,11 +12,10 @@ namespace {
 
 using Progress = RequestStatus::Progress;
 
-constexpr Ask askAt(std::size_t i) { return static_cast<Ask>(i); }
 template <typename F>
 void forEachAsk(AskSet asks, F&& f) {
-  for (std::size_t i = 0; i < kAsks; ++i) {
-    if (asks.has(askAt(i))) f(askAt(i));
+  for (const Ask ask : kAllOf<Ask>) {
+    if (asks.has(ask)) f(ask);
   }
 }
 
@@ -39,7 +38,7 @@ RequestService::Asked& RequestService::asked(const DeviceKey& device) {
   for (Asked& known : m_devices) {
     if (known.device == device) return known;
   }
-  return m_devices.emplace_back(Asked{device, {}});
+  return m_devices.emplace_back(Asked{device, {}, {}});
 }
 
 const RequestService::Asked* RequestService::find(const DeviceKey& device) const {
@@ -170,9 +169,9 @@ void RequestService::endAll(Instant now, const Live& live, RequestEnd how, Outgo
 }
 
 void RequestService::endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out) {
-  for (std::size_t i = 0; i < kAsks; ++i) {
-    at.statuses[i].period = 0ns;
-    if (at.statuses[i].isOpen()) end(now, live, at, askAt(i), how, out);
+  for (const Ask ask : kAllOf<Ask>) {
+    at.status(ask).period = 0ns;
+    if (at.status(ask).isOpen()) end(now, live, at, ask, how, out);
   }
 }
 
@@ -241,10 +240,10 @@ Instant RequestService::nextTime() const {
     if (!command.isSaid) next = std::min(next, command.since + kOnBusTime);
   }
   for (const Asked& at : m_devices) {
-    for (std::size_t i = 0; i < kAsks; ++i) {
-      if (at.statuses[i].progress == Progress::Waiting) next = std::min(next, at.timings[i].deadline);
-      if (at.statuses[i].progress == Progress::Queued)
-        next = std::min(next, std::max(at.timings[i].due, m_nextPoll));
+    for (const Ask ask : kAllOf<Ask>) {
+      if (at.statuses[ask].progress == Progress::Waiting) next = std::min(next, at.timings[ask].deadline);
+      if (at.statuses[ask].progress == Progress::Queued)
+        next = std::min(next, std::max(at.timings[ask].due, m_nextPoll));
     }
   }
   return next;
@@ -257,9 +256,9 @@ void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
     if (command.since + kOnBusTime <= now) sayNotOnBus(live, command, out);
   }
   for (Asked& at : m_devices) {
-    for (std::size_t i = 0; i < kAsks; ++i) {
-      if (at.statuses[i].progress == Progress::Waiting && at.timings[i].deadline <= now)
-        expire(now, live, at, askAt(i), out);
+    for (const Ask ask : kAllOf<Ask>) {
+      if (at.status(ask).progress == Progress::Waiting && at.timing(ask).deadline <= now)
+        expire(now, live, at, ask, out);
     }
   }
   sendDue(now, live, out);
@@ -269,19 +268,19 @@ void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
 void RequestService::sendDue(Instant now, const Live& live, Outgoing& out) {
   while (m_nextPoll <= now) {
     Asked* next = nullptr;
-    std::size_t kind = 0;
+    Ask kind{};
     Instant due = now;
     for (Asked& at : m_devices) {
-      for (std::size_t i = 0; i < kAsks; ++i) {
-        if (at.statuses[i].progress != Progress::Queued || at.timings[i].due > due) continue;
-        if (next != nullptr && at.timings[i].due == due) continue;
+      for (const Ask ask : kAllOf<Ask>) {
+        if (at.status(ask).progress != Progress::Queued || at.timing(ask).due > due) continue;
+        if (next != nullptr && at.timing(ask).due == due) continue;
         next = &at;
-        kind = i;
-        due = at.timings[i].due;
+        kind = ask;
+        due = at.timing(ask).due;
       }
     }
     if (next == nullptr) return;
-    send(now, live, *next, askAt(kind), out);
+    send(now, live, *next, kind, out);
   }
 }
 

@@ -13,7 +13,6 @@
 // 5. A device that loses its address, a link that is lost, and locking end what is open.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "control/intent.h"
@@ -69,10 +68,10 @@ class RequestService : public Service {
   };
   struct Asked {
     DeviceKey device;
-    std::array<RequestStatus, kAsks> statuses{};
-    std::array<Timing, kAsks> timings{};
-    RequestStatus& status(Ask ask) { return statuses[static_cast<std::size_t>(ask)]; }
-    Timing& timing(Ask ask) { return timings[static_cast<std::size_t>(ask)]; }
+    EnumArray<Ask, RequestStatus> statuses;
+    EnumArray<Ask, Timing> timings;
+    RequestStatus& status(Ask ask) { return statuses[ask]; }
+    Timing& timing(Ask ask) { return timings[ask]; }
   };
 
   Refusal ask(Instant now, const Live& live, const wish::AskDevice& wish, Outgoing& out);

@@ -116,7 +116,7 @@ void Device::received(Instant now, const Frame& frame) {
 }
 
 void Device::heardRequest(Instant now, const J1939Id& id, const Frame& frame) {
-  if (frame.data[0] == messageOf(MessageId::PipeData).firstByte) {
+  if (hasTypeOf(frame, MessageId::PipeData)) {
     m_pipe.received(now, id.source, frame.bytes().subspan(1));
     sendPipe(now);
     if (!m_pipe.vanishes()) return;

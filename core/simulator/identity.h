@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "protocol/encode.h"
+#include "protocol/lists.h"
 #include "protocol/typed.h"
 
 namespace deckpipe::simulator {

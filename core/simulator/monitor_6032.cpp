@@ -108,7 +108,7 @@ void Monitor6032::sendStatuses(Instant now) {
 void Monitor6032::heard(Instant now, const J1939Id& id, const Frame& frame) {
   m_inputs.received(now, id, frame);
   if (!isForUs(id) || frame.length == 0) return;
-  const auto is = [&](MessageId m) { return frame.data[0] == messageOf(m).firstByte; };
+  const auto is = [&](MessageId m) { return hasTypeOf(frame, m); };
   if (is(MessageId::SoePermissive) && frame.length == 3) {
     m_permissive = Permissive::of(frame);
     m_permissiveHeard = now;
@@ -118,7 +118,7 @@ void Monitor6032::heard(Instant now, const J1939Id& id, const Frame& frame) {
 }
 
 void Monitor6032::heardRequest(Instant now, const J1939Id& id, const Frame& frame) {
-  const auto is = [&](MessageId m) { return frame.data[0] == messageOf(m).firstByte; };
+  const auto is = [&](MessageId m) { return hasTypeOf(frame, m); };
   if (is(MessageId::VistaPoll)) {
     answerVista(now, id.source);
   } else if (is(MessageId::ZeroAxesRequest) && hasFeedback()) {

@@ -78,7 +78,7 @@ void PipeEnd::send(Instant now) {
   if (m_faults.packetsLost.hits(++m_out)) return;
   Encoded data;
   data.length = static_cast<std::uint8_t>(1 + text.size());
-  data.data[0] = static_cast<std::uint8_t>(messageOf(MessageId::PipeData).firstByte);
+  data.data[0] = typeOf(MessageId::PipeData);
   std::ranges::copy(text, data.data.begin() + 1);
   m_outgoing.push_back({now + kThinking, m_peer, MessageId::PipeData, data});
 }

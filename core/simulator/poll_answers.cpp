@@ -21,7 +21,7 @@ Encoded faultAnswer(const FaultReport& faults) {
 }  // namespace
 
 std::optional<PollAnswer> pollAnswer(std::uint8_t type, const Identity& identity, const FaultReport& faults) {
-  const auto isPoll = [&](MessageId poll) { return type == messageOf(poll).firstByte; };
+  const auto isPoll = [&](MessageId poll) { return type == typeOf(poll); };
   if (isPoll(MessageId::FaultPoll)) return PollAnswer{MessageId::FaultResponse, faultAnswer(faults)};
   if (isPoll(MessageId::FirmwarePoll)) {
     const FirmwareVersions& v = identity.firmware;

@@ -4,28 +4,9 @@
 #include <algorithm>
 
 #include "bus/j1939.h"
+#include "protocol/lists.h"
 
 namespace deckpipe {
-namespace {
-
-// Byte 1 of what is sent to or by one device; a cheap look before the roles are asked.
-bool mayBeSaid(std::uint8_t type) {
-  switch (type) {
-    case 0x02:
-    case 0x03:
-    case 0x04:
-    case 0x05:
-    case 0x21:
-    case 0x22:
-    case 0x41:
-    case 0x45:
-    case 0x46:
-    case 0xFE: return true;
-    default: return false;
-  }
-}
-
-}  // namespace
 
 bool Conversations::take(const LogDocument& log, std::uint64_t until, std::uint64_t atMost) {
   const std::uint64_t end = std::min({until, log.roles.built(), m_looked + atMost});
@@ -45,13 +26,13 @@ void Conversations::look(const LogDocument& log, const Frame& frame, std::uint64
   const J1939Id id = J1939Id::of(frame.identifier());
   const Channel channel{frame.channel};
   if (id.pgn != pgn::kProprietaryA || frame.length == 0) return;
-  if (id.destination == kGlobalAddress || !mayBeSaid(frame.data[0])) return;
+  if (id.destination == kGlobalAddress || !kSaidTypes[frame.data[0]]) return;
   const Classified what = log.roles.classify(index, frame, time, m_roles);
   if (!what.isDecoded() || what.family == Family::Copley) return;
   const AddressBook& book = m_roles.walk.book(channel);
   const bool isFromDevice = [&] {
-    // The pipe goes both ways under one message: whoever is Akron's is the device.
-    if (what.message == MessageId::PipeData || what.message == MessageId::PipeAck)
+    // The pipe: whoever is Akron's is the device.
+    if (messageOf(what.message).device == DeviceEnd::Either)
       return book.isAkron(id.source) || !book.isAkron(id.destination);
     return messageOf(what.message).device == DeviceEnd::Sender;
   }();

@@ -8,36 +8,12 @@
 #include <cstdint>
 
 #include "base/ids.h"
+#include "protocol/lists.h"
 #include "protocol/typed.h"
 #include "state/frame_rate.h"
 #include "state/timed.h"
 
 namespace deckpipe {
-
-// Periodic values, for staleness: a value older than three of its nominal periods is stale.
-enum class Periodic : std::uint8_t {
-  Position,
-  RotationLimits,
-  ElevationLimits,
-  Outputs,
-  MiniOutputs,
-  Inputs,
-  Permissive,
-  Heartbeat,
-  Count,
-};
-inline constexpr std::size_t kPeriodics = static_cast<std::size_t>(Periodic::Count);
-// Three nominal periods: 300 ms, for a heartbeat 3 s. Of the permissive it is the controller's own time-out.
-constexpr Duration staleAfter(Periodic p) {
-  return p == Periodic::Heartbeat ? Duration(3s) : Duration(300ms);
-}
-
-enum class HeartbeatState : std::uint8_t {
-  Boot = 0x00,
-  Stopped = 0x04,
-  Operational = 0x05,
-  PreOperational = 0x7F
-};
 
 // An address that a device had, and until when.
 struct FormerAddress {
@@ -62,23 +38,10 @@ struct Device {
   std::uint32_t frames = 0;
   std::uint32_t malformed = 0;
   FrameRate rate;
-  std::uint16_t stale = 0;  // bit per Periodic
 
-  Reported<&PositionLimitStatus::of> position;
-  Reported<&SoftLimits::ofRotation> rotationLimits;
-  Reported<&SoftLimits::ofElevation> elevationLimits;
-  Reported<&DigitalOutputs::of> outputs;
-  Reported<&MiniOutputs::of> miniOutputs;
-  Reported<&DigitalInputs::of> inputs;
-  Reported<&Permissive::of> permissive;  // as sent to it by a master controller
-  Address permissiveFrom;
-  Reported<&FaultStatus::of> faults;
-  Reported<&FirmwareVersions::of> firmware;
-  Reported<&PcodeVersion::of> pcode;
-  Reported<&ConfigVersion::of> config;
+  Address permissiveFrom;  // the master controller that sent the permissive
 
   // Kind::Node
-  Timed<std::uint8_t> heartbeat;  // low seven bits, HeartbeatState
   Timed<std::uint32_t> partNumber;
   Timed<std::uint16_t> operationalErrorCode;
   Reported<&BasicJoystick::of> commanded;  // RPDO1; the sender is not known
@@ -91,9 +54,30 @@ struct Device {
     lastHeard = time;
     ++frames;
   }
-  bool isStale(Periodic p) const { return (stale >> static_cast<unsigned>(p) & 1u) != 0; }
-  // When a periodic value last came; kNotYet where it never did.
-  Instant lastOf(Periodic p) const;
+
+  // The last message of a kind, one of kReports.
+  const Report& report(MessageId id) const { return m_reports[kReportPlaces[id]]; }
+  template <auto Of>
+  Reported<Of> reported(MessageId id) const {
+    return Reported<Of>(report(id));
+  }
+  auto position() const { return reported<&PositionLimitStatus::of>(MessageId::PositionLimitStatus); }
+  auto rotationLimits() const { return reported<&SoftLimits::ofRotation>(MessageId::RotationSoftLimits); }
+  auto elevationLimits() const { return reported<&SoftLimits::ofElevation>(MessageId::ElevationSoftLimits); }
+  auto outputs() const { return reported<&DigitalOutputs::of>(MessageId::DigitalOutputs); }
+  auto miniOutputs() const { return reported<&MiniOutputs::of>(MessageId::MiniDigitalOutputs); }
+  auto inputs() const { return reported<&DigitalInputs::of>(MessageId::DigitalInputs); }
+  auto permissive() const { return reported<&Permissive::of>(MessageId::SoePermissive); }
+  // Of a node from SDO 5001.01, which has the same map.
+  auto faults() const { return reported<&FaultStatus::of>(MessageId::FaultResponse); }
+  auto firmware() const { return reported<&FirmwareVersions::of>(MessageId::FirmwareResponse); }
+  auto pcode() const { return reported<&PcodeVersion::of>(MessageId::PcodeResponse); }
+  auto config() const { return reported<&ConfigVersion::of>(MessageId::ConfigResponse); }
+  auto heartbeat() const { return reported<&heartbeatState>(MessageId::Heartbeat); }
+
+  // Whether one of kPeriodicReports came and is older than three of its periods.
+  bool isStale(MessageId id) const { return m_stale.has(id); }
+  const EnumSet<MessageId>& stale() const { return m_stale; }
   Instant nextDeadline() const;
   // Marks what is due at `time` stale.
   void timeCame(Instant time);
@@ -103,8 +87,10 @@ struct Device {
   friend bool operator==(const Device&, const Device&) = default;
 
  private:
-  void fresh(Periodic p) { stale = static_cast<std::uint16_t>(stale & ~(1u << static_cast<unsigned>(p))); }
   void takeSdo(const Frame& frame, Instant time);
+
+  std::array<Report, kReports.size()> m_reports;
+  EnumSet<MessageId> m_stale;
 };
 
 }  // namespace deckpipe

@@ -5,13 +5,9 @@
 
 #include "bus/canopen.h"
 #include "bus/j1939.h"
+#include "protocol/lists.h"
 
 namespace deckpipe {
-namespace {
-
-constexpr std::uint8_t kStatusType = 0x01, kAnnouncementType = 0xFF;  // protocol.md, 1.3
-
-}  // namespace
 
 bool Events::take(const LogDocument& log, std::uint64_t until, std::uint64_t atMost) {
   const std::uint64_t end = std::min({until, log.roles.built(), m_looked + atMost});
@@ -63,9 +59,9 @@ void Events::lookExtended(const LogDocument& log, Bus& bus, const Frame& frame, 
     return;
   }
   if (id.pgn != pgn::kProprietaryA || id.destination != kGlobalAddress || frame.length != 8) return;
-  if (frame.data[0] == kStatusType) {
+  if (hasTypeOf(frame, MessageId::PositionLimitStatus)) {
     statusHeard(log, bus.addresses[id.source.value], frame, at);
-  } else if (frame.data[0] == kAnnouncementType) {
+  } else if (hasTypeOf(frame, MessageId::AddressAnnouncement)) {
     announced(log, bus, at);
   }
 }
@@ -78,9 +74,10 @@ void Events::lookStandard(const LogDocument& log, Bus& bus, const Frame& frame, 
   const auto is = [&cob](CobFunction function) {
     return cob.function == static_cast<std::uint16_t>(function);
   };
-  if (is(CobFunction::Heartbeat) && frame.length == 1 && frame.data[0] == 0) {
+  if (is(CobFunction::Heartbeat) && frame.length == 1 && frame.data[0] == gateway::kBooting) {
     add(EventKind::NodeStarted, at);
-  } else if (is(CobFunction::Tpdo1) && frame.length == 8 && frame.data[0] == kStatusType) {
+  } else if (is(CobFunction::Tpdo1) && frame.length == 8 &&
+             hasTypeOf(frame, MessageId::PositionLimitStatus)) {
     statusHeard(log, bus.nodes[cob.node.value], frame, at);
   }
 }

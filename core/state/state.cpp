@@ -7,14 +7,17 @@
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "bus/load.h"
-#include "protocol/catalogue.h"
+#include "protocol/lists.h"
 
 namespace deckpipe {
 namespace {
 
 // The shortest time-out there is: a frame can cause no deadline sooner than this.
-constexpr Duration kShortestTimeout =
-    std::min({Duration(kInputTimeout), kClaimTime, staleAfter(Periodic::Position)});
+constexpr Duration kShortestTimeout = [] {
+  Duration shortest = std::min<Duration>(kInputTimeout, kClaimTime);
+  for (const MessageId id : kPeriodicReports) shortest = std::min(shortest, staleAfter(id));
+  return shortest;
+}();
 
 bool isNode(Address a) { return a != kNullAddress && a != kGlobalAddress; }
 
@@ -53,14 +56,11 @@ void State::apply(const Frame& frame, Instant time) {
 }
 
 void State::count(const Classified& what, Instant time) {
-  std::size_t i = kMessageCount;
-  if (what.malformed) {
-    i = kMessageCount + 1;
-  } else if (what.isDecoded()) {
-    i = static_cast<std::size_t>(what.message);
-  }
-  ++m_counters[i].count;
-  m_counters[i].last = time;
+  MessageCounter& counter = what.malformed     ? m_malformed
+                            : what.isDecoded() ? m_counters[what.message]
+                                               : m_others;
+  ++counter.count;
+  counter.last = time;
 }
 
 void State::applyExtended(const Frame& frame, Instant time, const Classified& what) {

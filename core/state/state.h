@@ -59,10 +59,10 @@ class State {
   const Cursor& cursor() const { return m_cursor; }
   const ChannelState& channel(Channel c) const { return m_channels[c.value]; }
   const Devices& devices() const { return m_devices; }
-  const MessageCounter& counter(MessageId id) const { return m_counters[static_cast<std::size_t>(id)]; }
+  const MessageCounter& counter(MessageId id) const { return m_counters[id]; }
   // Frames that are no message of the catalogue; those that are, but of a wrong length.
-  const MessageCounter& others() const { return m_counters[kMessageCount]; }
-  const MessageCounter& malformed() const { return m_counters[kMessageCount + 1]; }
+  const MessageCounter& others() const { return m_others; }
+  const MessageCounter& malformed() const { return m_malformed; }
   // Frames on channels beyond kMaxChannels.
   std::uint64_t untrackedFrames() const { return m_untrackedFrames; }
   bool isLocked() const { return m_locked; }
@@ -88,7 +88,8 @@ class State {
   Instant m_nextCheck = kNever;  // no deadline is earlier
   std::array<ChannelState, kMaxChannels> m_channels{};
   Devices m_devices;
-  std::array<MessageCounter, kMessageCount + 2> m_counters{};
+  EnumArray<MessageId, MessageCounter> m_counters;
+  MessageCounter m_others, m_malformed;
   std::uint64_t m_untrackedFrames = 0;
   bool m_locked = true;
 };

@@ -23,31 +23,39 @@ struct Timed {
 };
 
 // The last message of a kind, kept as its bytes and decoded when somebody looks: most are replaced before
-// anyone does. `Of` is the typed struct's reader of a frame.
-template <auto Of>
-class Reported {
+// anyone does.
+class Report {
  public:
-  using Value = std::invoke_result_t<decltype(Of), const Frame&>;
-
   Instant at = kNotYet;
 
   bool isKnown() const { return at != kNotYet; }
-  Value value() const {
+  Frame frame() const {
     Frame frame;
     frame.data = m_data;
     frame.length = m_length;
-    return Of(frame);
+    return frame;
   }
   void set(const Frame& frame, Instant time) {
     m_data = frame.data;
     m_length = frame.length;
     at = time;
   }
-  friend bool operator==(const Reported&, const Reported&) = default;
+  friend bool operator==(const Report&, const Report&) = default;
 
  private:
   Payload m_data{};
   std::uint8_t m_length = 0;
+};
+
+// The same where it is known what to read it as; `Of` is the typed struct's reader of a frame.
+template <auto Of>
+class Reported : public Report {
+ public:
+  using Value = std::invoke_result_t<decltype(Of), const Frame&>;
+
+  Reported() = default;
+  explicit Reported(const Report& report) : Report(report) {}
+  Value value() const { return Of(frame()); }
 };
 
 }  // namespace deckpipe

@@ -150,7 +150,10 @@ void announce(Console& console, Input& in) {
 void wishFrom(Console& console, Input& in) {
   const DeviceKey device = deviceFrom(in);
   AskSet asks;
-  asks.bits = in.next();
+  const unsigned bits = in.next();
+  for (const Ask ask : kAllOf<Ask>) {
+    if ((bits >> static_cast<unsigned>(ask) & 1u) != 0) asks.add(ask);
+  }
   switch (in.next() % 12) {
     case 0: return console.want(wish::Lock{});
     case 1: return console.want(wish::AskNames{});

@@ -49,8 +49,8 @@ TEST_F(Twin, DevicesAppearPositionsMoveAndOurLogIsCandumps) {
       return console.session.snapshot().view.state->devices().byPin(pin);
     };
     ASSERT_TRUE(console.waitUntil([&] { return device(kMonitor) && device(kRiser) && device(kJoystick); }));
-    ASSERT_TRUE(console.waitUntil([&] { return device(kMonitor)->position.isKnown(); }));
-    const auto rotation = [&] { return device(kMonitor)->position.value().rotation.tenths; };
+    ASSERT_TRUE(console.waitUntil([&] { return device(kMonitor)->position().isKnown(); }));
+    const auto rotation = [&] { return device(kMonitor)->position().value().rotation.tenths; };
     const auto begin = rotation();
     EXPECT_TRUE(console.waitUntil([&] { return rotation() != begin; })) << "its position never moves";
     QTest::qWait(3'000);

@@ -18,20 +18,6 @@ Classified asAkron(MessageId message) { return {.family = Family::Akron, .messag
 
 }  // namespace
 
-std::optional<Ask> askAnsweredBy(MessageId message) {
-  switch (message) {
-    case MessageId::FaultResponse: return Ask::Fault;
-    case MessageId::FirmwareResponse: return Ask::Firmware;
-    case MessageId::PcodeResponse: return Ask::Pcode;
-    case MessageId::ConfigResponse: return Ask::Config;
-    case MessageId::VistaStatus:
-    case MessageId::VistaPosition: return Ask::Vista;
-    case MessageId::ZeroAxesAck: return Ask::ZeroAxes;
-    case MessageId::SetupModeAck: return Ask::SetupMode;
-    default: return {};
-  }
-}
-
 AnswerHistory::AnswerHistory(QObject* parent) : QAbstractTableModel(parent) {}
 
 void AnswerHistory::setView(const LogView& view, const Conversations& talk, const DeviceKey& device) {
@@ -76,7 +62,7 @@ AnswerHistory::Row AnswerHistory::read(const Utterance& said) {
   row.message = said.message;
   row.answer = summaryText(frame, asAkron(said.message));
   if (row.answer.isEmpty()) row.answer = messageName(message.id);
-  std::optional<Frame>& before = m_last[static_cast<std::size_t>(said.message)];
+  std::optional<Frame>& before = m_last[said.message];
   row.isFirst = !before.has_value();
   if (before) {
     QStringList changes;

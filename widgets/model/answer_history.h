@@ -5,17 +5,14 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <array>
 #include <optional>
 #include <vector>
 
 #include "control/ask.h"
+#include "protocol/lists.h"
 #include "state/conversations.h"
 
 namespace deckpipe {
-
-// The ask that a message answers; nothing for any other message.
-std::optional<Ask> askAnsweredBy(MessageId message);
 
 class AnswerHistory : public QAbstractTableModel {
   Q_OBJECT
@@ -59,7 +56,7 @@ class AnswerHistory : public QAbstractTableModel {
   std::size_t m_taken = 0;  // utterances looked at
   Cursor m_cursor;
   std::vector<Row> m_rows;
-  std::array<std::optional<Frame>, kMessageCount> m_last{};  // by message
+  EnumArray<MessageId, std::optional<Frame>> m_last;  // by message
 };
 
 }  // namespace deckpipe

@@ -17,11 +17,22 @@ HealthLevel levelOf(HealthReason reason) {
   return reason <= HealthReason::DeviceFaulted ? HealthLevel::Fault : HealthLevel::Attend;
 }
 
+// The reason that stands for the silence of each status.
+constexpr KeyTable<kOwnPeriodicReports, HealthReason> kOverdue{{
+    {MessageId::PositionLimitStatus, HealthReason::PositionOverdue},
+    {MessageId::RotationSoftLimits, HealthReason::LimitsOverdue},
+    {MessageId::ElevationSoftLimits, HealthReason::LimitsOverdue},
+    {MessageId::DigitalOutputs, HealthReason::OutputsOverdue},
+    {MessageId::MiniDigitalOutputs, HealthReason::OutputsOverdue},
+    {MessageId::DigitalInputs, HealthReason::InputsOverdue},
+    {MessageId::Heartbeat, HealthReason::HeartbeatOverdue},
+}};
+
 class Finder {
  public:
   void add(HealthReason reason, bool holds) {
     if (!holds) return;
-    m_health.reasons |= 1u << static_cast<unsigned>(reason);
+    m_health.reasons.add(reason);
     // Reasons come in order of gravity: the first decides.
     if (m_health.level == HealthLevel::Fine) m_health.level = levelOf(reason);
   }
@@ -47,9 +58,8 @@ class Finder {
 // Whether something of the device comes by itself, at a period that the manual gives. Controls have to send
 // joystick messages, but from an address of 33 to 38 hex that no message ties to their PIN.
 bool sendsByItself(const ChannelState& channel, const Device& d) {
-  for (std::size_t i = 0; i < kPeriodics; ++i) {
-    const auto p = static_cast<Periodic>(i);
-    if (p != Periodic::Permissive && d.lastOf(p) != kNotYet) return true;  // that is sent to it
+  for (const MessageId id : kOwnPeriodicReports) {
+    if (d.report(id).isKnown()) return true;
   }
   if (d.kind == Device::Kind::Node) return false;
   if (channel.joysticks.find(d.address) != nullptr) return true;
@@ -68,31 +78,26 @@ bool hasStopError(const PositionLimitStatus& position) {
 DeviceHealth healthOf(const State& state, const Device& d) {
   const ChannelState& channel = state.channel(d.channel);
   // A status counts as long as it is fresh; an answer to a poll as long as there is no later one.
-  const bool hasPosition = d.position.isKnown() && !d.isStale(Periodic::Position);
-  const PositionLimitStatus position = d.position.value();
+  const bool hasPosition = d.position().isKnown() && !d.isStale(MessageId::PositionLimitStatus);
+  const PositionLimitStatus position = d.position().value();
   Finder f;
   const bool isDue = sendsByItself(channel, d);
   if (isDue) f.addSilence(d.lastHeard, state.cursor().time, true);
-  f.add(HealthReason::FaultBits, d.faults.isKnown() && d.faults.value().map != 0);
+  f.add(HealthReason::FaultBits, d.faults().isKnown() && d.faults().value().map != 0);
   f.add(HealthReason::PcodeError,
-        (d.faults.isKnown() && d.faults.value().pcodeError.value_or(0) != 0) ||
+        (d.faults().isKnown() && d.faults().value().pcodeError.value_or(0) != 0) ||
             (d.operationalErrorCode.isKnown() && d.operationalErrorCode.value != 0));
   f.add(HealthReason::RotationSensor, hasPosition && position.rotation.state == PositionState::SensorError);
   f.add(HealthReason::ElevationSensor, hasPosition && position.elevation.state == PositionState::SensorError);
-  f.add(HealthReason::DeviceFaulted,
-        d.miniOutputs.isKnown() && !d.isStale(Periodic::MiniOutputs) && d.miniOutputs.value().deviceFaulted);
+  f.add(HealthReason::DeviceFaulted, d.miniOutputs().isKnown() && !d.isStale(MessageId::MiniDigitalOutputs) &&
+                                         d.miniOutputs().value().deviceFaulted);
   f.add(HealthReason::OperationalError, hasPosition && position.operationalError == Status2::On);
   f.add(HealthReason::StopError, hasPosition && hasStopError(position));
   f.add(HealthReason::PositionInvalid, hasPosition && (position.rotation.state == PositionState::Invalid ||
                                                        position.elevation.state == PositionState::Invalid));
-  f.add(HealthReason::PositionOverdue, d.isStale(Periodic::Position));
-  f.add(HealthReason::LimitsOverdue,
-        d.isStale(Periodic::RotationLimits) || d.isStale(Periodic::ElevationLimits));
-  f.add(HealthReason::OutputsOverdue, d.isStale(Periodic::Outputs) || d.isStale(Periodic::MiniOutputs));
-  f.add(HealthReason::InputsOverdue, d.isStale(Periodic::Inputs));
-  f.add(HealthReason::HeartbeatOverdue, d.isStale(Periodic::Heartbeat));
+  for (const MessageId id : kOwnPeriodicReports) f.add(*kOverdue.find(id), d.isStale(id));
   f.add(HealthReason::NotOperational,
-        d.heartbeat.isKnown() && d.heartbeat.value != static_cast<std::uint8_t>(HeartbeatState::Operational));
+        d.heartbeat().isKnown() && d.heartbeat().value() != gateway::kOperational);
   if (d.kind != Device::Kind::Node) {
     const bool hasAddress = d.address != kNullAddress;
     if (hasAddress) f.addJoystick(channel, d.address);
@@ -129,33 +134,35 @@ QString healthWord(HealthLevel level) {
 }
 
 QStringList healthReasons(const DeviceHealth& health) {
-  static constexpr const char* kTexts[] = {
-      QT_TRANSLATE_NOOP("Health", "Nothing heard for some time."),
-      QT_TRANSLATE_NOOP("Health", "It answered that fault bits are set."),
-      QT_TRANSLATE_NOOP("Health", "It answered with an error code."),
-      QT_TRANSLATE_NOOP("Health", "Rotation sensor error."),
-      QT_TRANSLATE_NOOP("Health", "Elevation sensor error."),
-      QT_TRANSLATE_NOOP("Health", "It says that it is faulted."),
-      QT_TRANSLATE_NOOP("Health", "It reports an operational error; ask for its faults."),
-      QT_TRANSLATE_NOOP("Health", "A hard stop reports an error."),
-      QT_TRANSLATE_NOOP("Health", "Its position is not valid."),
-      QT_TRANSLATE_NOOP("Health", "Its position status is overdue."),
-      QT_TRANSLATE_NOOP("Health", "Its soft limits are overdue."),
-      QT_TRANSLATE_NOOP("Health", "Its outputs are overdue."),
-      QT_TRANSLATE_NOOP("Health", "Its inputs are overdue."),
-      QT_TRANSLATE_NOOP("Health", "Its heartbeat is overdue."),
-      QT_TRANSLATE_NOOP("Health", "It is not operational (NMT)."),
-      QT_TRANSLATE_NOOP("Health", "It stopped sending joystick messages."),
-      QT_TRANSLATE_NOOP("Health", "It lost its address and has announced no other."),
-      QT_TRANSLATE_NOOP("Health", "Another NAME claims its address too."),
-      QT_TRANSLATE_NOOP("Health", "It could not claim an address."),
-      QT_TRANSLATE_NOOP("Health", "It sent messages of a wrong length."),
-      QT_TRANSLATE_NOOP("Health", "Not heard for some time; no periodic message is expected of it."),
-  };
-  static_assert(std::size(kTexts) == static_cast<std::size_t>(HealthReason::Count));
+  static constexpr EnumTable<HealthReason, const char*> kTexts{{
+      {HealthReason::NothingHeard, QT_TRANSLATE_NOOP("Health", "Nothing heard for some time.")},
+      {HealthReason::FaultBits, QT_TRANSLATE_NOOP("Health", "It answered that fault bits are set.")},
+      {HealthReason::PcodeError, QT_TRANSLATE_NOOP("Health", "It answered with an error code.")},
+      {HealthReason::RotationSensor, QT_TRANSLATE_NOOP("Health", "Rotation sensor error.")},
+      {HealthReason::ElevationSensor, QT_TRANSLATE_NOOP("Health", "Elevation sensor error.")},
+      {HealthReason::DeviceFaulted, QT_TRANSLATE_NOOP("Health", "It says that it is faulted.")},
+      {HealthReason::OperationalError,
+       QT_TRANSLATE_NOOP("Health", "It reports an operational error; ask for its faults.")},
+      {HealthReason::StopError, QT_TRANSLATE_NOOP("Health", "A hard stop reports an error.")},
+      {HealthReason::PositionInvalid, QT_TRANSLATE_NOOP("Health", "Its position is not valid.")},
+      {HealthReason::PositionOverdue, QT_TRANSLATE_NOOP("Health", "Its position status is overdue.")},
+      {HealthReason::LimitsOverdue, QT_TRANSLATE_NOOP("Health", "Its soft limits are overdue.")},
+      {HealthReason::OutputsOverdue, QT_TRANSLATE_NOOP("Health", "Its outputs are overdue.")},
+      {HealthReason::InputsOverdue, QT_TRANSLATE_NOOP("Health", "Its inputs are overdue.")},
+      {HealthReason::HeartbeatOverdue, QT_TRANSLATE_NOOP("Health", "Its heartbeat is overdue.")},
+      {HealthReason::NotOperational, QT_TRANSLATE_NOOP("Health", "It is not operational (NMT).")},
+      {HealthReason::JoystickOverdue, QT_TRANSLATE_NOOP("Health", "It stopped sending joystick messages.")},
+      {HealthReason::AddressLost,
+       QT_TRANSLATE_NOOP("Health", "It lost its address and has announced no other.")},
+      {HealthReason::AddressContested, QT_TRANSLATE_NOOP("Health", "Another NAME claims its address too.")},
+      {HealthReason::CannotClaim, QT_TRANSLATE_NOOP("Health", "It could not claim an address.")},
+      {HealthReason::Malformed, QT_TRANSLATE_NOOP("Health", "It sent messages of a wrong length.")},
+      {HealthReason::NothingDue,
+       QT_TRANSLATE_NOOP("Health", "Not heard for some time; no periodic message is expected of it.")},
+  }};
   QStringList texts;
-  for (std::size_t i = 0; i < std::size(kTexts); ++i) {
-    if (health.has(static_cast<HealthReason>(i))) texts << QCoreApplication::translate("Health", kTexts[i]);
+  for (const HealthReason reason : kAllOf<HealthReason>) {
+    if (health.has(reason)) texts << QCoreApplication::translate("Health", kTexts[reason]);
   }
   return texts;
 }

@@ -44,9 +44,9 @@ enum class HealthReason : std::uint8_t {
 
 struct DeviceHealth {
   HealthLevel level = HealthLevel::Fine;
-  std::uint32_t reasons = 0;  // bit per HealthReason
+  EnumSet<HealthReason> reasons;
 
-  bool has(HealthReason reason) const { return (reasons >> static_cast<unsigned>(reason) & 1u) != 0; }
+  bool has(HealthReason reason) const { return reasons.has(reason); }
   friend bool operator==(const DeviceHealth&, const DeviceHealth&) = default;
 };
 

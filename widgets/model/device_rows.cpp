@@ -22,8 +22,8 @@ constexpr NodeId kGatewayNode{0x70};  // the gateway manual's default
 bool isMonitorType(unsigned type) { return type == 1032 || type == 1040 || type == 1042 || type == 1052; }
 bool isControlType(unsigned type) { return type == 1034 || type == 1035 || type == 1037 || type == 1041; }
 bool sendsMonitorStatus(const Device& d) {
-  return d.position.isKnown() || d.outputs.isKnown() || d.rotationLimits.isKnown() ||
-         d.elevationLimits.isKnown();
+  return d.position().isKnown() || d.outputs().isKnown() || d.rotationLimits().isKnown() ||
+         d.elevationLimits().isKnown();
 }
 
 bool isJoystick(const State& state, Channel channel, Address address) {
@@ -123,8 +123,8 @@ DeviceType typeOf(const Device& d) {
     return {d.node == kGatewayNode ? From::GatewayNode : From::CanopenNode};
   }
   if (sendsMonitorStatus(d)) return {From::Messages83};
-  if (d.miniOutputs.isKnown()) return {From::Messages84};
-  if (d.inputs.isKnown()) return {From::Messages85};
+  if (d.miniOutputs().isKnown()) return {From::Messages84};
+  if (d.inputs().isKnown()) return {From::Messages85};
   return {From::AkronMessages};
 }
 

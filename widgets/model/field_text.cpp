@@ -7,8 +7,8 @@
 #include <iterator>
 #include <string>
 
+#include "protocol/catalogue.h"
 #include "protocol/device_types.h"
-#include "protocol/j1939.h"
 #include "text/catalogue_text.h"
 
 namespace deckpipe {
@@ -78,6 +78,8 @@ constexpr NumberWords kNumbers[] = {
     {Family::Copley, "parameter", 0x159, QT_TRANSLATE_NOOP("Numbers", "watchdog action")},
 };
 
+static_assert(std::ranges::all_of(kNumbers, isFieldKey, &NumberWords::key), "a number of no field");
+
 struct ObjectWords {
   std::uint32_t object;
   const char* text;
@@ -102,6 +104,8 @@ struct HexKey {
 constexpr HexKey kHexKeys[] = {{"index", 4, false},    {"subindex", 2, false},  {"abort_code", 8, false},
                                {"specifier", 2, true}, {"parameter", 1, true},  {"command", 2, false},
                                {"node", 2, true},      {"record_type", 2, true}};
+
+static_assert(std::ranges::all_of(kHexKeys, isFieldKey, &HexKey::key), "a key of no field");
 
 QString unitText(Unit unit) {
   switch (unit) {

@@ -6,6 +6,7 @@
 
 #include "model/field_text.h"
 #include "protocol/catalogue.h"
+#include "protocol/decode.h"
 #include "text/catalogue_text.h"
 
 namespace deckpipe {
@@ -102,6 +103,12 @@ void addValues(FilterCompletions& completions, const QString& key, const QString
   }
 }
 
+QStringList toQStrings(const auto& keys) {
+  QStringList texts;
+  for (const std::string_view key : keys) texts += toQString(key);
+  return texts;
+}
+
 }  // namespace
 
 std::span<const FilterKeyWord> filterKeyWords() { return kWords; }
@@ -109,11 +116,8 @@ std::span<const FilterKeyWord> filterKeyWords() { return kWords; }
 QStringList wordsOf(const Field& field) {
   switch (field.kind) {
     case Kind::Flag: return {QStringLiteral("off"), QStringLiteral("on")};
-    case Kind::Status2:
-      return {QStringLiteral("off"), QStringLiteral("on"), QStringLiteral("error"), QStringLiteral("na")};
-    case Kind::PositionState:
-      return {QStringLiteral("ok"), QStringLiteral("sensor_error"), QStringLiteral("not_fitted"),
-              QStringLiteral("invalid")};
+    case Kind::Status2: return toQStrings(kStatus2Keys);
+    case Kind::PositionState: return toQStrings(kPositionStateKeys);
     case Kind::Word:
     case Kind::FaultNames: {
       QStringList words;
@@ -123,14 +127,6 @@ QStringList wordsOf(const Field& field) {
     }
     default: return {};
   }
-}
-
-bool isFieldKey(std::string_view key) {
-  return std::any_of(kCatalogue.begin(), kCatalogue.end(), [key](const Message& message) {
-    return std::any_of(message.fields.begin(), message.fields.end(), [key](const Field& field) {
-      return field.kind != Kind::Reserved && field.key == key;
-    });
-  });
 }
 
 FilterCompletions filterCompletions(const QString& text, int cursor, const QStringList& channels) {

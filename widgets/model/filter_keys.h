@@ -55,8 +55,6 @@ constexpr bool isHex(FilterKey key) { return key <= FilterKey::Data; }
 
 // The words that a field may be compared with, "off", "on", …; empty where it has none.
 QStringList wordsOf(const Field& field);
-// Whether any message of the catalogue has such a field.
-bool isFieldKey(std::string_view key);
 
 // What could stand where a person is typing.
 struct FilterCompletions {

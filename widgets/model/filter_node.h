@@ -35,8 +35,8 @@ struct FilterBytes {
 
 // Which titles of the trace satisfy a test on the name: they are few, so it is asked of each once.
 struct FilterTitles {
-  std::bitset<kMessageCount> messages, malformed;
-  std::bitset<8> families;
+  EnumSet<MessageId> messages, malformed;
+  EnumSet<Family> families;
   bool error = false, remote = false;
 };
 
@@ -66,7 +66,7 @@ struct FilterNode {
   Instant begin;  // of the log, for Seconds
   // Field: which messages have it, and with what it is compared.
   std::string field;
-  std::bitset<kMessageCount> messages;
+  EnumSet<MessageId> messages;
   std::vector<double> values;
   bool wantsNone = false;
   mutable FilterMemory memory;  // one worker a filter

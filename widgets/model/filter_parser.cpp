@@ -138,10 +138,9 @@ int FilterParser::test() {
   } else if (isFieldKey(field)) {
     node.kind = FilterNode::Kind::Field;
     node.field = field;
-    for (std::size_t i = 0; i < kMessageCount; ++i) {
-      const auto fields = kCatalogue[i].fields;
-      node.messages[i] =
-          std::any_of(fields.begin(), fields.end(), [&field](const Field& f) { return f.key == field; });
+    for (const Message& message : kCatalogue) {
+      const auto hasKey = [&field](const Field& f) { return f.key == field; };
+      if (std::any_of(message.fields.begin(), message.fields.end(), hasKey)) node.messages.add(message.id);
     }
   } else if (filterHexNumber(word.text)) {
     return fail(word, FilterText::tr("A key was expected here, for instance id=%1.").arg(word.text));

@@ -2,11 +2,13 @@
 #include "model/filter_values.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "model/field_text.h"
 #include "model/message_text.h"
+#include "report/decode_lines.h"
 
 namespace deckpipe {
 namespace {
@@ -33,14 +35,15 @@ FilterTitles titlesWith(const QString& text, bool whole) {
   };
   FilterTitles titles;
   Frame frame;
-  for (std::size_t i = 0; i < kMessageCount; ++i) {
-    Classified what{.message = static_cast<MessageId>(i)};
-    titles.messages[i] = fits(frameTitle(frame, what), kCatalogue[i].key);
+  for (const Message& message : kCatalogue) {
+    Classified what{.message = message.id};
+    if (fits(frameTitle(frame, what), message.key)) titles.messages.add(message.id);
     what.malformed = true;
-    titles.malformed[i] = fits(frameTitle(frame, what), kCatalogue[i].key);
+    if (fits(frameTitle(frame, what), message.key)) titles.malformed.add(message.id);
   }
-  for (std::size_t i = 0; i < titles.families.size(); ++i)
-    titles.families[i] = fits(frameTitle(frame, {.family = static_cast<Family>(i)}));
+  for (const Family family : kAllOf<Family>) {
+    if (fits(frameTitle(frame, {.family = family}))) titles.families.add(family);
+  }
   frame.id = kErrorBit;
   titles.error = fits(frameTitle(frame, {}));
   frame.id = kRemoteBit;
@@ -164,15 +167,12 @@ QString takeWord(FilterNode& node, const QString& text) {
     }
     node.numbers.push_back({isRx ? 0u : 1u, isRx ? 0u : 1u});
   } else if (node.key == FilterKey::Family) {
-    constexpr const char* kNames[] = {"",        "j1939",    "akron",     "copley",
-                                      "canopen", "presumed", "ambiguous", "other"};
-    bool isKnown = false;
-    for (std::size_t i = 1; i < std::size(kNames); ++i) {
-      if (text.compare(QLatin1String(kNames[i]), Qt::CaseInsensitive) != 0) continue;
-      node.titles.families.set(i);
-      isKnown = true;
-    }
-    if (!isKnown) {
+    const auto known = std::ranges::find_if(kAllOf<Family>, [&text](Family family) {
+      return family != Family::None && text.compare(toQString(familyKey(family)), Qt::CaseInsensitive) == 0;
+    });
+    if (known != kAllOf<Family>.end()) {
+      node.titles.families.add(*known);
+    } else {
       return FilterText::tr("j1939, akron, copley, canopen, presumed, ambiguous or other was expected here.");
     }
   } else {

@@ -6,7 +6,7 @@
 
 #include "bus/canopen.h"
 #include "model/field_text.h"
-#include "protocol/catalogue.h"
+#include "protocol/lists.h"
 #include "text/catalogue_text.h"
 
 namespace deckpipe {
@@ -15,8 +15,6 @@ namespace {
 struct MessageText {
   Q_DECLARE_TR_FUNCTIONS(MessageText)
 };
-
-constexpr std::uint8_t kPipeType = 0xFE;
 
 // linux/can/error.h: the identifier of an error frame is a set of these.
 struct ErrorClass {
@@ -38,7 +36,7 @@ constexpr ErrorClass kErrorClasses[] = {
 QString undecodedText(const Frame& frame, const Classified& what) {
   switch (what.family) {
     case Family::Ambiguous:
-      return frame.data[0] == kPipeType
+      return hasTypeOf(frame, MessageId::PipeData)
                  ? MessageText::tr(
                        "Ambiguous: a data pipe packet of an Akron device or another maker's "
                        "message. Nothing heard so far decides.")

@@ -10,12 +10,12 @@ namespace {
 PageAxis axisOf(const Device& d, std::size_t axis, const PositionReading& reading, const auto& limits,
                 bool areLimitsStale, Instant now) {
   PageAxis page;
-  page.isStale = d.isStale(Periodic::Position);
-  if (d.position.isKnown()) {
+  page.isStale = d.isStale(MessageId::PositionLimitStatus);
+  if (d.position().isKnown()) {
     page.reading = reading;
-    page.age = now - d.position.at;
-    page.plusStop = d.position.value().plusStop[axis];
-    page.minusStop = d.position.value().minusStop[axis];
+    page.age = now - d.position().at;
+    page.plusStop = d.position().value().plusStop[axis];
+    page.minusStop = d.position().value().minusStop[axis];
   }
   if (limits.isKnown()) page.limits = limits.value();
   page.areLimitsStale = areLimitsStale;
@@ -27,16 +27,17 @@ PageAxis axisOf(const Device& d, std::size_t axis, const PositionReading& readin
 PageDial dialOf(const State& state, const Device& d) {
   const Instant now = state.cursor().time;
   PageDial dial;
-  const PositionLimitStatus position = d.position.value();
-  dial.rotation = axisOf(d, 0, position.rotation, d.rotationLimits, d.isStale(Periodic::RotationLimits), now);
+  const PositionLimitStatus position = d.position().value();
+  dial.rotation =
+      axisOf(d, 0, position.rotation, d.rotationLimits(), d.isStale(MessageId::RotationSoftLimits), now);
   dial.elevation =
-      axisOf(d, 1, position.elevation, d.elevationLimits, d.isStale(Periodic::ElevationLimits), now);
+      axisOf(d, 1, position.elevation, d.elevationLimits(), d.isStale(MessageId::ElevationSoftLimits), now);
   const PageCommands commands = commandsTo(state, d);
   dial.rotation.command = commands.rotation;
   dial.elevation.command = commands.elevation;
-  if (d.outputs.isKnown() && !d.isStale(Periodic::Outputs)) {
-    dial.enable = d.outputs.value().enable;
-    dial.stowed = d.outputs.value().stowed;
+  if (d.outputs().isKnown() && !d.isStale(MessageId::DigitalOutputs)) {
+    dial.enable = d.outputs().value().enable;
+    dial.stowed = d.outputs().value().stowed;
   }
   return dial;
 }

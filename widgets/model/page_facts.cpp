@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "model/device_details.h"
+#include "model/page_sources.h"
 #include "protocol/gateway.h"
 #include "text/age_text.h"
 #include "text/catalogue_text.h"
@@ -53,10 +54,10 @@ QString heartbeatText(std::uint8_t state) {
 }  // namespace
 
 PageFactGroup faultsOf(const Device& d, Instant now) {
-  PageFactGroup group{QStringLiteral("faults"), Facts::tr("Faults"), {}};
-  const FaultStatus faults = d.faults.value();
+  PageFactGroup group{pageGroupKey(PageGroup::Faults), Facts::tr("Faults"), {}};
+  const FaultStatus faults = d.faults().value();
   const QStringList lines = faultLines(faults.map);
-  group.facts.push_back(answered(Facts::tr("Fault bits"), d.faults, now,
+  group.facts.push_back(answered(Facts::tr("Fault bits"), d.faults(), now,
                                  lines.isEmpty() ? Facts::tr("none set") : lines.join(QLatin1Char('\n')),
                                  lines.isEmpty() ? FactTone::Fine : FactTone::Fault));
   if (d.kind == Device::Kind::Node) {
@@ -67,48 +68,49 @@ PageFactGroup faultsOf(const Device& d, Instant now) {
     return group;
   }
   const QString label = Facts::tr("pCode error");
-  if (d.faults.isKnown() && !faults.pcodeError) {
+  if (d.faults().isKnown() && !faults.pcodeError) {
     group.facts.push_back(
         plain(label, Facts::tr("not in the short answer of older firmware"), FactTone::Stale));
   } else {
     const unsigned code = faults.pcodeError.value_or(0);
-    group.facts.push_back(answered(label, d.faults, now, code == 0 ? Facts::tr("none") : pcodeErrorText(code),
+    group.facts.push_back(answered(label, d.faults(), now,
+                                   code == 0 ? Facts::tr("none") : pcodeErrorText(code),
                                    code == 0 ? FactTone::Fine : FactTone::Fault));
   }
   return group;
 }
 
 PageFactGroup versionsOf(const Device& d, Instant now) {
-  PageFactGroup group{QStringLiteral("versions"), Facts::tr("Versions"), {}};
+  PageFactGroup group{pageGroupKey(PageGroup::Versions), Facts::tr("Versions"), {}};
   if (d.kind == Device::Kind::Node) {
     group.facts.push_back(
         answered(Facts::tr("Part number"), d.partNumber, now, partText(d.partNumber.value)));
     return group;
   }
-  const FirmwareVersions f = d.firmware.value();
+  const FirmwareVersions f = d.firmware().value();
   group.facts.push_back(
-      answered(Facts::tr("Firmware"), d.firmware, now,
+      answered(Facts::tr("Firmware"), d.firmware(), now,
                Facts::tr("system %1, bootloader %2, fixed boot %3")
                    .arg(versionText(f.system), versionText(f.bootloader), versionText(f.fixedBoot))));
-  const PcodeVersion p = d.pcode.value();
+  const PcodeVersion p = d.pcode().value();
   group.facts.push_back(
-      answered(Facts::tr("pCode"), d.pcode, now,
+      answered(Facts::tr("pCode"), d.pcode(), now,
                Facts::tr("version %1\nstyle %2\nsubtype %3")
                    .arg(versionText(p.version), styleText(p.style), subtypeText(p.subtype))));
-  const ConfigVersion c = d.config.value();
+  const ConfigVersion c = d.config().value();
   group.facts.push_back(
-      answered(Facts::tr("Configuration"), d.config, now,
+      answered(Facts::tr("Configuration"), d.config(), now,
                Facts::tr("version %1\npart %2").arg(versionText(c.version), partText(c.type))));
   return group;
 }
 
 PageFactGroup nodeOf(const Device& d, Instant now) {
-  PageFactGroup group{QStringLiteral("node"), Facts::tr("CANopen node"), {}};
-  PageFact state = answered(Facts::tr("NMT state"), d.heartbeat, now, heartbeatText(d.heartbeat.value));
-  const bool isOperational = d.heartbeat.value == static_cast<std::uint8_t>(HeartbeatState::Operational);
-  if (!d.heartbeat.isKnown()) {
+  PageFactGroup group{pageGroupKey(PageGroup::Node), Facts::tr("CANopen node"), {}};
+  PageFact state = answered(Facts::tr("NMT state"), d.heartbeat(), now, heartbeatText(d.heartbeat().value()));
+  const bool isOperational = d.heartbeat().value() == gateway::kOperational;
+  if (!d.heartbeat().isKnown()) {
     state.value = Facts::tr("no heartbeat heard");
-  } else if (d.isStale(Periodic::Heartbeat)) {
+  } else if (d.isStale(MessageId::Heartbeat)) {
     state.value = Facts::tr("%1, overdue").arg(state.value);
     state.tone = FactTone::Stale;
   } else {
@@ -121,7 +123,7 @@ PageFactGroup nodeOf(const Device& d, Instant now) {
 }
 
 PageFactGroup joystickOf(const Joystick& stick, Instant now) {
-  PageFactGroup group{QStringLiteral("joystick"), Facts::tr("Joystick messages"), {}};
+  PageFactGroup group{pageGroupKey(PageGroup::Joystick), Facts::tr("Joystick messages"), {}};
   auto& facts = group.facts;
   facts.push_back(plain(Facts::tr("Source"), addressText(stick.source)));
   facts.push_back(stick.priority()
@@ -147,7 +149,7 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
 }
 
 PageFactGroup addressOf(const State& state, Channel channelId, Address address, const Device* device) {
-  PageFactGroup group{QStringLiteral("address"), Facts::tr("Address and NAME"), {}};
+  PageFactGroup group{pageGroupKey(PageGroup::Address), Facts::tr("Address and NAME"), {}};
   auto& facts = group.facts;
   const bool isLost = address == kNullAddress;
   facts.push_back(plain(Facts::tr("Address"),

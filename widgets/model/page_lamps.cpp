@@ -2,7 +2,9 @@
 #include "model/page_lamps.h"
 
 #include <QCoreApplication>
+#include <utility>
 
+#include "model/page_sources.h"
 #include "text/axis_text.h"
 #include "text/device_text.h"
 #include "text/joystick_text.h"
@@ -22,12 +24,12 @@ std::optional<Duration> ageAt(Instant at, Instant now) {
 // A group from one message whose flags are plain bits.
 class FlagGroup {
  public:
-  FlagGroup(const QString& key, const QString& title, Instant at, bool isStale, Instant now) {
-    m_group.key = key;
+  FlagGroup(PageGroup group, const QString& title, const Device& d, MessageId message, Instant now) {
+    m_group.key = pageGroupKey(group);
     m_group.title = title;
-    m_group.age = ageAt(at, now);
-    m_group.isStale = isStale;
-    m_isKnown = at != kNotYet;
+    m_group.age = ageAt(d.report(message).at, now);
+    m_group.isStale = d.isStale(message);
+    m_isKnown = d.report(message).isKnown();
   }
   FlagGroup& add(const QString& label, bool isOn, LampTone whenOn = LampTone::Plain,
                  const QString& spoken = {}) {
@@ -47,26 +49,27 @@ class FlagGroup {
   bool m_isKnown = false;
 };
 
-PageLampGroup statusOf(const Device& d, Instant now) {
+std::optional<PageLampGroup> statusOf(const Device& d, Instant now) {
+  if (!isMonitor(d)) return {};
   PageLampGroup group;
-  group.key = QStringLiteral("status");
+  group.key = pageGroupKey(PageGroup::Status);
   group.title = Lamps::tr("Status");
-  group.age = ageAt(d.position.at, now);
-  group.isStale = d.isStale(Periodic::Position);
+  group.age = ageAt(d.position().at, now);
+  group.isStale = d.isStale(MessageId::PositionLimitStatus);
   std::optional<Status2> error, calibrated;
-  if (d.position.isKnown()) {
-    error = d.position.value().operationalError;
-    calibrated = d.position.value().calibrated;
+  if (d.position().isKnown()) {
+    error = d.position().value().operationalError;
+    calibrated = d.position().value().calibrated;
   }
   group.lamps = {{Lamps::tr("Operational error"), {}, error, LampTone::Stop},
                  {Lamps::tr("Calibrated"), {}, calibrated, LampTone::Fine}};
   return group;
 }
 
-PageLampGroup outputsOf(const Device& d, Instant now) {
-  const DigitalOutputs o = d.outputs.value();
-  FlagGroup group(QStringLiteral("outputs"), Lamps::tr("Outputs"), d.outputs.at, d.isStale(Periodic::Outputs),
-                  now);
+std::optional<PageLampGroup> outputsOf(const Device& d, Instant now) {
+  if (!isMonitor(d)) return {};
+  const DigitalOutputs o = d.outputs().value();
+  FlagGroup group(PageGroup::Outputs, Lamps::tr("Outputs"), d, MessageId::DigitalOutputs, now);
   group.add(Lamps::tr("Enabled"), o.enable, LampTone::Fine, Lamps::tr("Enabled: motion allowed"))
       .add(Lamps::tr("Active (not stowed)"), o.active)
       .add(Lamps::tr("Stowed"), o.stowed)
@@ -83,14 +86,14 @@ PageLampGroup outputsOf(const Device& d, Instant now) {
       .add(Lamps::tr("Point-aim LED"), o.pointAimLed)
       .add(Lamps::tr("Wireless LED"), o.wirelessLed, LampTone::Plain, Lamps::tr("Wireless hand-held LED"));
   // What its numbers mean is nowhere given.
-  if (d.outputs.isKnown()) group.remark(Lamps::tr("electric riser command %1").arg(o.riserCommand));
+  if (d.outputs().isKnown()) group.remark(Lamps::tr("electric riser command %1").arg(o.riserCommand));
   return group.group();
 }
 
-PageLampGroup riserOf(const Device& d, Instant now) {
-  const MiniOutputs o = d.miniOutputs.value();
-  return FlagGroup(QStringLiteral("riser"), Lamps::tr("Riser"), d.miniOutputs.at,
-                   d.isStale(Periodic::MiniOutputs), now)
+std::optional<PageLampGroup> riserOf(const Device& d, Instant now) {
+  if (!d.miniOutputs().isKnown() && typeOf(d).pinDigits() != 1033u) return {};
+  const MiniOutputs o = d.miniOutputs().value();
+  return FlagGroup(PageGroup::Riser, Lamps::tr("Riser"), d, MessageId::MiniDigitalOutputs, now)
       .add(Lamps::tr("Riser extended"), o.riserExtended)
       .add(Lamps::tr("Riser retracted"), o.riserRetracted)
       .add(Lamps::tr("Device active"), o.deviceActive, LampTone::Fine)
@@ -98,62 +101,80 @@ PageLampGroup riserOf(const Device& d, Instant now) {
       .group();
 }
 
-PageLampGroup inputsOf(const Device& d, Instant now) {
-  const DigitalInputs i = d.inputs.value();
-  return FlagGroup(QStringLiteral("inputs"), Lamps::tr("Inputs"), d.inputs.at, d.isStale(Periodic::Inputs),
-                   now)
+std::optional<PageLampGroup> inputsOf(const Device& d, Instant now) {
+  if (!d.inputs().isKnown()) return {};
+  const DigitalInputs i = d.inputs().value();
+  return FlagGroup(PageGroup::Inputs, Lamps::tr("Inputs"), d, MessageId::DigitalInputs, now)
       .add(Lamps::tr("Allowed in collision zone"), i.allowedInCollisionZone)
       .add(Lamps::tr("Deploy"), i.deploy)
       .add(Lamps::tr("Stow"), i.stow)
       .group();
 }
 
-PageLampGroup permissiveOf(const Device& d, Instant now) {
-  const Permissive p = d.permissive.value();
-  FlagGroup group(QStringLiteral("permissive"), Lamps::tr("Permissive"), d.permissive.at,
-                  d.isStale(Periodic::Permissive), now);
+std::optional<PageLampGroup> permissiveOf(const Device& d, Instant now) {
+  const bool isRequired = d.outputs().isKnown() && d.outputs().value().soeMode;
+  if (!d.permissive().isKnown() && !isRequired) return {};
+  const Permissive p = d.permissive().value();
+  FlagGroup group(PageGroup::Permissive, Lamps::tr("Permissive"), d, MessageId::SoePermissive, now);
   group.add(Lamps::tr("Left"), p.axis1Minus, LampTone::Fine, Lamps::tr("May rotate left"))
       .add(Lamps::tr("Right"), p.axis1Plus, LampTone::Fine, Lamps::tr("May rotate right"))
       .add(Lamps::tr("Down"), p.axis2Minus, LampTone::Fine, Lamps::tr("May elevate down"))
       .add(Lamps::tr("Up"), p.axis2Plus, LampTone::Fine, Lamps::tr("May elevate up"));
-  if (!d.permissive.isKnown()) return group.remark(Lamps::tr("required, none heard")).group();
+  if (!d.permissive().isKnown()) return group.remark(Lamps::tr("required, none heard")).group();
   const QString sender = addressText(d.permissiveFrom);
   return group
-      .remark(d.isStale(Periodic::Permissive) ? Lamps::tr("timed out, last from %1").arg(sender)
-                                              : Lamps::tr("from %1").arg(sender))
+      .remark(d.isStale(MessageId::SoePermissive) ? Lamps::tr("timed out, last from %1").arg(sender)
+                                                  : Lamps::tr("from %1").arg(sender))
       .group();
 }
+
+// Draws a group of a device's lamps; nothing where the device has no such group.
+using Drawing = std::optional<PageLampGroup> (*)(const Device&, Instant);
+constexpr EnumTable<PageGroup, Drawing> kDrawings{{
+    {PageGroup::Dial, nullptr},   // page_dial.h
+    {PageGroup::Stops, nullptr},  // stopsOf()
+    {PageGroup::Status, statusOf},
+    {PageGroup::Outputs, outputsOf},
+    {PageGroup::Riser, riserOf},
+    {PageGroup::Inputs, inputsOf},
+    {PageGroup::Permissive, permissiveOf},
+    {PageGroup::Switches, nullptr},  // switchesOf(), as are the next two
+    {PageGroup::Detents, nullptr},
+    {PageGroup::Grip, nullptr},
+    {PageGroup::Joystick, nullptr},  // page_facts.h, as are the rest
+    {PageGroup::Faults, nullptr},
+    {PageGroup::Versions, nullptr},
+    {PageGroup::Node, nullptr},
+    {PageGroup::Address, nullptr},
+}};
 
 }  // namespace
 
 PageStops stopsOf(const Device& d, Instant now) {
   PageStops stops;
   if (!isMonitor(d)) return stops;
-  stops.age = ageAt(d.position.at, now);
-  stops.isStale = d.isStale(Periodic::Position);
+  stops.age = ageAt(d.position().at, now);
+  stops.isStale = d.isStale(MessageId::PositionLimitStatus);
   const std::optional<unsigned> type = typeOf(d).pinDigits();
   for (int axis = 1; axis <= kAxes; ++axis) {
     const AxisText text = axisText(type, axis);
     const auto lamp = [&](const QString& side, const std::array<Status2, 5>& states) {
       std::optional<Status2> state;
-      if (d.position.isKnown()) state = states[static_cast<std::size_t>(axis - 1)];
+      if (d.position().isKnown()) state = states[static_cast<std::size_t>(axis - 1)];
       return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), state, LampTone::Stop};
     };
-    stops.axes.push_back({text.name, text.remark, lamp(text.minus, d.position.value().minusStop),
-                          lamp(text.plus, d.position.value().plusStop)});
+    stops.axes.push_back({text.name, text.remark, lamp(text.minus, d.position().value().minusStop),
+                          lamp(text.plus, d.position().value().plusStop)});
   }
   return stops;
 }
 
 std::vector<PageLampGroup> lampsOf(const Device& d, Instant now) {
   std::vector<PageLampGroup> groups;
-  const bool monitor = isMonitor(d);
-  if (monitor) groups.push_back(statusOf(d, now));
-  if (monitor) groups.push_back(outputsOf(d, now));
-  if (d.miniOutputs.isKnown() || typeOf(d).pinDigits() == 1033u) groups.push_back(riserOf(d, now));
-  if (d.inputs.isKnown()) groups.push_back(inputsOf(d, now));
-  const bool isRequired = d.outputs.isKnown() && d.outputs.value().soeMode;
-  if (d.permissive.isKnown() || isRequired) groups.push_back(permissiveOf(d, now));
+  for (const auto draw : kDrawings) {
+    if (draw == nullptr) continue;
+    if (auto group = draw(d, now)) groups.push_back(std::move(*group));
+  }
   return groups;
 }
 
@@ -161,8 +182,8 @@ std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now) {
   std::vector<PageLampGroup> groups;
   const BasicJoystick basic = stick.basic.value();
   const ExtendedJoystick extended = stick.extended.value();
-  PageLampGroup switches{QStringLiteral("switches"), Lamps::tr("Switches"), {},
-                         ageAt(stick.basic.at, now), stick.timedOut,        {}};
+  PageLampGroup switches{pageGroupKey(PageGroup::Switches), Lamps::tr("Switches"), {},
+                         ageAt(stick.basic.at, now),        stick.timedOut,        {}};
   const auto known = [](bool isKnown, Status2 status) {
     return isKnown ? std::optional(status) : std::nullopt;
   };
@@ -178,14 +199,14 @@ std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now) {
   groups.push_back(switches);
 
   PageLampGroup detents{
-      QStringLiteral("detents"), Lamps::tr("Detents"), {}, switches.age, switches.isStale, {}};
+      pageGroupKey(PageGroup::Detents), Lamps::tr("Detents"), {}, switches.age, switches.isStale, {}};
   detents.lamps = {{Lamps::tr("X detent"), {}, known(stick.basic.isKnown(), basic.x.detent)},
                    {Lamps::tr("Y detent"), {}, known(stick.basic.isKnown(), basic.y.detent)}};
   groups.push_back(detents);
   if (!stick.extended.isKnown()) return groups;
 
   const bool isOld = stick.timedOut || now - stick.extended.at >= kInputTimeout;
-  PageLampGroup grip{QStringLiteral("grip"),
+  PageLampGroup grip{pageGroupKey(PageGroup::Grip),
                      Lamps::tr("Grip detents and switches"),
                      {},
                      ageAt(stick.extended.at, now),

@@ -2,45 +2,24 @@
 #include "model/page_sources.h"
 
 #include <QStringList>
-#include <initializer_list>
+#include <algorithm>
 
+#include "protocol/catalogue.h"
 #include "text/source_text.h"
 
 namespace deckpipe {
-namespace {
 
-struct GroupSource {
-  const char* key;
-  std::initializer_list<MessageId> messages;
-};
-
-const GroupSource kSources[] = {
-    {"dial",
-     {MessageId::PositionLimitStatus, MessageId::RotationSoftLimits, MessageId::ElevationSoftLimits,
-      MessageId::DigitalOutputs, MessageId::BasicJoystick}},
-    {"stops", {MessageId::PositionLimitStatus}},
-    {"status", {MessageId::PositionLimitStatus}},
-    {"outputs", {MessageId::DigitalOutputs}},
-    {"riser", {MessageId::MiniDigitalOutputs}},
-    {"inputs", {MessageId::DigitalInputs}},
-    {"permissive", {MessageId::SoePermissive}},
-    {"switches", {MessageId::BasicJoystick}},
-    {"detents", {MessageId::BasicJoystick}},
-    {"grip", {MessageId::ExtendedJoystick}},
-    {"joystick", {MessageId::BasicJoystick, MessageId::ExtendedJoystick}},
-    {"faults", {MessageId::FaultResponse}},
-    {"versions", {MessageId::FirmwareResponse, MessageId::PcodeResponse, MessageId::ConfigResponse}},
-    {"node", {MessageId::Heartbeat, MessageId::SdoReadResponse}},
-    {"address", {MessageId::Name, MessageId::AddressAnnouncement}},
-};
-
-}  // namespace
+QString pageGroupKey(PageGroup group) {
+  const std::string_view key = kPageGroupKeys[group];
+  return QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size()));
+}
 
 QString pageSourceText(const QString& groupKey) {
+  const auto group = std::ranges::find(kAllOf<PageGroup>, groupKey, pageGroupKey);
+  if (group == kAllOf<PageGroup>.end()) return {};
   QStringList lines;
-  for (const GroupSource& source : kSources) {
-    if (groupKey != QLatin1String(source.key)) continue;
-    for (const MessageId id : source.messages) lines.append(sourceText(id));
+  for (const Message& message : kCatalogue) {
+    if (message.page.has(*group)) lines.append(sourceText(message.id));
   }
   return lines.join(QLatin1Char('\n'));
 }

@@ -84,6 +84,8 @@ constexpr Rule kRules[] = {
     {"abort_text", Say::ValueOnly},
 };
 
+static_assert(std::ranges::all_of(kRules, isFieldKey, &Rule::key), "a rule for a field that there is not");
+
 const Rule* ruleOf(std::string_view key) {
   const auto* found =
       std::find_if(std::begin(kRules), std::end(kRules), [key](const Rule& rule) { return rule.key == key; });

@@ -100,10 +100,9 @@ bool matchesTitle(const FilterTitles& titles, const FilterFrame& at) {
   if (at.frame.isError()) return titles.error;
   if (at.frame.isRemote()) return titles.remote;
   if (at.what.message != MessageId::Count) {
-    const auto i = static_cast<std::size_t>(at.what.message);
-    return at.what.malformed ? titles.malformed[i] : titles.messages[i];
+    return (at.what.malformed ? titles.malformed : titles.messages).has(at.what.message);
   }
-  return titles.families[static_cast<std::size_t>(at.what.family)];
+  return titles.families.has(at.what.family);
 }
 
 std::optional<double> realOf(const Value& value) {
@@ -136,7 +135,7 @@ bool matchesValue(const FilterNode& node, const Value& value) {
 }
 
 bool matchesField(const FilterNode& node, const FilterFrame& at) {
-  if (!at.what.isDecoded() || !node.messages[static_cast<std::size_t>(at.what.message)]) return false;
+  if (!at.what.isDecoded() || !node.messages.has(at.what.message)) return false;
   for (const Field& field : messageOf(at.what.message).fields) {
     if (field.key != node.field || field.kind == Kind::Reserved || !isPresent(field, at.frame)) continue;
     return matchesValue(node, valueOf(field, at.frame));
@@ -176,7 +175,7 @@ bool matchesKey(const FilterNode& node, const FilterFrame& at) {
     }
     case FilterKey::ChannelName: return node.channels[at.frame.channel];
     case FilterKey::Name: return matchesTitle(node.titles, at);
-    case FilterKey::Family: return node.titles.families[static_cast<std::size_t>(at.what.family)];
+    case FilterKey::Family: return node.titles.families.has(at.what.family);
     case FilterKey::Error: return at.frame.isError();
     case FilterKey::Remote: return at.frame.isRemote();
     case FilterKey::Malformed: return at.what.malformed;

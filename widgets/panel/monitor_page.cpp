@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "model/page_sources.h"
 #include "paint/dial.h"
@@ -24,9 +25,9 @@ namespace {
 
 // Lamps that say why a monitor moves or does not stand beside its dial, a joystick's beside its stick.
 bool standsBeside(const PageLampGroup& group) {
-  return group.key == QLatin1String("status") || group.key == QLatin1String("permissive") ||
-         group.key == QLatin1String("switches") || group.key == QLatin1String("detents") ||
-         group.key == QLatin1String("grip");
+  constexpr PageGroup kBeside[] = {PageGroup::Status, PageGroup::Permissive, PageGroup::Switches,
+                                   PageGroup::Detents, PageGroup::Grip};
+  return std::ranges::find(kBeside, group.key, pageGroupKey) != std::end(kBeside);
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_scroll->installEventFilter(this);
   m_dial->installEventFilter(this);
   m_dial->setToolTip(tr("Double click or F11: large dial") + QStringLiteral("\n\n") +
-                     pageSourceText(QStringLiteral("dial")));
+                     pageSourceText(pageGroupKey(PageGroup::Dial)));
   connect(m_header, &PageHeader::fullRequested, this, &MonitorPage::toggleFull);
   connect(m_header, &PageHeader::traceRequested, this, &MonitorPage::traceRequested);
 
@@ -123,7 +124,7 @@ void MonitorPage::explain() {
   if (m_explained == m_values.key) return;
   m_explained = m_values.key;
   QStringList keys;
-  if (m_values.dial) keys += QStringLiteral("dial");
+  if (m_values.dial) keys += pageGroupKey(PageGroup::Dial);
   for (const PageLampGroup& group : m_values.lamps) keys += group.key;
   for (const PageFactGroup& group : m_values.facts) keys += group.key;
   QStringList lines;

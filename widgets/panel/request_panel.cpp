@@ -34,23 +34,20 @@ constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
 constexpr int kHistoryHeight = 120;  // two or three answers
 
 // What a command does, for the one question before it. The manual's words, no more.
-QString consequence(Ask ask) {
-  switch (ask) {
-    case Ask::ZeroAxes:
-      return RequestPanel::tr(
-          "Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
-          "angles refer to the new zero.");
-    case Ask::Reset:
-      return RequestPanel::tr(
-          "The controller restarts (message 45): it falls silent, claims an address anew and "
-          "announces itself. It does not acknowledge.");
-    case Ask::SetupMode:
-      return RequestPanel::tr(
-          "The controller enters setup mode (message 46), as on power-up with the stream input "
-          "active. Only a restart leaves it.");
-    default: return {};
-  }
-}
+constexpr KeyTable<kCommands, const char*> kConsequences{{
+    {Ask::ZeroAxes,
+     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
+                       "Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
+                       "angles refer to the new zero.")},
+    {Ask::Reset,
+     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
+                       "The controller restarts (message 45): it falls silent, claims an address anew and "
+                       "announces itself. It does not acknowledge.")},
+    {Ask::SetupMode,
+     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
+                       "The controller enters setup mode (message 46), as on power-up with the stream input "
+                       "active. Only a restart leaves it.")},
+}};
 
 QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) {
   auto* button = new QPushButton(text, parent);
@@ -154,11 +151,10 @@ QWidget* RequestPanel::makeAsks() {
   m_none->setAlignment(Qt::AlignCenter);
   m_none->setMargin(16);
   column->addWidget(m_none);
-  for (std::size_t i = 0; i < kAsks; ++i) {
-    const Ask ask = static_cast<Ask>(i);
-    m_cards[i] = new AskCard(ask, content);
-    column->addWidget(m_cards[i]);
-    connect(m_cards[i], &AskCard::pressed, this, [this, ask] { press(ask); });
+  for (const Ask ask : kAllOf<Ask>) {
+    m_cards[ask] = new AskCard(ask, content);
+    column->addWidget(m_cards[ask]);
+    connect(m_cards[ask], &AskCard::pressed, this, [this, ask] { press(ask); });
   }
   column->addStretch(1);
   connect(m_askAll, &QPushButton::clicked, this, [this] {
@@ -330,7 +326,8 @@ void RequestPanel::press(Ask ask) {
     Q_EMIT wished(wanted);
     return;
   }
-  DangerDialog::ask(this, {tr("%1: %2?").arg(askText(ask), m_name), consequence(ask), askText(ask)},
+  DangerDialog::ask(this,
+                    {tr("%1: %2?").arg(askText(ask), m_name), tr(*kConsequences.find(ask)), askText(ask)},
                     [this, wanted] { Q_EMIT wished(wanted); });
 }
 

@@ -70,7 +70,7 @@ class RequestPanel : public QWidget {
   QPushButton* m_askEveryone = nullptr;
   QPushButton* m_cancel = nullptr;
   QComboBox* m_repeat = nullptr;
-  std::array<AskCard*, kAsks> m_cards{};
+  EnumArray<Ask, AskCard*> m_cards;
   QLabel* m_none = nullptr;
   AnswerHistory* m_history;
   QTreeView* m_historyView = nullptr;

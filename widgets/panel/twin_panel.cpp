@@ -33,43 +33,58 @@ constexpr Group kGroups[] = {
     {QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Data pipe"), TwinFault::AcksLost},
 };
 
-// In the order of TwinFault.
 struct FaultText {
   const char* name;
   const char* text;
   int first = 0, second = 0;  // numbers in it
 };
 constexpr int milliseconds(Duration d) { return static_cast<int>(d / 1ms); }
-constexpr FaultText kFaults[] = {
-    {"silent", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sends nothing")},
-    {"addressTaken", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Another controller takes its address")},
-    {"returnsElsewhere", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Comes back at another address")},
-    {"enableOff", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Not enabled: nothing moves")},
-    {"rotationSensorError", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Rotation sensor error")},
-    {"notFitted", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No position feedback")},
-    {"resetNever", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Does not come back from a reset")},
-    {"internalFuse", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Internal fuse")},
-    {"motorAxis1", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Motor of axis 1, which stands still")},
-    {"olderFaults", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Bits 17–20 and 22, of older manuals")},
-    {"olderFirmware", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "5 bytes, as older firmware answers")},
-    {"answersLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "%1 of %2 lost"), TwinNumbers::kAnswersLost,
-     TwinNumbers::kAnswersOf},
-    {"answersLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "%1 ms late"),
-     milliseconds(TwinNumbers::kAnswersLate)},
-    {"answersTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sent twice")},
-    {"answersWrongLength", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "A byte short")},
-    {"answersWrongSource", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "From the next address")},
-    {"acksLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "1 of %1 acknowledgements lost"),
-     TwinNumbers::kPipeLostOneOf},
-    {"acksLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements %1 ms late"),
-     milliseconds(TwinNumbers::kAcksLate)},
-    {"acksTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements sent twice")},
-    {"packetsLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "1 of %1 packets of its own lost"),
-     TwinNumbers::kPipeLostOneOf},
-    {"vanishesInTransfer", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No power after %1 packets, for %2 s"),
-     TwinNumbers::kVanishesAfter, milliseconds(TwinNumbers::kVanishesFor) / 1000},
-};
-static_assert(std::size(kFaults) == kTwinFaults);
+constexpr EnumTable<TwinFault, FaultText> kFaults{{
+    {TwinFault::Silent, {"silent", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sends nothing")}},
+    {TwinFault::AddressTaken,
+     {"addressTaken", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Another controller takes its address")}},
+    {TwinFault::ReturnsElsewhere,
+     {"returnsElsewhere", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Comes back at another address")}},
+    {TwinFault::EnableOff,
+     {"enableOff", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Not enabled: nothing moves")}},
+    {TwinFault::RotationSensorError,
+     {"rotationSensorError", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Rotation sensor error")}},
+    {TwinFault::NotFitted, {"notFitted", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No position feedback")}},
+    {TwinFault::ResetNever,
+     {"resetNever", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Does not come back from a reset")}},
+    {TwinFault::InternalFuse, {"internalFuse", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Internal fuse")}},
+    {TwinFault::MotorAxis1,
+     {"motorAxis1", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Motor of axis 1, which stands still")}},
+    {TwinFault::OlderFaults,
+     {"olderFaults", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Bits 17–20 and 22, of older manuals")}},
+    {TwinFault::OlderFirmware,
+     {"olderFirmware", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "5 bytes, as older firmware answers")}},
+    {TwinFault::AnswersLost,
+     {"answersLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "%1 of %2 lost"), TwinNumbers::kAnswersLost,
+      TwinNumbers::kAnswersOf}},
+    {TwinFault::AnswersLate,
+     {"answersLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "%1 ms late"),
+      milliseconds(TwinNumbers::kAnswersLate)}},
+    {TwinFault::AnswersTwice, {"answersTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Sent twice")}},
+    {TwinFault::AnswersWrongLength,
+     {"answersWrongLength", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "A byte short")}},
+    {TwinFault::AnswersWrongSource,
+     {"answersWrongSource", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "From the next address")}},
+    {TwinFault::AcksLost,
+     {"acksLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "1 of %1 acknowledgements lost"),
+      TwinNumbers::kPipeLostOneOf}},
+    {TwinFault::AcksLate,
+     {"acksLate", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements %1 ms late"),
+      milliseconds(TwinNumbers::kAcksLate)}},
+    {TwinFault::AcksTwice,
+     {"acksTwice", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "Acknowledgements sent twice")}},
+    {TwinFault::PacketsLost,
+     {"packetsLost", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "1 of %1 packets of its own lost"),
+      TwinNumbers::kPipeLostOneOf}},
+    {TwinFault::VanishesInTransfer,
+     {"vanishesInTransfer", QT_TRANSLATE_NOOP("deckpipe::TwinPanel", "No power after %1 packets, for %2 s"),
+      TwinNumbers::kVanishesAfter, milliseconds(TwinNumbers::kVanishesFor) / 1000}},
+}};
 
 }  // namespace
 
@@ -150,8 +165,7 @@ QWidget* TwinPanel::makeFaults() {
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(0);
   QString group;
-  for (std::size_t i = 0; i < kTwinFaults; ++i) {
-    const auto fault = static_cast<TwinFault>(i);
+  for (const TwinFault fault : kAllOf<TwinFault>) {
     for (const Group& g : kGroups) {
       if (g.first != fault) continue;
       group = tr(g.title);
@@ -159,18 +173,18 @@ QWidget* TwinPanel::makeFaults() {
       QFont bold = title->font();
       bold.setWeight(QFont::DemiBold);
       title->setFont(bold);
-      title->setContentsMargins(0, i == 0 ? 0 : 12, 0, 4);
+      title->setContentsMargins(0, fault == TwinFault{} ? 0 : 12, 0, 4);
       layout->addWidget(title);
     }
     auto* box = new TickBox(faultText(fault), list);
-    box->setObjectName(QStringLiteral("twinFault_") + QLatin1String(kFaults[i].name));
+    box->setObjectName(QStringLiteral("twinFault_") + QLatin1String(kFaults[fault].name));
     box->setAccessibleName(tr("%1: %2").arg(group, box->text()));
     connect(box, &TickBox::clicked, this, [this, fault](bool on) {
       wish(TwinSwitch{fault, on});
       showDevice();
     });
     layout->addWidget(box);
-    m_faults[i] = box;
+    m_faults[fault] = box;
   }
   layout->addStretch(1);
   m_scroll = new QScrollArea(this);
@@ -189,7 +203,7 @@ QWidget* TwinPanel::makeFaults() {
 }
 
 QString TwinPanel::faultText(TwinFault fault) {
-  const FaultText& text = kFaults[static_cast<std::size_t>(fault)];
+  const FaultText& text = kFaults[fault];
   if (text.first == 0) return tr(text.text);
   const QString withFirst = tr(text.text).arg(text.first);
   return text.second == 0 ? withFirst : withFirst.arg(text.second);
@@ -236,10 +250,9 @@ void TwinPanel::showDevice() {
   m_powerOn->setEnabled(!d->isPowered);
   m_reset->setEnabled(d->isPowered);
   m_allWell->setEnabled(!d->faults.isNone());
-  for (std::size_t i = 0; i < kTwinFaults; ++i) {
-    const auto fault = static_cast<TwinFault>(i);
-    m_faults[i]->setChecked(d->faults.has(fault));
-    m_faults[i]->setVisible(d->possible.has(fault));
+  for (const TwinFault fault : kAllOf<TwinFault>) {
+    m_faults[fault]->setChecked(d->faults.has(fault));
+    m_faults[fault]->setVisible(d->possible.has(fault));
   }
 }
 

@@ -63,7 +63,7 @@ class TwinPanel : public QWidget {
   QPushButton* m_reset = nullptr;
   QPushButton* m_allWell = nullptr;
   QScrollArea* m_scroll = nullptr;
-  std::array<TickBox*, kTwinFaults> m_faults{};
+  EnumArray<TwinFault, TickBox*> m_faults;
 };
 
 }  // namespace deckpipe

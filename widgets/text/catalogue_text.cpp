@@ -20,7 +20,7 @@ QString translated(const char* context, std::span<const char* const> texts, std:
 
 }  // namespace
 
-QString messageName(MessageId id) { return translated("Message", messageNameTexts(), messageOf(id).name); }
+QString messageName(MessageId id) { return QCoreApplication::translate("Message", messageNameText(id)); }
 
 QString fieldName(const Field& field) { return translated("Field", fieldNameTexts(), field.name); }
 

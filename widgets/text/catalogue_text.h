@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The catalogue's names and words in the person's language. Core says keys and English names and knows no
-// translation; here every one of them stands once more where lupdate finds it. A test compares the two, so
-// that no name can be added or changed in the catalogue without its text.
+// translation; in catalogue_words.cpp every one of them stands once more where lupdate finds it. The compiler
+// compares the two, so that no name can be added or changed in the catalogue without its text.
 #pragma once
 
 #include <QString>
@@ -22,12 +22,12 @@ QString wordText(std::string_view key);
 // CiA 301's reason for an abort code; "code 0504FFFF" for one that has none.
 QString abortText(std::uint32_t code);
 
-// For the test.
+// The texts themselves, not translated.
 struct WordText {
   std::string_view key;
   const char* text;
 };
-std::span<const char* const> messageNameTexts();
+const char* messageNameText(MessageId id);
 std::span<const char* const> fieldNameTexts();
 std::span<const char* const> abortTexts();
 std::span<const WordText> wordTexts();

@@ -1,75 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lists alone; the catalogue's own order, so that they are compared at a glance.
+// The catalogue's names and words once more, where lupdate finds them. The compiler compares the two.
 #include <QCoreApplication>
+#include <algorithm>
 
+#include "protocol/decode.h"
 #include "text/catalogue_text.h"
 
 namespace deckpipe {
 namespace {
 
-constexpr const char* kMessageNames[] = {
-    QT_TRANSLATE_NOOP("Message", "Request for a PGN"),
-    QT_TRANSLATE_NOOP("Message", "NAME, address claimed"),
-    QT_TRANSLATE_NOOP("Message", "Basic joystick"),
-    QT_TRANSLATE_NOOP("Message", "Extended joystick"),
-    QT_TRANSLATE_NOOP("Message", "Address announcement"),
-    QT_TRANSLATE_NOOP("Message", "Diagnostic data"),
-    QT_TRANSLATE_NOOP("Message", "Position / limit status"),
-    QT_TRANSLATE_NOOP("Message", "Rotation soft limits"),
-    QT_TRANSLATE_NOOP("Message", "Elevation soft limits"),
-    QT_TRANSLATE_NOOP("Message", "Digital outputs"),
-    QT_TRANSLATE_NOOP("Message", "Digital outputs (6033)"),
-    QT_TRANSLATE_NOOP("Message", "Digital inputs (6039)"),
-    QT_TRANSLATE_NOOP("Message", "SOE permissive"),
-    QT_TRANSLATE_NOOP("Message", "Fault status poll"),
-    QT_TRANSLATE_NOOP("Message", "Fault status"),
-    QT_TRANSLATE_NOOP("Message", "Firmware version poll"),
-    QT_TRANSLATE_NOOP("Message", "Firmware version"),
-    QT_TRANSLATE_NOOP("Message", "pCode version poll"),
-    QT_TRANSLATE_NOOP("Message", "pCode version"),
-    QT_TRANSLATE_NOOP("Message", "Config version poll"),
-    QT_TRANSLATE_NOOP("Message", "Config version"),
-    QT_TRANSLATE_NOOP("Message", "Vista poll"),
-    QT_TRANSLATE_NOOP("Message", "Vista status"),
-    QT_TRANSLATE_NOOP("Message", "Vista position"),
-    QT_TRANSLATE_NOOP("Message", "Zero axes request"),
-    QT_TRANSLATE_NOOP("Message", "Zero axes acknowledgement"),
-    QT_TRANSLATE_NOOP("Message", "Reset controller"),
-    QT_TRANSLATE_NOOP("Message", "Setup mode request"),
-    QT_TRANSLATE_NOOP("Message", "Setup mode acknowledgement"),
-    QT_TRANSLATE_NOOP("Message", "Data pipe"),
-    QT_TRANSLATE_NOOP("Message", "Data pipe acknowledgement"),
-    QT_TRANSLATE_NOOP("Message", "NMT command"),
-    QT_TRANSLATE_NOOP("Message", "Heartbeat"),
-    QT_TRANSLATE_NOOP("Message", "SDO read request"),
-    QT_TRANSLATE_NOOP("Message", "SDO read response"),
-    QT_TRANSLATE_NOOP("Message", "SDO write request"),
-    QT_TRANSLATE_NOOP("Message", "SDO write response"),
-    QT_TRANSLATE_NOOP("Message", "SDO abort"),
-    QT_TRANSLATE_NOOP("Message", "SDO, other transfer"),
-    QT_TRANSLATE_NOOP("Message", "Joystick command to a monitor"),
-    QT_TRANSLATE_NOOP("Message", "Drive: no operation"),
-    QT_TRANSLATE_NOOP("Message", "Drive: set parameter"),
-    QT_TRANSLATE_NOOP("Message", "Drive: get parameter"),
-    QT_TRANSLATE_NOOP("Message", "Drive: set register"),
-    QT_TRANSLATE_NOOP("Message", "Drive: get register"),
-    QT_TRANSLATE_NOOP("Message", "Drive: trajectory"),
-    QT_TRANSLATE_NOOP("Message", "Drive: start move"),
-    QT_TRANSLATE_NOOP("Message", "Drive: velocity"),
-    QT_TRANSLATE_NOOP("Message", "Drive: velocity (float)"),
-    QT_TRANSLATE_NOOP("Message", "Drive: current"),
-    QT_TRANSLATE_NOOP("Message", "Drive: current (float)"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: set parameter"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: get parameter"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: set register"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: get register"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: trajectory"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: start move"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: velocity"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: velocity (float)"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: current"),
-    QT_TRANSLATE_NOOP("Message", "Drive answers: current (float)"),
-};
+constexpr EnumTable<MessageId, const char*> kMessageNames{{
+    {MessageId::Request, QT_TRANSLATE_NOOP("Message", "Request for a PGN")},
+    {MessageId::Name, QT_TRANSLATE_NOOP("Message", "NAME, address claimed")},
+    {MessageId::BasicJoystick, QT_TRANSLATE_NOOP("Message", "Basic joystick")},
+    {MessageId::ExtendedJoystick, QT_TRANSLATE_NOOP("Message", "Extended joystick")},
+    {MessageId::AddressAnnouncement, QT_TRANSLATE_NOOP("Message", "Address announcement")},
+    {MessageId::DiagnosticData, QT_TRANSLATE_NOOP("Message", "Diagnostic data")},
+    {MessageId::PositionLimitStatus, QT_TRANSLATE_NOOP("Message", "Position / limit status")},
+    {MessageId::RotationSoftLimits, QT_TRANSLATE_NOOP("Message", "Rotation soft limits")},
+    {MessageId::ElevationSoftLimits, QT_TRANSLATE_NOOP("Message", "Elevation soft limits")},
+    {MessageId::DigitalOutputs, QT_TRANSLATE_NOOP("Message", "Digital outputs")},
+    {MessageId::MiniDigitalOutputs, QT_TRANSLATE_NOOP("Message", "Digital outputs (6033)")},
+    {MessageId::DigitalInputs, QT_TRANSLATE_NOOP("Message", "Digital inputs (6039)")},
+    {MessageId::SoePermissive, QT_TRANSLATE_NOOP("Message", "SOE permissive")},
+    {MessageId::FaultPoll, QT_TRANSLATE_NOOP("Message", "Fault status poll")},
+    {MessageId::FaultResponse, QT_TRANSLATE_NOOP("Message", "Fault status")},
+    {MessageId::FirmwarePoll, QT_TRANSLATE_NOOP("Message", "Firmware version poll")},
+    {MessageId::FirmwareResponse, QT_TRANSLATE_NOOP("Message", "Firmware version")},
+    {MessageId::PcodePoll, QT_TRANSLATE_NOOP("Message", "pCode version poll")},
+    {MessageId::PcodeResponse, QT_TRANSLATE_NOOP("Message", "pCode version")},
+    {MessageId::ConfigPoll, QT_TRANSLATE_NOOP("Message", "Config version poll")},
+    {MessageId::ConfigResponse, QT_TRANSLATE_NOOP("Message", "Config version")},
+    {MessageId::VistaPoll, QT_TRANSLATE_NOOP("Message", "Vista poll")},
+    {MessageId::VistaStatus, QT_TRANSLATE_NOOP("Message", "Vista status")},
+    {MessageId::VistaPosition, QT_TRANSLATE_NOOP("Message", "Vista position")},
+    {MessageId::ZeroAxesRequest, QT_TRANSLATE_NOOP("Message", "Zero axes request")},
+    {MessageId::ZeroAxesAck, QT_TRANSLATE_NOOP("Message", "Zero axes acknowledgement")},
+    {MessageId::ResetRequest, QT_TRANSLATE_NOOP("Message", "Reset controller")},
+    {MessageId::SetupModeRequest, QT_TRANSLATE_NOOP("Message", "Setup mode request")},
+    {MessageId::SetupModeAck, QT_TRANSLATE_NOOP("Message", "Setup mode acknowledgement")},
+    {MessageId::PipeData, QT_TRANSLATE_NOOP("Message", "Data pipe")},
+    {MessageId::PipeAck, QT_TRANSLATE_NOOP("Message", "Data pipe acknowledgement")},
+    {MessageId::NmtCommand, QT_TRANSLATE_NOOP("Message", "NMT command")},
+    {MessageId::Heartbeat, QT_TRANSLATE_NOOP("Message", "Heartbeat")},
+    {MessageId::SdoReadRequest, QT_TRANSLATE_NOOP("Message", "SDO read request")},
+    {MessageId::SdoReadResponse, QT_TRANSLATE_NOOP("Message", "SDO read response")},
+    {MessageId::SdoWriteRequest, QT_TRANSLATE_NOOP("Message", "SDO write request")},
+    {MessageId::SdoWriteResponse, QT_TRANSLATE_NOOP("Message", "SDO write response")},
+    {MessageId::SdoAbort, QT_TRANSLATE_NOOP("Message", "SDO abort")},
+    {MessageId::SdoOther, QT_TRANSLATE_NOOP("Message", "SDO, other transfer")},
+    {MessageId::GatewayJoystick, QT_TRANSLATE_NOOP("Message", "Joystick command to a monitor")},
+    {MessageId::CopleyNoOperation, QT_TRANSLATE_NOOP("Message", "Drive: no operation")},
+    {MessageId::CopleySetParameter, QT_TRANSLATE_NOOP("Message", "Drive: set parameter")},
+    {MessageId::CopleyGetParameter, QT_TRANSLATE_NOOP("Message", "Drive: get parameter")},
+    {MessageId::CopleySetRegister, QT_TRANSLATE_NOOP("Message", "Drive: set register")},
+    {MessageId::CopleyGetRegister, QT_TRANSLATE_NOOP("Message", "Drive: get register")},
+    {MessageId::CopleyTrajectory, QT_TRANSLATE_NOOP("Message", "Drive: trajectory")},
+    {MessageId::CopleyStartMove, QT_TRANSLATE_NOOP("Message", "Drive: start move")},
+    {MessageId::CopleyVelocity, QT_TRANSLATE_NOOP("Message", "Drive: velocity")},
+    {MessageId::CopleyVelocityFloat, QT_TRANSLATE_NOOP("Message", "Drive: velocity (float)")},
+    {MessageId::CopleyCurrent, QT_TRANSLATE_NOOP("Message", "Drive: current")},
+    {MessageId::CopleyCurrentFloat, QT_TRANSLATE_NOOP("Message", "Drive: current (float)")},
+    {MessageId::CopleySetParameterResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: set parameter")},
+    {MessageId::CopleyGetParameterResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: get parameter")},
+    {MessageId::CopleySetRegisterResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: set register")},
+    {MessageId::CopleyGetRegisterResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: get register")},
+    {MessageId::CopleyTrajectoryResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: trajectory")},
+    {MessageId::CopleyStartMoveResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: start move")},
+    {MessageId::CopleyVelocityResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: velocity")},
+    {MessageId::CopleyVelocityFloatResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: velocity (float)")},
+    {MessageId::CopleyCurrentResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: current")},
+    {MessageId::CopleyCurrentFloatResponse, QT_TRANSLATE_NOOP("Message", "Drive answers: current (float)")},
+}};
 
 constexpr const char* kFieldNames[] = {
     QT_TRANSLATE_NOOP("Field", "Requested PGN"),
@@ -323,9 +325,54 @@ constexpr WordText kWords[] = {
     {"s12_processor", QT_TRANSLATE_NOOP("Word", "S12 processor code")},
 };
 
+// Each text stands in the catalogue too, and each of the catalogue has its text.
+constexpr bool isText(std::span<const char* const> texts, std::string_view name) {
+  return std::ranges::count(texts, name, [](const char* text) { return std::string_view(text); }) == 1;
+}
+constexpr bool hasWord(std::string_view key) { return std::ranges::count(kWords, key, &WordText::key) == 1; }
+
+constexpr bool messageNamesAreTheCatalogues() {
+  return std::ranges::all_of(kAllOf<MessageId>,
+                             [](MessageId id) { return messageOf(id).name == kMessageNames[id]; });
+}
+template <typename F>
+constexpr bool everyField(F&& f) {
+  for (const Message& message : kCatalogue) {
+    for (const Field& field : message.fields) {
+      if (field.kind != Kind::Reserved && !f(field)) return false;
+    }
+  }
+  return true;
+}
+constexpr bool isNameOfAField(std::string_view name) {
+  return !everyField([name](const Field& field) { return field.name != name; });
+}
+constexpr bool everyWordOf(const Field& field) {
+  switch (field.kind) {
+    case Kind::Word:
+    case Kind::FaultNames:
+      return (field.otherwise.empty() || hasWord(field.otherwise)) &&
+             std::ranges::all_of(field.words, hasWord, &ValueName::word);
+    case Kind::Status2: return std::ranges::all_of(kStatus2Keys, hasWord);
+    case Kind::PositionState: return std::ranges::all_of(kPositionStateKeys, hasWord);
+    default: return true;
+  }
+}
+constexpr bool abortTextsAreCia301s() {
+  return std::ranges::equal(
+      kAbortTexts, sdo::kAbortCodes, {}, [](const char* text) { return std::string_view(text); },
+      &ValueName::word);
+}
+static_assert(messageNamesAreTheCatalogues(), "a message name differs from the catalogue's");
+static_assert(everyField([](const Field& field) { return isText(kFieldNames, field.name); }),
+              "a field name of the catalogue is missing here, or stands here twice");
+static_assert(std::ranges::all_of(kFieldNames, isNameOfAField), "a field name is none of the catalogue's");
+static_assert(everyField(everyWordOf), "a word that a field can take is missing here");
+static_assert(abortTextsAreCia301s(), "one text for each abort code of sdo.h, in its order");
+
 }  // namespace
 
-std::span<const char* const> messageNameTexts() { return kMessageNames; }
+const char* messageNameText(MessageId id) { return kMessageNames[id]; }
 std::span<const char* const> fieldNameTexts() { return kFieldNames; }
 std::span<const char* const> abortTexts() { return kAbortTexts; }
 std::span<const WordText> wordTexts() { return kWords; }

@@ -20,7 +20,7 @@ struct NumberName {
   const char* name;
 };
 
-// kDeviceTypes once more, for lupdate; a test compares them.
+// kDeviceTypes once more, for lupdate.
 constexpr NumberName kTypes[] = {
     {1032, QT_TRANSLATE_NOOP("DeviceType", "6032 Universal II")},
     {1033, QT_TRANSLATE_NOOP("DeviceType", "6033 Mini Universal")},
@@ -34,6 +34,10 @@ constexpr NumberName kTypes[] = {
     {1051, QT_TRANSLATE_NOOP("DeviceType", "6051 CAN Gateway")},
     {1052, QT_TRANSLATE_NOOP("DeviceType", "6052 StreamMaster II")},
 };
+
+static_assert(std::ranges::equal(kTypes, kDeviceTypes, [](const NumberName& ours, const ValueName& theirs) {
+  return ours.number == theirs.value && ours.name == theirs.word;
+}));
 
 // The numbers that the manuals name by example; there are many more that they do not.
 constexpr NumberName kParts[] = {

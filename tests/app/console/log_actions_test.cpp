@@ -104,7 +104,7 @@ TEST_F(LogActions, KeepAMarkWithItsWordsAtTheCursor) {
   EXPECT_FALSE(words->isVisible());
   const auto notes = m_session.snapshot().view.document->notes.all();
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_EQ(notes[0].text, "valve opened");
+  EXPECT_EQ(notes[0].value, NoteValue(note::Mark{"valve opened"}));
   EXPECT_EQ(notes[0].frame, 2u);
   EXPECT_EQ(notes[0].time, Instant{10'100'000'000});
   EXPECT_EQ(only<EventPanel>()->model()->rowCount(), 2);

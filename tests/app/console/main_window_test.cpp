@@ -84,7 +84,7 @@ TEST_F(Window, ShowsTheDemoMoving) {
       [&] {
         const Device* monitor =
             m_session.snapshot().view.state->devices().byPin(*Pin::parse("1032AE100801035"));
-        return monitor != nullptr && monitor->position.isKnown() &&
+        return monitor != nullptr && monitor->position().isKnown() &&
                only<DevicePanel>()->selectedDevice() == keyOf(*monitor);
       },
       kPatience));

@@ -154,8 +154,8 @@ INSTANTIATE_TEST_SUITE_P(
                                 s.locked = true;
                               },
                               "", StatusTone::Plain, ""},
-                      SentRow{"Refused", [](ServiceStatus& s) { s.notTaken = 1; }, "1 frame not sent",
-                              StatusTone::Attend, "1 frame was not taken by the adapter"},
+                      SentRow{"Refused", [](ServiceStatus& s) { s.notTaken = 2; }, "2 frames not sent",
+                              StatusTone::Attend, "2 frames were not taken by the adapter"},
                       SentRow{"Waiting",
                               [](ServiceStatus& s) {
                                 s.unconfirmed = 3;
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
                                 s.waitingCommands.push_back(
                                     {DeviceKey::of(*Pin::parse("1032AE100801035")), Ask::Reset, Instant{}});
                               },
-                              "Reset: not on the bus yet", StatusTone::Fault, "Reset of 1032 AE 100801035"},
+                              "Reset: not on the bus yet", StatusTone::Fault, "Reset of 1032AE100801035"},
                       SentRow{"Commands", [](ServiceStatus& s) { s.waitingCommands.resize(2); },
                               "2 commands not on the bus yet", StatusTone::Fault, ""}),
     [](const auto& row) { return std::string(row.param.name); });

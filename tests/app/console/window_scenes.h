@@ -99,7 +99,7 @@ inline Snapshot askingSnapshot() {
   for (const Ask ask : allOf<Ask>()) device.takes.add(ask);
   using Progress = RequestStatus::Progress;
   const auto request = [&](Ask ask, Progress progress, RequestEnd end, int tries) {
-    RequestStatus& status = device.requests[static_cast<std::size_t>(ask)];
+    RequestStatus& status = device.requests[ask];
     status.progress = progress;
     status.end = end;
     status.tries = static_cast<std::uint8_t>(tries);
@@ -114,7 +114,7 @@ inline Snapshot askingSnapshot() {
   PipeStatus& pipe = device.pipe.emplace();
   DeviceServices riser;
   riser.device = DeviceKey::of(*Pin::parse("1033AE100802117"));
-  riser.requests[0] = {.progress = Progress::Queued, .period = 5s};
+  riser.requests[Ask::Fault] = {.progress = Progress::Queued, .period = 5s};
   pipe.progress = PipeStatus::Progress::Stalled;
   pipe.stall = PipeStatus::Stall::NoAck;
   pipe.file = "a menu with a rather long name for a file.txt";

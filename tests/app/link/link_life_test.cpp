@@ -12,14 +12,14 @@ using enum LinkStage;
 
 template <typename Visit>
 void forEachStage(Visit visit) {
-  for (std::size_t i = 0; i < kLinkStages; ++i) visit(static_cast<LinkStage>(i));
+  for (const LinkStage stage : kAllOf<LinkStage>) visit(stage);
 }
 template <typename Visit>
 void forEachMove(Visit visit) {
   forEachStage([&](LinkStage stage) {
-    for (std::size_t i = 0; i < kLinkEvents; ++i) {
-      const auto event = static_cast<LinkEvent>(i);
-      SCOPED_TRACE(::testing::Message() << "stage " << static_cast<int>(stage) << ", event " << i);
+    for (const LinkEvent event : kAllOf<LinkEvent>) {
+      SCOPED_TRACE(::testing::Message()
+                   << "stage " << static_cast<int>(stage) << ", event " << static_cast<int>(event));
       visit(stage, event, next(stage, event));
     }
   });
@@ -113,7 +113,7 @@ TEST(LinkLife, EveryStageIsReachedAndNoneWaitsForEver) {
       if (reached.contains(stage)) reached.insert(to);
     });
   }
-  EXPECT_EQ(reached.size(), kLinkStages);
+  EXPECT_EQ(reached.size(), kCountOf<LinkStage>);
   forEachStage([](LinkStage stage) { EXPECT_FALSE(isWaiting(next(stage, LinkEvent::DeviceFailed))); });
 }
 

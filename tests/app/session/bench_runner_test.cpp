@@ -164,9 +164,9 @@ TEST(BenchRunner, SaysNothingWhileItIsDestroyed) {
 
 TEST(TwinFaultsOfTheBench, EachChangesSomethingOfItsOwn) {
   std::vector<simulator::Misbehaviour> all{{}};
-  for (std::size_t i = 0; i < kTwinFaults; ++i) {
-    const simulator::Misbehaviour one = misbehaviourOf({static_cast<TwinFault>(i)});
-    for (const simulator::Misbehaviour& other : all) EXPECT_FALSE(one == other) << i;
+  for (const TwinFault fault : kAllOf<TwinFault>) {
+    const simulator::Misbehaviour one = misbehaviourOf({fault});
+    for (const simulator::Misbehaviour& other : all) EXPECT_FALSE(one == other) << static_cast<int>(fault);
     all.push_back(one);
   }
 }

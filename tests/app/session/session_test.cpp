@@ -45,7 +45,7 @@ class OpenedLog : public testing::Test {
     return isSettled(m_session) && m_session.snapshot().view.cursor.frames == frames;
   }
   const LogView& view() const { return m_session.snapshot().view; }
-  int rotation() const { return view().state->devices().byPin(kMonitor)->position.value().rotation.tenths; }
+  int rotation() const { return view().state->devices().byPin(kMonitor)->position().value().rotation.tenths; }
 
   QTemporaryDir m_dir;
   Session m_session;
@@ -63,10 +63,10 @@ TEST_F(OpenedLog, ShowsTheStateAtTheTimeSoughtForwardsAndBackwards) {
   m_session.seek({11'500'000'000});
   ASSERT_TRUE(QTest::qWaitFor([&] { return settledAt(2); }, kPatience));
   EXPECT_EQ(rotation(), 473);
-  EXPECT_TRUE(view().state->devices().byPin(kMonitor)->isStale(Periodic::Position));
+  EXPECT_TRUE(view().state->devices().byPin(kMonitor)->isStale(MessageId::PositionLimitStatus));
   m_session.seek({10'000'000'000});
   ASSERT_TRUE(QTest::qWaitFor([&] { return settledAt(1); }, kPatience));
-  EXPECT_FALSE(view().state->devices().byPin(kMonitor)->position.isKnown());
+  EXPECT_FALSE(view().state->devices().byPin(kMonitor)->position().isKnown());
 }
 
 TEST_F(OpenedLog, StepsByFramesAndStopsAtBothEnds) {
@@ -118,7 +118,7 @@ TEST(SessionOnABadLog, KeepsWhatIsWholeAndCountsTheRest) {
 
 bool hasMovingMonitor(const Session& session) {
   const Device* monitor = session.snapshot().view.state->devices().byPin(kMonitor);
-  return monitor != nullptr && monitor->position.isKnown() && monitor->address != kNullAddress;
+  return monitor != nullptr && monitor->position().isKnown() && monitor->address != kNullAddress;
 }
 
 TEST(Demo, BringsTheTwinsMonitorThroughTheWholeRealPath) {
@@ -255,7 +255,7 @@ TEST_F(SendingDemo, UnlockedItClaimsAnAddressAndIsAnswered) {
     return device != nullptr && device->of(Ask::Vista).end == RequestEnd::Answered &&
            device->of(Ask::Config).end == RequestEnd::Answered;
   }));
-  EXPECT_TRUE(waitFor([&] { return state().devices().byPin(kMonitor)->config.isKnown(); }));
+  EXPECT_TRUE(waitFor([&] { return state().devices().byPin(kMonitor)->config().isKnown(); }));
   EXPECT_EQ(sentFrames(), 2u + 5u) << "a request for NAMEs, a claim, five polls";
 }
 

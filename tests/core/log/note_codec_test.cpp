@@ -58,6 +58,8 @@ TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
       {"own_address", "08 028102"},
       {"asked", "09 0281" + std::string(kPinHex) + "06"},
       {"ask_ended", "0a 0281" + std::string(kPinHex) + "0407"},
+      {"ask_waits", "0c 0281" + std::string(kPinHex) + "05"},
+      {"still_waits", "0d 020500000000000000"},
       {"pipe", "0b 0281" + std::string(kPinHex) + "0108617869732e747874"},
   };
   for (const NoteValue& value : test::noteSamples()) {
@@ -74,13 +76,15 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
   for (std::uint8_t n = 0; n < std::size(asks); ++n) EXPECT_EQ(last(note::Asked{{}, {}, {}, asks[n]}), n);
   EXPECT_EQ(test::allOf<Ask>().size(), std::size(asks));
   using How = note::OwnAddress::How;
-  const How hows[] = {How::Claimed, How::Lost, How::CannotClaim, How::SameName, How::Locked, How::LinkLost};
+  const How hows[] = {How::Claimed, How::Lost,     How::CannotClaim, How::SameName,
+                      How::Locked,  How::LinkLost, How::InUse};
   for (std::uint8_t n = 0; n < std::size(hows); ++n)
     EXPECT_EQ(last(note::OwnAddress{{}, {}, hows[n]}), n + 1);
   EXPECT_EQ(test::allOf<How>().size(), std::size(hows));
   const RequestEnd ends[] = {RequestEnd::None,     RequestEnd::Answered,     RequestEnd::WrongAnswer,
                              RequestEnd::NoAnswer, RequestEnd::Cancelled,    RequestEnd::LinkLost,
-                             RequestEnd::Gone,     RequestEnd::AnsweredLate, RequestEnd::AddressLost};
+                             RequestEnd::Gone,     RequestEnd::AnsweredLate, RequestEnd::AddressLost,
+                             RequestEnd::NotOnBus, RequestEnd::WentOutLate,  RequestEnd::GoneWithInterface};
   for (std::uint8_t n = 0; n < std::size(ends); ++n)
     EXPECT_EQ(last(note::AskEnded{{}, {}, {}, Ask::Fault, ends[n]}), n);
   EXPECT_EQ(test::allOf<RequestEnd>().size(), std::size(ends));

@@ -35,8 +35,8 @@ TEST(Unkept, ListsJoinedAreTheListOfAll) {
 
 TEST(Unkept, EveryReasonHasATextOfItsOwn) {
   std::set<std::string_view> texts;
-  for (std::size_t i = 0; i < kUnkeptReasons; ++i) texts.insert(unkeptText(static_cast<Unkept>(i)));
-  EXPECT_EQ(texts.size(), kUnkeptReasons);
+  for (const Unkept reason : kAllOf<Unkept>) texts.insert(unkeptText(reason));
+  EXPECT_EQ(texts.size(), kCountOf<Unkept>);
   EXPECT_FALSE(texts.contains(""));
 }
 

@@ -55,8 +55,8 @@ TEST_F(Request, EachPollIsAnsweredOnceAndInTheState) {
     EXPECT_GT(status(poll).latency, 0ns);
   }
   const Device& device = *pair.console().state.devices().byPin(monitor.pin);
-  EXPECT_TRUE(device.faults.isKnown() && device.firmware.isKnown() && device.pcode.isKnown() &&
-              device.config.isKnown());
+  EXPECT_TRUE(device.faults().isKnown() && device.firmware().isKnown() && device.pcode().isKnown() &&
+              device.config().isKnown());
   for (const unsigned type : {0x02u, 0x03u, 0x04u, 0x05u, 0x21u}) EXPECT_EQ(sent(type), 1u) << type;
 }
 

@@ -53,7 +53,7 @@ TEST_F(StateOfOneChannel, KnowsADeviceByItsPinThroughChangesOfAddress) {
   EXPECT_EQ(device(kPinA)->address, Address{0x81});
   EXPECT_EQ(device(kPinA)->previousAddress(), Address{0x80});
   EXPECT_EQ(device(kPinA)->addressChanges, 1);
-  EXPECT_EQ(device(kPinA)->position.value().rotation.tenths, 473);
+  EXPECT_EQ(device(kPinA)->position().value().rotation.tenths, 473);
   EXPECT_EQ(at(0x80), nullptr);
 }
 
@@ -92,10 +92,10 @@ TEST_F(StateOfOneChannel, TakesOnePinOnTwoChannelsForTwoDevices) {
   ASSERT_NE(first, nullptr);
   ASSERT_NE(second, nullptr);
   EXPECT_EQ(first->address, Address{0x80});
-  EXPECT_FALSE(first->position.isKnown());
+  EXPECT_FALSE(first->position().isKnown());
   EXPECT_EQ(first->addressChanges, 0);
   EXPECT_EQ(second->address, Address{0x90});
-  EXPECT_TRUE(second->position.isKnown());
+  EXPECT_TRUE(second->position().isKnown());
   EXPECT_EQ(device(kPinA), first);
 }
 
@@ -119,8 +119,8 @@ TEST_F(StateOfOneChannel, GivesAnAddressToWhoAnnouncedItLast) {
   EXPECT_EQ(at(0x80), device("1032AE100801036"));
   EXPECT_EQ(device(kPinA)->address, kNullAddress);
   hear("18EFFF80", kPosition);
-  EXPECT_FALSE(device(kPinA)->position.isKnown());
-  EXPECT_TRUE(at(0x80)->position.isKnown());
+  EXPECT_FALSE(device(kPinA)->position().isKnown());
+  EXPECT_TRUE(at(0x80)->position().isKnown());
 }
 
 TEST_F(StateOfOneChannel, ShowsASenderWithoutPinAndKeepsWhatItSaidOnceItIsKnown) {
@@ -129,7 +129,7 @@ TEST_F(StateOfOneChannel, ShowsASenderWithoutPinAndKeepsWhatItSaidOnceItIsKnown)
   EXPECT_EQ(at(0x80)->kind, Device::Kind::Address);
   hear("18EFFF80", kAnnouncesA);
   EXPECT_EQ(at(0x80), device(kPinA));
-  EXPECT_TRUE(at(0x80)->position.isKnown());
+  EXPECT_TRUE(at(0x80)->position().isKnown());
 }
 
 TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceWhoseNameItCannotBe) {
@@ -154,7 +154,7 @@ TEST_F(StateOfOneChannel, DoesNotGiveANewPinWhatAnotherDeviceSaidAtItsAddress) {
   hear("18EFFF80", kPosition);
   hear("18EEFF80", kLowerForeignName);
   hear("18EFFF80", kAnnouncesB);
-  EXPECT_TRUE(at(0x80) == nullptr || !at(0x80)->position.isKnown());
+  EXPECT_TRUE(at(0x80) == nullptr || !at(0x80)->position().isKnown());
 }
 
 TEST_F(StateOfOneChannel, EndsAtTheLastInstantThereIs) {
@@ -164,7 +164,7 @@ TEST_F(StateOfOneChannel, EndsAtTheLastInstantThereIs) {
   pass(1ns);
   hear("18EFFF80", kPosition);
   EXPECT_EQ(m_state.cursor().time, kNever);
-  EXPECT_FALSE(at(0x80)->isStale(Periodic::Position));
+  EXPECT_FALSE(at(0x80)->isStale(MessageId::PositionLimitStatus));
 }
 
 TEST_F(StateOfOneChannel, MakesNoDeviceOfWhatOnlyLooksLikeCanopen) {
@@ -177,11 +177,11 @@ TEST_F(StateOfOneChannel, MakesNoDeviceOfWhatOnlyLooksLikeCanopen) {
 TEST_F(StateOfOneChannel, CallsAPeriodicValueStaleAfterThreePeriodsAndNotBefore) {
   hear("18EFFF80", kPosition);
   pass(300ms - 1ns);
-  EXPECT_FALSE(at(0x80)->isStale(Periodic::Position));
+  EXPECT_FALSE(at(0x80)->isStale(MessageId::PositionLimitStatus));
   pass(1ns);
-  EXPECT_TRUE(at(0x80)->isStale(Periodic::Position));
+  EXPECT_TRUE(at(0x80)->isStale(MessageId::PositionLimitStatus));
   hear("18EFFF80", kPosition);
-  EXPECT_FALSE(at(0x80)->isStale(Periodic::Position));
+  EXPECT_FALSE(at(0x80)->isStale(MessageId::PositionLimitStatus));
 }
 
 TEST_F(StateOfOneChannel, TakesTheAddressFromADeviceThatDoesNotAnswerAContest) {
@@ -255,10 +255,10 @@ TEST_F(StateOfOneChannel, AlwaysHasRoomForTheSourcesThatControllersListenTo) {
 TEST_F(StateOfOneChannel, ShowsAPermissiveWithItsSenderUntilItTimesOut) {
   hear("18EFFF80", kAnnouncesA);
   hear("18EF8005", "A10009");
-  EXPECT_TRUE(at(0x80)->permissive.value().axis1Plus);
+  EXPECT_TRUE(at(0x80)->permissive().value().axis1Plus);
   EXPECT_EQ(at(0x80)->permissiveFrom, Address{0x05});
   pass(300ms);
-  EXPECT_TRUE(at(0x80)->isStale(Periodic::Permissive));
+  EXPECT_TRUE(at(0x80)->isStale(MessageId::SoePermissive));
 }
 
 TEST_F(StateOfOneChannel, KeepsPolledAnswersWithTheirTime) {
@@ -266,8 +266,8 @@ TEST_F(StateOfOneChannel, KeepsPolledAnswersWithTheirTime) {
   hear("18EF0580", "0200200000000B");
   const Instant answered = m_now;
   pass(1h);
-  EXPECT_EQ(at(0x80)->faults.value(), (FaultStatus{1u << 21, 11}));
-  EXPECT_EQ(at(0x80)->faults.at, answered);
+  EXPECT_EQ(at(0x80)->faults().value(), (FaultStatus{1u << 21, 11}));
+  EXPECT_EQ(at(0x80)->faults().at, answered);
 }
 
 TEST_F(StateOfOneChannel, KnowsGatewayNodesByNodeId) {
@@ -277,16 +277,16 @@ TEST_F(StateOfOneChannel, KnowsGatewayNodesByNodeId) {
   hear("224", "107D046400100000");
   const Device* monitor = m_state.devices().byNode(kCan0, {0x24});
   ASSERT_NE(monitor, nullptr);
-  EXPECT_EQ(monitor->heartbeat.value, 0x05);
+  EXPECT_EQ(monitor->heartbeat().value(), 0x05);
   EXPECT_EQ(monitor->partNumber.value, 60320022u);
-  EXPECT_EQ(monitor->position.value().elevation.tenths, -55);
+  EXPECT_EQ(monitor->position().value().elevation.tenths, -55);
   EXPECT_EQ(monitor->commanded.value().x.tenths, 500);
   hear("5A4", "4301500100200000");
-  EXPECT_EQ(monitor->faults.value(), (FaultStatus{1u << 21, {}}));
+  EXPECT_EQ(monitor->faults().value(), (FaultStatus{1u << 21, {}}));
   hear("5A4", "4B0150020B00");
   EXPECT_EQ(monitor->operationalErrorCode.value, 11);
   pass(3s);
-  EXPECT_TRUE(monitor->isStale(Periodic::Heartbeat));
+  EXPECT_TRUE(monitor->isStale(MessageId::Heartbeat));
 }
 
 TEST_F(StateOfOneChannel, MakesNoDeviceOfARequest) {
@@ -372,7 +372,7 @@ TEST_F(StateOfOneChannel, MakesRoomForAPinInAFullTable) {
   hear("18EFFF80", kAnnouncesA);
   hear("18EFFF80", kPosition);
   ASSERT_NE(device(kPinA), nullptr);
-  EXPECT_TRUE(device(kPinA)->position.isKnown());
+  EXPECT_TRUE(device(kPinA)->position().isKnown());
   EXPECT_EQ(m_state.devices().byAddress(Channel{1}, Address{0x80}), nullptr) << "heard longest ago";
   EXPECT_NE(m_state.devices().byAddress(Channel{1}, Address{0x81}), nullptr);
 }

@@ -69,6 +69,8 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "The console lost its address to a lower NAME",
                            "Reset asked of 1032AE100801035",
                            "Vista status of 1032AE100801035: answered too late",
+                           "Zero axes of 1032AE100801035: not on the bus yet; it may still go out",
+                           "can2: 5 frames are not on the bus yet and may still go out",
                            "Data pipe 1032AE100801035 axis.txt: file sent",
                            "The console holds address F9",
                            "The console lost its address to a lower NAME",
@@ -76,6 +78,7 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "Another node has the console's NAME",
                            "The console gave up its address",
                            "The console gave up its address",
+                           "The console left its address: another node sends from it",
                        }));
 }
 

@@ -64,7 +64,7 @@ class OverviewTest : public testing::Test {
   void hear(int count) {
     m_bus.monitor();
     for (int i = 1; i < count; ++i) {
-      char id[9];
+      char id[16];
       std::snprintf(id, sizeof id, "18EFFF%02X", 0x80u + static_cast<unsigned>(i));
       m_bus.hear(id, kPosition);
     }

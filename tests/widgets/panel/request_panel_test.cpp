@@ -28,7 +28,7 @@ struct AskedDevice : test::Talk<RequestPanel> {
     panel.resize(380, 700);
     show();
   }
-  RequestStatus& request(Ask ask) { return services.devices[0].requests[static_cast<std::size_t>(ask)]; }
+  RequestStatus& request(Ask ask) { return services.devices[0].requests[ask]; }
   AskCard* card(Ask ask) {
     return test::child<AskCard>(panel, QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
   }
@@ -212,7 +212,7 @@ TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce)
   for (int i = 0; i < 6; ++i) {
     DeviceServices& other = services.devices.emplace_back();
     other.device = DeviceKey::of(*Pin::make(1032, 'A', 'E', 200u + static_cast<unsigned>(i)));
-    other.requests[0] = {.progress = RequestStatus::Progress::Queued, .period = 5s};
+    other.requests[Ask::Fault] = {.progress = RequestStatus::Progress::Queued, .period = 5s};
   }
   DeviceLabels labels;
   labels.set(services.devices[1].device.pin, QStringLiteral("Front"));

@@ -179,8 +179,8 @@ TEST(LogMarks, CountsOnlyTheSpanInSight) {
 }
 
 TEST(LogMarks, FindsTheJumpsOfALongLogAtOnce) {
-  std::vector<Frame> frames(1'000'000, test::frame("123", "", 0, 5'000'000));
-  frames.back().stamp = 1'000;
+  std::vector<Frame> frames(1'000'000, test::frame("123", "", 0, 5'000'000'000));
+  frames.back().stamp = 1'000'000'000;
   const LogView view = test::viewOf(test::logOf(frames));
   LogMarks marks;
   marks.take(view, {view.begin, view.end}, 100);
