@@ -3,9 +3,9 @@
 // nowhere else.
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "base/enum_table.h"
 #include "control/status.h"
 
 namespace deckpipe {
@@ -25,28 +25,30 @@ enum class PipeMove : std::uint8_t {
   Joined,    // another pipe to the same device was under way: an ack of its packet may come yet
   Count,
 };
-inline constexpr std::size_t kPipeMoves = static_cast<std::size_t>(PipeMove::Count);
-inline constexpr std::size_t kPipeStates = static_cast<std::size_t>(PipeStatus::Progress::Stalled) + 1;
+template <>
+inline constexpr PipeStatus::Progress kLastOf<PipeStatus::Progress> = PipeStatus::Progress::Stalled;
+inline constexpr std::size_t kPipeMoves = kCountOf<PipeMove>;
+inline constexpr std::size_t kPipeStates = kCountOf<PipeStatus::Progress>;
 
 namespace pipe_table {
 using enum PipeStatus::Progress;
 using Cell = std::optional<PipeStatus::Progress>;
 inline constexpr Cell No;  // does not happen, or is refused: nothing changes
 // clang-format off
-inline constexpr std::array<std::array<Cell, kPipeMoves>, kPipeStates> kTable{{
-    // Next     Nothing Hold    Ack   AckAgain  Silence  LateEcho Resend   Skip      GiveUp    Settled Joined
-    {{Sending,  Idle,   Paused, No,   No,       No,      No,      No,      No,       Idle,     No,     Settling}},  // Idle
-    {{No,       No,     No,     Idle, Settling, Stalled, Sending, No,      No,       Settling, No,     No}},        // Sending
-    {{No,       No,     No,     No,   No,       No,      No,      No,      No,       Settling, Idle,   Settling}},  // Settling
-    {{Sending,  Idle,   Paused, No,   No,       No,      No,      No,      No,       Idle,     No,     No}},        // Paused
-    {{No,       No,     No,     Idle, Settling, No,      Sending, Sending, Settling, Settling, No,     No}},        // Stalled
+inline constexpr EnumTable<PipeStatus::Progress, EnumArray<PipeMove, Cell>> kTable{{
+    //           Next      Nothing Hold    Ack   AckAgain  Silence  LateEcho Resend   Skip      GiveUp    Settled Joined
+    {Idle,     {{ Sending, Idle,   Paused, No,   No,       No,      No,      No,      No,       Idle,     No,     Settling}}},
+    {Sending,  {{ No,      No,     No,     Idle, Settling, Stalled, Sending, No,      No,       Settling, No,     No}}},
+    {Settling, {{ No,      No,     No,     No,   No,       No,      No,      No,      No,       Settling, Idle,   Settling}}},
+    {Paused,   {{ Sending, Idle,   Paused, No,   No,       No,      No,      No,      No,       Idle,     No,     No}}},
+    {Stalled,  {{ No,      No,     No,     Idle, Settling, No,      Sending, Sending, Settling, Settling, No,     No}}},
 }};
 // clang-format on
 }  // namespace pipe_table
 
 // The state after a move; nothing where it does not happen in this state.
 constexpr std::optional<PipeStatus::Progress> after(PipeStatus::Progress state, PipeMove move) {
-  return pipe_table::kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(move)];
+  return pipe_table::kTable[state][move];
 }
 
 }  // namespace deckpipe
