@@ -88,9 +88,9 @@ constexpr bool areLayoutsSound(const std::variant<Kinds...>*) {
 static_assert(areLayoutsSound(static_cast<const NoteValue*>(nullptr)),
               "two kinds have one number, or a layout leaves a field out");
 
-class Writer {
+class NoteWriter {
  public:
-  explicit Writer(std::vector<std::uint8_t>& out) : m_out(out) {}
+  explicit NoteWriter(std::vector<std::uint8_t>& out) : m_out(out) {}
 
   template <typename T>
   requires std::is_unsigned_v<T>
@@ -201,7 +201,7 @@ constexpr std::size_t kLengthBytes = 2;
 
 void appendNote(std::vector<std::uint8_t>& out, const Note& note) {
   std::vector<std::uint8_t> bytes;
-  Writer writer(bytes);
+  NoteWriter writer(bytes);
   std::visit(
       [&]<typename T>(const T& value) {
         writer.put(kLayout<T>.number);
@@ -210,7 +210,7 @@ void appendNote(std::vector<std::uint8_t>& out, const Note& note) {
         std::apply([&](auto... fields) { (writer.put(value.*fields), ...); }, kLayout<T>.fields);
       },
       note.value);
-  Writer(out).put(static_cast<std::uint16_t>(bytes.size()));
+  NoteWriter(out).put(static_cast<std::uint16_t>(bytes.size()));
   out.insert(out.end(), bytes.begin(), bytes.end());
 }
 

@@ -5,13 +5,15 @@ namespace deckpipe::simulator {
 namespace {
 
 // The manual names no 6035's numbers; these are the twin's own.
-constexpr PcodeVersion kPcode{6035, 1, 0x0103};
-constexpr ConfigVersion kConfig{60350001, 0x0100};
+constexpr PcodeVersion kJoystickPcode{6035, 1, 0x0103};
+constexpr ConfigVersion kJoystickConfig{60350001, 0x0100};
 
 }  // namespace
 
 Joystick6035::Joystick6035(std::string_view pin, Address source, std::uint64_t seed)
-    : Device(identityOf(pin, kPcode, kConfig), HandScript::kStep, seed), m_source(source), m_hand(seed + 2) {}
+    : Device(identityOf(pin, kJoystickPcode, kJoystickConfig), HandScript::kStep, seed),
+      m_source(source),
+      m_hand(seed + 2) {}
 
 void Joystick6035::tick(Instant now) {
   broadcastFrom(now, MessageId::BasicJoystick, m_hand.next(m_released).encode(), m_source);

@@ -5,8 +5,8 @@ namespace deckpipe::simulator {
 namespace {
 
 // The manual names no 6033's numbers; these are the twin's own.
-constexpr PcodeVersion kPcode{6033, 1, 0x0102};
-constexpr ConfigVersion kConfig{60330001, 0x0100};
+constexpr PcodeVersion kRiserPcode{6033, 1, 0x0102};
+constexpr ConfigVersion kRiserConfig{60330001, 0x0100};
 
 constexpr int kTravel = 1'000'000;
 constexpr int kStep =
@@ -15,7 +15,8 @@ constexpr int kStep =
 }  // namespace
 
 MiniUniversal6033::MiniUniversal6033(std::string_view pin, std::uint64_t seed)
-    : Device(identityOf(pin, kPcode, kConfig), kStatusPeriod, seed), m_riser({0, kTravel, kStep, kStep}, 0) {}
+    : Device(identityOf(pin, kRiserPcode, kRiserConfig), kStatusPeriod, seed),
+      m_riser({0, kTravel, kStep, kStep}, 0) {}
 
 void MiniUniversal6033::started(Instant) {
   m_inputs.clear();

@@ -24,7 +24,7 @@ QString hexAndDecimal(std::uint32_t number, int digits) {
   return DecodeRows::tr("%1 hex (%2)").arg(hexText(number, digits)).arg(number);
 }
 
-QString addressText(Address address) {
+QString addressFieldText(Address address) {
   const QString text = hexAndDecimal(address.value, 2);
   if (address == kGlobalAddress) return DecodeRows::tr("%1, all").arg(text);
   if (address == kNullAddress) return DecodeRows::tr("%1, none: cannot claim").arg(text);
@@ -70,11 +70,12 @@ void addIdentifier(std::vector<DecodeRow>& rows, const Frame& frame) {
         identifierRow(DecodeRows::tr("PGN"), hexAndDecimal(id.pgn, 4),
                       id.hasDestination() ? DecodeRows::tr("ID 25–16") : DecodeRows::tr("ID 25–8")));
     if (id.hasDestination())
-      rows.push_back(identifierRow(DecodeRows::tr("Destination"), addressText(id.destination),
+      rows.push_back(identifierRow(DecodeRows::tr("Destination"), addressFieldText(id.destination),
                                    DecodeRows::tr("ID 15–8")));
     if (!id.hasDestination())
       rows.push_back(identifierRow(DecodeRows::tr("Destination"), DecodeRows::tr("all, by its PGN")));
-    rows.push_back(identifierRow(DecodeRows::tr("Source"), addressText(id.source), DecodeRows::tr("ID 7–0")));
+    rows.push_back(
+        identifierRow(DecodeRows::tr("Source"), addressFieldText(id.source), DecodeRows::tr("ID 7–0")));
     return;
   }
   const CobId cob = CobId::of(identifier);

@@ -13,7 +13,7 @@
 namespace deckpipe {
 namespace {
 
-struct FilterText {
+struct ValueText {
   Q_DECLARE_TR_FUNCTIONS(TraceFilter)
 };
 
@@ -56,10 +56,10 @@ QString takeHex(FilterNode& node, const QString& text) {
   const auto low = filterHexNumber(dash < 0 ? text : text.left(dash));
   const auto high = dash < 0 ? low : filterHexNumber(text.mid(dash + 1));
   if (!low || !high) {
-    return FilterText::tr("A number in hex was expected here.");
+    return ValueText::tr("A number in hex was expected here.");
   }
   if (*high > highest(node.key)) {
-    return FilterText::tr("At most %1 in hex.").arg(hexText(highest(node.key), 2));
+    return ValueText::tr("At most %1 in hex.").arg(hexText(highest(node.key), 2));
   }
   node.numbers.push_back({*low, *high});
   return {};
@@ -101,7 +101,7 @@ QString takeIdentifier(FilterNode& node, const QString& text) {
     }
   }
   if (!low) {
-    return FilterText::tr(
+    return ValueText::tr(
         "An identifier in hex was expected here: 18EFFF80, 18EFxx80, 5A4 or "
         "100-1FF.");
   }
@@ -129,7 +129,7 @@ QString takeBytes(FilterNode& node, const QString& text) {
     isGood = isByte;
   }
   if (!isGood) {
-    return FilterText::tr("Up to eight bytes in hex were expected here: \"01 1D\"; xx is any byte.");
+    return ValueText::tr("Up to eight bytes in hex were expected here: \"01 1D\"; xx is any byte.");
   }
   node.patterns.push_back(pattern);
   return {};
@@ -149,7 +149,7 @@ QString takeNumber(FilterNode& node, const QString& text) {
     isNumber = isNumber && isHighNumber;
     node.numbers.push_back({low, high});
   }
-  return isNumber ? QString() : FilterText::tr("A number was expected here.");
+  return isNumber ? QString() : ValueText::tr("A number was expected here.");
 }
 
 QString takeWord(FilterNode& node, const QString& text) {
@@ -163,7 +163,7 @@ QString takeWord(FilterNode& node, const QString& text) {
   } else if (node.key == FilterKey::Direction) {
     const bool isRx = text.compare(QLatin1String("rx"), Qt::CaseInsensitive) == 0;
     if (!isRx && text.compare(QLatin1String("tx"), Qt::CaseInsensitive) != 0) {
-      return FilterText::tr("rx or tx was expected here.");
+      return ValueText::tr("rx or tx was expected here.");
     }
     node.numbers.push_back({isRx ? 0u : 1u, isRx ? 0u : 1u});
   } else if (node.key == FilterKey::Family) {
@@ -173,7 +173,7 @@ QString takeWord(FilterNode& node, const QString& text) {
     if (known != kAllOf<Family>.end()) {
       node.titles.families.add(*known);
     } else {
-      return FilterText::tr("j1939, akron, copley, canopen, presumed, ambiguous or other was expected here.");
+      return ValueText::tr("j1939, akron, copley, canopen, presumed, ambiguous or other was expected here.");
     }
   } else {
     node.words += text;
@@ -192,7 +192,7 @@ QString takeFieldValue(FilterNode& node, const QString& text) {
     number = static_cast<double>(text.mid(2).toULongLong(&isNumber, 16));
   if (isNumber) node.values.push_back(number);
   if (node.op != FilterOp::Equal) {
-    return isNumber ? QString() : FilterText::tr("A number was expected here.");
+    return isNumber ? QString() : ValueText::tr("A number was expected here.");
   }
   if (text.compare(QLatin1String("none"), Qt::CaseInsensitive) == 0) {
     node.wantsNone = true;
@@ -211,8 +211,8 @@ QString takeFieldValue(FilterNode& node, const QString& text) {
   words.removeDuplicates();
   if (!isNumber && !isText && !words.contains(text, Qt::CaseInsensitive)) {
     return words.isEmpty() || words.size() > 12
-               ? FilterText::tr("A number, or none, was expected here.")
-               : FilterText::tr("One of %1, none was expected here.").arg(words.join(u", "));
+               ? ValueText::tr("A number, or none, was expected here.")
+               : ValueText::tr("One of %1, none was expected here.").arg(words.join(u", "));
   }
   node.words += text;
   return {};

@@ -15,16 +15,17 @@ struct Arbitration {
   Q_DECLARE_TR_FUNCTIONS(Arbitration)
 };
 
-PageFact plain(const QString& label, const QString& value, FactTone tone = FactTone::Plain) {
+PageFact ruleFact(const QString& label, const QString& value, FactTone tone = FactTone::Plain) {
   return {label, value, tone, {}};
 }
 
 PageFact axisFact(const QString& label, const std::optional<PageAxis::Command>& command, Address self,
                   bool isRotation) {
-  if (!command) return plain(label, Arbitration::tr("nobody commands"));
+  if (!command) return ruleFact(label, Arbitration::tr("nobody commands"));
   const QString what = commandText(*command, isRotation);
-  if (command->from == self) return plain(label, Arbitration::tr("this one: %1").arg(what), FactTone::Fine);
-  return plain(label, Arbitration::tr("%1: %2", "who commands, and what").arg(command->source, what));
+  if (command->from == self)
+    return ruleFact(label, Arbitration::tr("this one: %1").arg(what), FactTone::Fine);
+  return ruleFact(label, Arbitration::tr("%1: %2", "who commands, and what").arg(command->source, what));
 }
 
 // "Joystick 34: at rest"
@@ -47,8 +48,8 @@ QStringList heard(const Joysticks& joysticks, Address from, Address to) {
 }
 
 PageFact listed(const QString& label, const QStringList& lines) {
-  return lines.isEmpty() ? plain(label, Arbitration::tr("none heard"))
-                         : plain(label, lines.join(QLatin1Char('\n')));
+  return lines.isEmpty() ? ruleFact(label, Arbitration::tr("none heard"))
+                         : ruleFact(label, lines.join(QLatin1Char('\n')));
 }
 
 Address next(Address a, int step) { return {static_cast<std::uint8_t>(a.value + step)}; }
@@ -60,9 +61,9 @@ PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystic
   PageFactGroup group{QStringLiteral("arbitration"), Arbitration::tr("Who moves what"), {}};
   auto& facts = group.facts;
   if (!stick.priority()) {
-    facts.push_back(plain(Arbitration::tr("Moves"),
-                          Arbitration::tr("nothing: monitors do not listen to this source by default"),
-                          FactTone::Attend));
+    facts.push_back(ruleFact(Arbitration::tr("Moves"),
+                             Arbitration::tr("nothing: monitors do not listen to this source by default"),
+                             FactTone::Attend));
     return group;
   }
   const PageCommands commands = joystickCommands(state, channelId);
@@ -81,7 +82,7 @@ PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystic
   }
   if (moved.isEmpty()) moved << Arbitration::tr("no monitor heard on this channel");
   moved << Arbitration::tr("and any that listens without being heard");
-  facts.push_back(plain(Arbitration::tr("Moves"), moved.join(QLatin1Char('\n'))));
+  facts.push_back(ruleFact(Arbitration::tr("Moves"), moved.join(QLatin1Char('\n'))));
   return group;
 }
 
@@ -89,7 +90,7 @@ PageFactGroup sourcesOf(const State& state, Channel channel) {
   PageFactGroup group{QStringLiteral("sources"), Arbitration::tr("Joystick messages"), {}};
   group.facts.push_back(listed(Arbitration::tr("Heard here"),
                                heard(state.channel(channel).joysticks, kFirstJoystick, kLastJoystick)));
-  group.facts.push_back(plain(
+  group.facts.push_back(ruleFact(
       Arbitration::tr("Its own"),
       Arbitration::tr("not known: it sends them from an address of 33 to 38 hex, and none of them says whose "
                       "it is")));

@@ -17,7 +17,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr Duration kStep = 1s;
+constexpr Duration kKeyStep = 1s;
 constexpr Duration kLargeStep = 10s;
 constexpr double kZoomStep = 1.3;  // a notch of the wheel
 constexpr double kNear = 5;        // pixels within which a mark is pointed at
@@ -87,7 +87,7 @@ void Timeline::goToMark(bool isBack) {
 }
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
-  const Duration step = event->modifiers() & Qt::ShiftModifier ? kLargeStep : kStep;
+  const Duration step = event->modifiers() & Qt::ShiftModifier ? kLargeStep : kKeyStep;
   const bool isToMark = (event->modifiers() & Qt::ControlModifier) != 0;
   // The cursor may stand before all frames; stamps of hostile logs leave no room for sums.
   const Instant begin = m_values.begin, end = m_values.end;

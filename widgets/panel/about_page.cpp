@@ -12,7 +12,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kColumn = 720;
+constexpr int kTextColumn = 720;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent)
   setObjectName(QStringLiteral("aboutPage"));
   setAccessibleName(tr("About Deckpipe"));
   auto* inside = new QWidget;
-  inside->setMaximumWidth(kColumn);
+  inside->setMaximumWidth(kTextColumn);
   auto* column = new QVBoxLayout(inside);
   column->setContentsMargins(24, 16, 24, 16);
   column->setSpacing(8);

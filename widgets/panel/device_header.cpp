@@ -11,7 +11,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr double kPad = 8;
+constexpr double kSectionPad = 8;
 constexpr double kArrow = 3.5;  // half its width
 
 }  // namespace
@@ -50,11 +50,11 @@ void DeviceHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
   const QString text = model()->headerData(section, orientation()).toString();
   const double width = metrics.horizontalAdvance(text);
   const bool isSorted = sortIndicatorSection() == section;
-  double left = rect.left() + kPad;
+  double left = rect.left() + kSectionPad;
   if (section == DeviceModel::HealthColumn) {
     left = rect.center().x() + 0.5 - width / 2;  // as its cells: centred
   } else if (section != DeviceModel::DeviceColumn) {
-    left = rect.right() + 1 - kPad - width;
+    left = rect.right() + 1 - kSectionPad - width;
   }
   const double baseline = rect.center().y() + metrics.capHeight() / 2;
   p.setFont(small);

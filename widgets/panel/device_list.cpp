@@ -17,7 +17,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kPad = 8;
+constexpr int kCellPad = 8;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void DeviceList::layOutColumns() {
   if (model() == nullptr) return;
   const QFontMetrics metrics(font());
   const auto set = [&](int column, const QString& widest, int extra = 0) {
-    setColumnWidth(column, std::max(40, metrics.horizontalAdvance(widest) + 2 * kPad + extra));
+    setColumnWidth(column, std::max(40, metrics.horizontalAdvance(widest) + 2 * kCellPad + extra));
   };
   set(DeviceModel::AddressColumn, QStringLiteral("Addr."));
   set(DeviceModel::AgeColumn, QStringLiteral("99 min"));
@@ -113,7 +113,7 @@ void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
     painter->fillRect(heading, m_colours.surfaceAlternate);
     painter->setFont(secondaryFont(font()));
     painter->setPen(m_colours.textSecondary);
-    painter->drawText(heading.adjusted(kPad, 0, -kPad, 0), Qt::AlignVCenter | Qt::AlignLeft,
+    painter->drawText(heading.adjusted(kCellPad, 0, -kCellPad, 0), Qt::AlignVCenter | Qt::AlignLeft,
                       index.data(DeviceModel::GroupTextRole).toString());
     painter->restore();
     row.rect.setTop(heading.bottom() + 1);

@@ -17,7 +17,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kMoreMs = 20;
+constexpr int kRowsMoreMs = 20;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ EventPanel::EventPanel(QWidget* parent)
 
   connect(m_list, &QTreeView::clicked, this, &EventPanel::seek);
   connect(m_list, &QTreeView::activated, this, &EventPanel::seek);
-  m_more.setInterval(kMoreMs);
+  m_more.setInterval(kRowsMoreMs);
   m_more.setSingleShot(true);
   connect(&m_more, &QTimer::timeout, this, [this] {
     m_model->look();

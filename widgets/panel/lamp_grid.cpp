@@ -10,7 +10,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kGap = 16;  // between columns
+constexpr int kColumnGap = 16;  // between columns
 constexpr int kNarrowest = 168;
 constexpr int kUsual = 208;  // the same for neighbouring groups, so that their words line up
 
@@ -92,7 +92,7 @@ void LampGrid::setColours(const Colours& colours) {
 int LampGrid::columns(int width) const {
   int widest = kNarrowest;
   for (const StatusLamp* lamp : m_lamps) widest = std::max(widest, lamp->sizeHint().width() - 56);
-  const int fitting = std::max(1, (width + kGap) / (widest + kGap));
+  const int fitting = std::max(1, (width + kColumnGap) / (widest + kColumnGap));
   return std::min(fitting, std::max(1, static_cast<int>(m_lamps.size())));
 }
 
@@ -104,7 +104,9 @@ int LampGrid::heightForWidth(int width) const {
   return m_title->sizeHint().height() + (count + perRow - 1) / perRow * lampHeight();
 }
 
-QSize LampGrid::sizeHint() const { return {2 * kNarrowest + kGap, heightForWidth(2 * kNarrowest + kGap)}; }
+QSize LampGrid::sizeHint() const {
+  return {2 * kNarrowest + kColumnGap, heightForWidth(2 * kNarrowest + kColumnGap)};
+}
 
 QSize LampGrid::minimumSizeHint() const { return {kNarrowest, m_title->sizeHint().height() + lampHeight()}; }
 
@@ -113,11 +115,11 @@ void LampGrid::resizeEvent(QResizeEvent*) { layOut(); }
 void LampGrid::layOut() {
   const int perRow = columns(width());
   const int top = m_title->sizeHint().height();
-  const int pitch = (width() + kGap) / perRow;
+  const int pitch = (width() + kColumnGap) / perRow;
   // A word far from its label is hard to follow.
   int widest = kUsual;
   for (const StatusLamp* lamp : m_lamps) widest = std::max(widest, lamp->sizeHint().width());
-  const int lampWidth = std::min(pitch - kGap, widest);
+  const int lampWidth = std::min(pitch - kColumnGap, widest);
   m_title->setGeometry(0, 0, width(), top);
   // Down the columns: what belongs together stays together.
   const int count = static_cast<int>(m_lamps.size());

@@ -17,10 +17,10 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kPad = 12;
+constexpr int kTilePad = 12;
 constexpr int kFrame = 3;  // of the focus
-constexpr double kSign = 14;
-constexpr double kGap = 8;
+constexpr double kTileSign = 14;
+constexpr double kTileGap = 8;
 
 QFont strongFont(QFont font) {
   font.setWeight(QFont::DemiBold);
@@ -81,8 +81,8 @@ void MonitorTile::describe() {
 }
 
 void MonitorTile::resizeEvent(QResizeEvent*) {
-  const int head = kPad / 2 + lineHeight(strongFont(font())) + lineHeight(secondaryFont(font()));
-  const int foot = lineHeight(secondaryFont(font())) + kPad / 2;
+  const int head = kTilePad / 2 + lineHeight(strongFont(font())) + lineHeight(secondaryFont(font()));
+  const int foot = lineHeight(secondaryFont(font())) + kTilePad / 2;
   m_dial->setGeometry(kFrame + 1, head, width() - 2 * kFrame - 2, height() - head - foot);
 }
 
@@ -117,22 +117,23 @@ void MonitorTile::paintEvent(QPaintEvent*) {
 
   const QFont strong = strongFont(font()), small = secondaryFont(font());
   const QFontMetricsF strongMetrics(strong), smallMetrics(small);
-  const double left = kPad, right = width() - kPad;
-  const double first = kPad / 2.0 + (lineHeight(strong) + strongMetrics.capHeight()) / 2;
-  const double second = kPad / 2.0 + lineHeight(strong) + (lineHeight(small) + smallMetrics.capHeight()) / 2;
+  const double left = kTilePad, right = width() - kTilePad;
+  const double first = kTilePad / 2.0 + (lineHeight(strong) + strongMetrics.capHeight()) / 2;
+  const double second =
+      kTilePad / 2.0 + lineHeight(strong) + (lineHeight(small) + smallMetrics.capHeight()) / 2;
 
   const QColor health = toneOf(m_colours, m_monitor.health.level).ink;
   const QString word = healthWord(m_monitor.health.level);
   const double wordLeft = right - strongMetrics.horizontalAdvance(word);
-  const double signLeft = wordLeft - kGap / 2 - kSign;
+  const double signLeft = wordLeft - kTileGap / 2 - kTileSign;
   p.setFont(strong);
   p.setPen(health);
   p.drawText(QPointF(wordLeft, first), word);
-  drawGlyph(p, QRectF(signLeft, first - strongMetrics.capHeight() / 2 - kSign / 2, kSign, kSign),
+  drawGlyph(p, QRectF(signLeft, first - strongMetrics.capHeight() / 2 - kTileSign / 2, kTileSign, kTileSign),
             glyphOf(m_monitor.health.level), health, Qt::transparent, m_colours.stroke);
   p.setPen(m_colours.text);
   p.drawText(QPointF(left, first),
-             strongMetrics.elidedText(m_monitor.title, Qt::ElideRight, signLeft - kGap - left));
+             strongMetrics.elidedText(m_monitor.title, Qt::ElideRight, signLeft - kTileGap - left));
 
   p.setFont(small);
   p.setPen(m_colours.textSecondary);
@@ -140,15 +141,15 @@ void MonitorTile::paintEvent(QPaintEvent*) {
   const double ageLeft = right - smallMetrics.horizontalAdvance(age);
   p.drawText(QPointF(ageLeft, second), age);
   p.drawText(QPointF(left, second),
-             smallMetrics.elidedText(m_monitor.detail, Qt::ElideRight, ageLeft - kGap - left));
+             smallMetrics.elidedText(m_monitor.detail, Qt::ElideRight, ageLeft - kTileGap - left));
 
   if (m_monitor.stops.isEmpty()) return;
-  const double foot = height() - kPad / 2.0 - lineHeight(small) / 2.0;
+  const double foot = height() - kTilePad / 2.0 - lineHeight(small) / 2.0;
   const QColor ink = m_monitor.areStopsStale ? m_colours.stale.ink : m_colours.fault.ink;
-  drawGlyph(p, QRectF(left, foot - kSign / 2, kSign, kSign),
+  drawGlyph(p, QRectF(left, foot - kTileSign / 2, kTileSign, kTileSign),
             m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop, ink, Qt::transparent, m_colours.stroke);
   p.setPen(ink);
-  const double textLeft = left + kSign + kGap / 2;
+  const double textLeft = left + kTileSign + kTileGap / 2;
   p.drawText(QPointF(textLeft, foot + smallMetrics.capHeight() / 2),
              smallMetrics.elidedText(m_monitor.stops, Qt::ElideRight, right - textLeft));
 }

@@ -8,8 +8,8 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kMargin = 16;
-constexpr int kGap = 16;           // between parts under one another
+constexpr int kPageMargin = 16;
+constexpr int kPartGap = 16;       // between parts under one another
 constexpr int kSideGap = 24;       // between the dial and what stands beside it
 constexpr int kFactGap = 32;       // between columns of facts
 constexpr int kFactWidth = 288;    // the least that a column of facts is read in
@@ -27,7 +27,7 @@ template <typename Take>
 int stack(const std::vector<QWidget*>& parts, int left, int top, int width, Take take) {
   int y = top;
   for (QWidget* part : parts) {
-    if (y != top) y += kGap;
+    if (y != top) y += kPartGap;
     const int height = heightOf(*part, width);
     take(part, QRect(left, y, width, height));
     y += height;
@@ -69,39 +69,39 @@ void PageContent::setRoom(int height) {
 std::vector<PageContent::Place> PageContent::places(int width, int& height) const {
   std::vector<Place> all;
   const auto take = [&](QWidget* part, const QRect& rect) { all.push_back({part, rect}); };
-  const int inner = std::max(0, width - 2 * kMargin);
+  const int inner = std::max(0, width - 2 * kPageMargin);
   const bool isWide = width >= kNarrow;
-  int y = kMargin;
+  int y = kPageMargin;
 
   // What stands below, to know what it leaves.
   int belowHeight = 0;
-  for (const QWidget* part : m_parts.below) belowHeight += kGap + heightOf(*part, inner);
+  for (const QWidget* part : m_parts.below) belowHeight += kPartGap + heightOf(*part, inner);
 
   if (m_parts.dial != nullptr || !m_parts.sticks.empty()) {
     int mainWidth = 0, mainHeight = 0;
     if (m_parts.dial != nullptr) {
       // No wider than its height can use: the words beside it need the room.
-      const int usable = std::max(kWideDial, (m_room - 2 * kMargin) * 7 / 4);
+      const int usable = std::max(kWideDial, (m_room - 2 * kPageMargin) * 7 / 4);
       mainWidth = isWide ? std::min(inner * 5 / 9, usable) : inner;
     } else {
       placeSticks(inner, y, mainWidth, mainHeight, take);
     }
-    const int besideLeft = isWide ? kMargin + mainWidth + kSideGap : kMargin;
+    const int besideLeft = isWide ? kPageMargin + mainWidth + kSideGap : kPageMargin;
     const int besideWidth = isWide ? inner - mainWidth - kSideGap : inner;
     const int besideHeight = stack(m_parts.beside, 0, 0, besideWidth, [](QWidget*, const QRect&) {});
     if (m_parts.dial != nullptr) {
       const int most = std::max(kLeastDial, mainWidth * 11 / 16);
-      const int left = m_room - 2 * kMargin - belowHeight;
+      const int left = m_room - 2 * kPageMargin - belowHeight;
       // As high as what stands beside it, but seen whole without scrolling.
-      const int wanted = std::min(std::max(left, isWide ? besideHeight : 0), m_room - 2 * kMargin);
+      const int wanted = std::min(std::max(left, isWide ? besideHeight : 0), m_room - 2 * kPageMargin);
       mainHeight = std::clamp(wanted, kLeastDial, most);
-      take(m_parts.dial, QRect(kMargin, y, mainWidth, mainHeight));
+      take(m_parts.dial, QRect(kPageMargin, y, mainWidth, mainHeight));
     }
-    const int besideTop = isWide ? y : y + mainHeight + kGap;
+    const int besideTop = isWide ? y : y + mainHeight + kPartGap;
     const int besideEnd = stack(m_parts.beside, besideLeft, besideTop, besideWidth, take);
-    y = std::max(y + mainHeight, besideEnd) + kGap;
+    y = std::max(y + mainHeight, besideEnd) + kPartGap;
   }
-  if (!m_parts.below.empty()) y = stack(m_parts.below, kMargin, y, inner, take) + kGap;
+  if (!m_parts.below.empty()) y = stack(m_parts.below, kPageMargin, y, inner, take) + kPartGap;
 
   const int count = static_cast<int>(m_parts.facts.size());
   const int fitting = std::max(1, (inner + kFactGap) / (kFactWidth + kFactGap));
@@ -113,12 +113,12 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
     for (int i = first; i < std::min(count, first + columns); ++i) {
       QWidget* part = m_parts.facts[static_cast<std::size_t>(i)];
       const int factHeight = heightOf(*part, factWidth);
-      take(part, QRect(kMargin + (i - first) * (factWidth + kFactGap), y, factWidth, factHeight));
+      take(part, QRect(kPageMargin + (i - first) * (factWidth + kFactGap), y, factWidth, factHeight));
       highest = std::max(highest, factHeight);
     }
-    y += highest + kGap;
+    y += highest + kPartGap;
   }
-  height = y - kGap + kMargin;
+  height = y - kPartGap + kPageMargin;
   return all;
 }
 
@@ -129,7 +129,7 @@ void PageContent::placeSticks(int inner, int top, int& width, int& height, const
   const bool isRow = rowWidth(count, each) + kSideGap + kLeastBeside <= inner;
   width = isRow ? rowWidth(count, each) : std::min(inner, each);
   height = 0;
-  int left = kMargin, y = top;
+  int left = kPageMargin, y = top;
   for (QWidget* stick : m_parts.sticks) {
     const int stickHeight = stick->sizeHint().height();
     take(stick, QRect(left, y, each, stickHeight));
@@ -137,8 +137,8 @@ void PageContent::placeSticks(int inner, int top, int& width, int& height, const
       left += each + kSideGap;
       height = std::max(height, stickHeight);
     } else {
-      y += stickHeight + kGap;
-      height = y - kGap - top;
+      y += stickHeight + kPartGap;
+      height = y - kPartGap - top;
     }
   }
 }

@@ -13,7 +13,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr double kGap = 8;
+constexpr double kTitleGap = 8;
 
 }  // namespace
 
@@ -73,19 +73,19 @@ void SectionTitle::paintEvent(QPaintEvent*) {
     const double ageWidth = figuresWidth(small, m_age);
     drawFigures(p, QRectF(0, baseline - smallMetrics.capHeight(), width(), smallMetrics.capHeight()),
                 {m_age, {}, small, small, ink, ink});
-    right -= ageWidth + kGap;
+    right -= ageWidth + kTitleGap;
     if (m_isStale) {
       const double side = 12;
       drawGlyph(p, QRectF(right - side + 2, height() / 2.0 - side / 2 - 1, side, side), Glyph::Stale, ink,
                 Qt::transparent, m_colours.stroke);
-      right -= side + kGap;
+      right -= side + kTitleGap;
     }
   }
   p.setFont(strong);
   p.setPen(m_colours.text);
   const QString title = strongMetrics.elidedText(m_title, Qt::ElideRight, right);
   p.drawText(QPointF(0, baseline), title);
-  const double left = strongMetrics.horizontalAdvance(title) + kGap;
+  const double left = strongMetrics.horizontalAdvance(title) + kTitleGap;
   if (!m_remark.isEmpty() && right - left > 40) {
     p.setFont(small);
     p.setPen(m_colours.textSecondary);

@@ -19,7 +19,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kColumn = 640;
+constexpr int kSettingsColumn = 640;
 constexpr int kIndent = 30;
 
 QLabel* heading(const QString& text, double size, QWidget* parent) {
@@ -55,7 +55,7 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("settingsPage"));
   setAccessibleName(tr("Settings"));
   auto* inside = new QWidget;
-  inside->setMaximumWidth(kColumn);
+  inside->setMaximumWidth(kSettingsColumn);
   m_column = new QVBoxLayout(inside);
   m_column->setContentsMargins(24, 16, 24, 16);
   m_column->setSpacing(4);

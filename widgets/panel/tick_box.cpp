@@ -10,7 +10,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kBox = 18, kGap = 8, kMargin = 2, kLeastHeight = 32;
+constexpr int kBox = 18, kBoxGap = 8, kBoxMargin = 2, kLeastHeight = 32;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void TickBox::setColours(const Colours& colours) {
 
 QSize TickBox::sizeHint() const {
   const QFontMetrics metrics(font());
-  return {kMargin + kBox + kGap + metrics.horizontalAdvance(text()) + 2 * kMargin,
+  return {kBoxMargin + kBox + kBoxGap + metrics.horizontalAdvance(text()) + 2 * kBoxMargin,
           std::max(kLeastHeight, metrics.height() + 8)};
 }
 
@@ -32,7 +32,7 @@ void TickBox::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const auto placed = [&](const QRect& r) { return QStyle::visualRect(layoutDirection(), rect(), r); };
-  const QRectF box = QRectF(placed({kMargin, (height() - kBox) / 2, kBox, kBox})).adjusted(1, 1, -1, -1);
+  const QRectF box = QRectF(placed({kBoxMargin, (height() - kBox) / 2, kBox, kBox})).adjusted(1, 1, -1, -1);
   const QColor& line = isEnabled() ? m_colours.accent.ink : m_colours.stale.ink;
   painter.setPen(
       QPen(isChecked() || hasFocus() || underMouse() ? line : m_colours.outline, 1.5 * m_colours.stroke));
@@ -41,7 +41,7 @@ void TickBox::paintEvent(QPaintEvent*) {
   if (isChecked())
     drawGlyph(painter, box.adjusted(2, 2, -2, -2), Glyph::Fine, m_colours.accent.onFill, Qt::transparent,
               1.5);
-  const int left = kMargin + kBox + kGap;
+  const int left = kBoxMargin + kBox + kBoxGap;
   const QRect words = placed({left, 0, width() - left, height()});
   painter.setPen(isEnabled() ? m_colours.text : m_colours.textSecondary);
   painter.drawText(words, static_cast<int>(Qt::AlignVCenter | Qt::AlignLeading | Qt::TextShowMnemonic),

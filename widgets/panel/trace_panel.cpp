@@ -21,7 +21,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kMoreMs = 33;
+constexpr int kSearchMoreMs = 33;
 constexpr int kStateVersion = 2;
 
 }  // namespace
@@ -63,7 +63,7 @@ void TracePanel::connectParts() {
     connect(header, &QWidget::customContextMenuRequested, this,
             [this, header](const QPoint& at) { showColumnMenu(*header, at); });
   }
-  m_more.setInterval(kMoreMs);
+  m_more.setInterval(kSearchMoreMs);
   connect(&m_more, &QTimer::timeout, this, &TracePanel::refresh);
   connect(m_ids, &IdView::currentFrameChanged, this, &TracePanel::currentFrameChanged);
   connect(m_ids, &IdView::filterRequested, this, [this](const QString& expression) {

@@ -13,7 +13,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kLeastRow = 22;
+constexpr int kLeastTraceRow = 22;
 constexpr int kLeastDecoded = 240;
 
 // What a column must hold without being cut; Name and Decoded hold what they can.
@@ -160,7 +160,7 @@ void TraceView::setFollowing(bool isFollowing) {
 void TraceView::updateFonts() {
   m_fonts = TraceFonts(font());
   const int text = std::max(QFontMetrics(m_fonts.text).height(), QFontMetrics(m_fonts.figures).height());
-  m_rowHeight = std::max(kLeastRow, text + 6);
+  m_rowHeight = std::max(kLeastTraceRow, text + 6);
   // As high as it makes itself, but now: its letters may come later than ours.
   m_header->setFixedHeight(std::max(FlatHeader::kLeastHeight, QFontMetrics(m_fonts.text).height() + 12));
   setUsualWidths();

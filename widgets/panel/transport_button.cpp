@@ -8,8 +8,8 @@ namespace deckpipe {
 namespace {
 
 constexpr int kSide = 44;
-constexpr double kSign = 16;
-constexpr int kGap = 8;
+constexpr double kButtonSign = 16;
+constexpr int kButtonGap = 8;
 
 // In a square of side 2 around the origin.
 void drawSign(QPainter& p, const QRectF& box, TransportButton::Sign sign, const QColor& ink) {
@@ -71,7 +71,8 @@ void TransportButton::setColours(const Colours& colours) {
 
 QSize TransportButton::sizeHint() const {
   if (m_widest.isEmpty()) return {kSide, kSide};
-  return {static_cast<int>(kSign) + 3 * kGap + 4 + fontMetrics().horizontalAdvance(m_widest), kSide};
+  return {static_cast<int>(kButtonSign) + 3 * kButtonGap + 4 + fontMetrics().horizontalAdvance(m_widest),
+          kSide};
 }
 
 void TransportButton::enterEvent(QEnterEvent* event) {
@@ -99,12 +100,13 @@ void TransportButton::paintEvent(QPaintEvent*) {
   p.setBrush(ground);
   p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
   const bool isPlain = m_widest.isEmpty();
-  const double left = isPlain ? (width() - kSign) / 2 : kGap + 2;
-  drawSign(p, QRectF(left, (height() - kSign) / 2, kSign, kSign), m_sign, ink);
+  const double left = isPlain ? (width() - kButtonSign) / 2 : kButtonGap + 2;
+  drawSign(p, QRectF(left, (height() - kButtonSign) / 2, kButtonSign, kButtonSign), m_sign, ink);
   if (!isPlain) {
     p.setPen(isFilled ? c.accent.onFill : isEnabled() ? c.text : c.stale.ink);
-    p.drawText(QRectF(left + kSign + kGap, 0, width() - left - kSign - kGap, height()),
-               Qt::AlignLeft | Qt::AlignVCenter, text());
+    p.drawText(
+        QRectF(left + kButtonSign + kButtonGap, 0, width() - left - kButtonSign - kButtonGap, height()),
+        Qt::AlignLeft | Qt::AlignVCenter, text());
   }
   if (hasFocus()) {
     p.setBrush(Qt::NoBrush);

@@ -20,7 +20,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kTarget = 44;  // pixels high, also for gloves
+constexpr int kGloveTarget = 44;  // pixels high, also for gloves
 
 struct Group {
   const char* title;
@@ -110,7 +110,7 @@ QPushButton* TwinPanel::makeButton(const char* name, const QString& text, QVBoxL
   auto* button = new QPushButton(text, this);
   button->setObjectName(QString::fromLatin1(name));
   button->setAccessibleName(text);
-  button->setMinimumHeight(kTarget);
+  button->setMinimumHeight(kGloveTarget);
   button->setAutoDefault(false);
   if (layout != nullptr) layout->addWidget(button);
   return button;
@@ -127,7 +127,7 @@ QWidget* TwinPanel::makeControls() {
   m_devices = new QComboBox(page);
   m_devices->setObjectName(QStringLiteral("twinDevices"));
   m_devices->setAccessibleName(tr("Simulated device"));
-  m_devices->setMinimumHeight(kTarget);
+  m_devices->setMinimumHeight(kGloveTarget);
   m_devices->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_devices->setMinimumContentsLength(12);
   m_sign = new GlyphLabel(page);

@@ -17,6 +17,7 @@
 #include "link/link_device.h"
 #include "link/plugins.h"
 #include "link/virtual_bus.h"
+#include "support/patience.h"
 #include "support/raw_frames.h"
 #include "support/recording_listener.h"
 
@@ -24,8 +25,6 @@ namespace deckpipe {
 namespace {
 
 using namespace test;
-
-constexpr int kLong = 30'000;  // ms; only reached by what is broken
 
 LinkSettings settingsFor(const QString& name, std::uint8_t channel = 0) {
   return {QStringLiteral("virtualcan"), name, 250'000, Channel{channel}};
@@ -36,10 +35,10 @@ struct End {
   explicit End(LinkSettings settings, CanLink::WallClock clock = CanLink::systemClock)
       : link(std::move(settings), nullptr, std::move(clock)) {}
   bool waitForState(LinkState state) {
-    return QTest::qWaitFor([&] { return heard.state() == state; }, kLong);
+    return QTest::qWaitFor([&] { return heard.state() == state; }, kPatience);
   }
   bool waitForFrames(std::size_t count) {
-    return QTest::qWaitFor([&] { return heard.frames.size() >= count; }, kLong);
+    return QTest::qWaitFor([&] { return heard.frames.size() >= count; }, kPatience);
   }
   RecordingListener heard;
   CanLink link;
@@ -48,7 +47,7 @@ struct End {
 struct CanLinkTest : ::testing::Test {
   void SetUp() override { ASSERT_TRUE(bus.start()) << bus.errorString().toStdString(); }
   bool waitForClients(int count) {
-    return QTest::qWaitFor([&] { return bus.clients(0) == count; }, kLong);
+    return QTest::qWaitFor([&] { return bus.clients(0) == count; }, kPatience);
   }
   bool open(End& end) {
     const int before = bus.clients(0);
@@ -190,7 +189,7 @@ TEST_F(CanLinkTest, TwoBusesAtOnceDoNotDisturbEachOther) {
   End otherChannel(settingsFor(bus.interfaceName(1)));
   for (End* end : {&here, &hereToo, &there, &thereToo, &otherChannel}) end->link.open(end->heard);
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return bus.clients(0) == 2 && bus.clients(1) == 1 && other.clients(0) == 2; }, kLong));
+      [&] { return bus.clients(0) == 2 && bus.clients(1) == 1 && other.clients(0) == 2; }, kPatience));
   here.link.write(frameOf(0x111, {}));
   there.link.write(frameOf(0x222, {}));
   otherChannel.link.write(frameOf(0x333, {}));
@@ -273,7 +272,7 @@ TEST_F(CanLinkTest, TheListenerMayWriteAndCloseFromInside) {
   ASSERT_TRUE(client.waitForFrames(2));
   EXPECT_EQ(client.heard.frames[1].id, 0x581u);
   client.link.write(frameOf(0x602, {}));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return answering.state() == LinkState::Closed; }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return answering.state() == LinkState::Closed; }, kPatience));
 }
 
 TEST_F(CanLinkTest, LinksOfOtherThreadsMayOpenAtTheSameTime) {
@@ -296,7 +295,7 @@ TEST_F(CanLinkTest, LinksOfOtherThreadsMayOpenAtTheSameTime) {
       cameUp += listener.state() == LinkState::Up;
     });
   }
-  EXPECT_TRUE(QTest::qWaitFor([&] { return cameUp == 4; }, kLong));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cameUp == 4; }, kPatience));
   for (std::thread& thread : threads) thread.join();
 }
 
@@ -313,7 +312,7 @@ TEST_F(CanLinkTest, WhileAdaptersAreListedOpeningWaitsAndItsThreadGoesOn) {
   one.link.open(one.heard);
   bool hasGoneOn = false;
   QTimer::singleShot(2 * LinkDevice::kTryAgain, &one.link, [&] { hasGoneOn = true; });
-  EXPECT_TRUE(QTest::qWaitFor([&] { return hasGoneOn; }, kLong));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hasGoneOn; }, kPatience));
   EXPECT_EQ(one.heard.states, std::vector{LinkState::Connecting});
   isDone.set_value();
   EXPECT_TRUE(one.waitForState(LinkState::Up));
@@ -324,7 +323,7 @@ TEST_F(CanLinkTest, ADestructorTellsNothing) {
   RecordingListener heard;
   auto link = std::make_unique<CanLink>(settingsFor(bus.interfaceName(0)));
   link->open(heard);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.state() == LinkState::Up; }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.state() == LinkState::Up; }, kPatience));
   ASSERT_EQ(link->write(frameOf(0x123, {})), WriteResult::Accepted);
   heard.forget();
   link.reset();
@@ -390,7 +389,7 @@ TEST(VirtualCanLink, WhereNobodyListensItIsGivenUp) {
   End host(settingsFor(freePort()));  // hosted by the plugin itself, unless it has done so before
   host.link.open(host.heard);
   EXPECT_FALSE(host.link.echoes());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return host.heard.state() != LinkState::Connecting; }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.heard.state() != LinkState::Connecting; }, kPatience));
 
   End end(settingsFor(freePort()));
   end.link.open(end.heard);

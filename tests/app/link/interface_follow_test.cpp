@@ -8,6 +8,7 @@
 #include "link/can_link.h"
 #include "link/virtual_bus.h"
 #include "support/fake_interfaces.h"
+#include "support/patience.h"
 #include "support/raw_frames.h"
 #include "support/recording_listener.h"
 
@@ -15,8 +16,6 @@ namespace deckpipe {
 namespace {
 
 using namespace test;
-
-constexpr int kLong = 30'000;  // ms; only reached by what is broken
 
 struct FollowedLink : ::testing::Test {
   void SetUp() override {
@@ -32,7 +31,7 @@ struct FollowedLink : ::testing::Test {
     heard.forget();
   }
   bool waitFor(LinkState state) {
-    return QTest::qWaitFor([&] { return link->status().state == state; }, kLong);
+    return QTest::qWaitFor([&] { return link->status().state == state; }, kPatience);
   }
   static void down(CanInterface& facts) { facts.isUp = false; }
   static void up(CanInterface& facts) { facts.isUp = true; }
@@ -80,7 +79,7 @@ TEST_F(FollowedLink, PulledOutAndPutBackItConnectsByItself) {
   }
   heard.forget();
   EXPECT_EQ(link->write(frameOf(0x123, {})), WriteResult::Accepted);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.frames.empty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.frames.empty(); }, kPatience));
   EXPECT_EQ(heard.frames[0].flags, Frame::kSent | Frame::kConfirmed);
 }
 
@@ -144,7 +143,7 @@ TEST_F(FollowedLink, TheControllersStateIsReadAgainAndBusOffToldOnce) {
     facts.controller = ControllerState::ErrorPassive;
     facts.sendErrors = 128;
   });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return link->status().hardware->sendErrors == 128; }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return link->status().hardware->sendErrors == 128; }, kPatience));
   EXPECT_EQ(link->status().hardware->controller, ControllerState::ErrorPassive);
   EXPECT_TRUE(heard.states.empty());
   for (int i = 0; i < 2; ++i)
@@ -158,7 +157,7 @@ TEST_F(FollowedLink, WhatTheDriverLostIsCountedAsNotKept) {
   open();
   fake->set([](CanInterface& facts) { facts.overruns = 13; });
   fake->set([](CanInterface&) {});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.notKept.empty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.notKept.empty(); }, kPatience));
   EXPECT_EQ(heard.notKept, (std::vector{std::pair{NotKept::Overflow, 3u}}));
   EXPECT_EQ(link->status().notKept, 3u);
 }
@@ -235,7 +234,7 @@ TEST_F(FollowedLink, OpeningIsConnectingUntilTheKernelAnswersAndEventsGoOnMeanwh
     QMetaObject::invokeMethod(
         link.get(), [&] { order.push_back("event"); }, Qt::QueuedConnection);
   }
-  ASSERT_TRUE(QTest::qWaitFor([&] { return order.size() == 3; }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return order.size() == 3; }, kPatience));
   EXPECT_EQ(heard.states, std::vector{LinkState::Connecting});
   EXPECT_EQ(link->write(frameOf(0x123, {})), WriteResult::NotOpen);
   fake->release();
@@ -248,7 +247,7 @@ TEST_F(FollowedLink, WhileAQuestionHangsFramesAndNewsComeAllTheSame) {
   fake->loseNews();
   ASSERT_TRUE(fake->isAsked());
   EXPECT_EQ(link->write(frameOf(0x123, {})), WriteResult::Accepted);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.frames.empty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.frames.empty(); }, kPatience));
   fake->set(down);
   EXPECT_EQ(heard.states, std::vector{LinkState::Lost});
 }
@@ -262,7 +261,7 @@ TEST_F(FollowedLink, AnAnswerThatNewsHaveOvertakenChangesNothing) {
   fake->release();  // ... and answered after it went down
   // It is asked anew, and answers as it is now.
   fake->setSilently([](CanInterface& facts) { facts.sendErrors = 7; });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return link->status().hardware->sendErrors == 7; }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return link->status().hardware->sendErrors == 7; }, kPatience));
   EXPECT_EQ(heard.states, std::vector{LinkState::Lost});
 }
 

@@ -7,10 +7,10 @@
 #include <future>
 #include <thread>
 
+#include "support/patience.h"
+
 namespace deckpipe {
 namespace {
-
-constexpr int kLong = 30'000;  // ms; only reached by what is broken
 
 // A kernel whose network lock somebody holds: a read of "held" returns after release().
 struct HeldKernel {
@@ -39,11 +39,11 @@ struct Reading : ::testing::Test {
     });
   }
   bool waitFor(std::size_t count) {
-    return QTest::qWaitFor([&] { return happened.size() >= count; }, kLong);
+    return QTest::qWaitFor([&] { return happened.size() >= count; }, kPatience);
   }
   // The worker's reference is gone, and with it the worker.
   bool waitForWorkersEnd() {
-    return QTest::qWaitFor([&] { return kernel.use_count() == 1; }, kLong);
+    return QTest::qWaitFor([&] { return kernel.use_count() == 1; }, kPatience);
   }
 
   std::shared_ptr<HeldKernel> kernel = std::make_shared<HeldKernel>();

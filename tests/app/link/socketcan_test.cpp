@@ -10,6 +10,7 @@
 
 #include "link/adapters.h"
 #include "link/can_link.h"
+#include "support/patience.h"
 #include "support/raw_frames.h"
 #include "support/recording_listener.h"
 
@@ -18,15 +19,14 @@ namespace {
 
 using namespace test;
 
-constexpr int kLong = 30'000;  // ms; only reached by what is broken
-
-struct End {
-  End(const QString& name, int bitRate) : link({QStringLiteral("socketcan"), name, bitRate, Channel{1}}) {}
+struct CardEnd {
+  CardEnd(const QString& name, int bitRate)
+      : link({QStringLiteral("socketcan"), name, bitRate, Channel{1}}) {}
   bool waitForState(LinkState state) {
-    return QTest::qWaitFor([&] { return heard.state() == state; }, kLong);
+    return QTest::qWaitFor([&] { return heard.state() == state; }, kPatience);
   }
   bool waitForFrames(std::size_t count) {
-    return QTest::qWaitFor([&] { return heard.frames.size() >= count; }, kLong);
+    return QTest::qWaitFor([&] { return heard.frames.size() >= count; }, kPatience);
   }
   RecordingListener heard;
   CanLink link;
@@ -51,7 +51,7 @@ struct SocketCan : ::testing::Test {
 };
 
 TEST_F(SocketCan, FramesGoBothWaysAndOwnOnesComeBackConfirmedOnce) {
-  End one(names[0], 250'000), two(names[1], 250'000);
+  CardEnd one(names[0], 250'000), two(names[1], 250'000);
   one.link.open(one.heard);
   two.link.open(two.heard);
   ASSERT_TRUE(one.waitForState(LinkState::Up)) << one.heard.reason();
@@ -91,7 +91,7 @@ TEST_F(SocketCan, FramesGoBothWaysAndOwnOnesComeBackConfirmedOnce) {
 }
 
 TEST_F(SocketCan, WhatAnotherProgramSendsOnOurInterfaceIsNotOurs) {
-  End one(names[0], 250'000), other(names[0], 250'000);
+  CardEnd one(names[0], 250'000), other(names[0], 250'000);
   one.link.open(one.heard);
   other.link.open(other.heard);
   ASSERT_TRUE(one.waitForState(LinkState::Up));
@@ -109,7 +109,7 @@ TEST_F(SocketCan, ABurstEndsInAFullQueueAndWhatWasAcceptedComesBack) {
                              QStringLiteral("dev"),   names[0],
                              QStringLiteral("root"),  QStringLiteral("tbf")};
   const bool isSlow = QProcess::execute(tc, qdisc + slow) == 0;
-  End one(names[0], 250'000);
+  CardEnd one(names[0], 250'000);
   one.link.open(one.heard);
   ASSERT_TRUE(one.waitForState(LinkState::Up));
   std::size_t accepted = 0;
@@ -131,7 +131,7 @@ TEST_F(SocketCan, ABurstEndsInAFullQueueAndWhatWasAcceptedComesBack) {
 }
 
 TEST_F(SocketCan, AnotherBitRateThanAskedForIsRefused) {
-  End wrong(names[0], 500'000), asItIs(names[0], 0);
+  CardEnd wrong(names[0], 500'000), asItIs(names[0], 0);
   wrong.link.open(wrong.heard);
   ASSERT_TRUE(wrong.waitForState(LinkState::Closed));
   EXPECT_EQ(wrong.link.status().fault, LinkFault::WrongBitRate);
@@ -141,7 +141,7 @@ TEST_F(SocketCan, AnotherBitRateThanAskedForIsRefused) {
 }
 
 TEST_F(SocketCan, DownIsLostAndUpAgainIsUp) {
-  End one(names[0], 250'000);
+  CardEnd one(names[0], 250'000);
   one.link.open(one.heard);
   ASSERT_TRUE(one.waitForState(LinkState::Up));
   setUp(names[0], false);
@@ -150,7 +150,7 @@ TEST_F(SocketCan, DownIsLostAndUpAgainIsUp) {
   EXPECT_EQ(one.link.status().fault, LinkFault::InterfaceDown);
   EXPECT_EQ(one.link.write(frameOf(0x123, {})), WriteResult::NotOpen);
 
-  End late(names[0], 250'000);
+  CardEnd late(names[0], 250'000);
   late.link.open(late.heard);
   ASSERT_TRUE(late.waitForState(LinkState::Closed));
   EXPECT_EQ(late.link.status().fault, LinkFault::InterfaceDown);
@@ -173,14 +173,14 @@ TEST_F(SocketCan, DownIsLostAndUpAgainIsUp) {
 }
 
 TEST_F(SocketCan, UpAgainAtAnotherRateItWaitsForTheRightOne) {
-  End one(names[0], 250'000);
+  CardEnd one(names[0], 250'000);
   one.link.open(one.heard);
   ASSERT_TRUE(one.waitForState(LinkState::Up));
   setUp(names[0], false);
   ASSERT_TRUE(one.waitForState(LinkState::Lost));
   setRate(names[0], 500'000);
   setUp(names[0], true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return one.link.status().fault == LinkFault::WrongBitRate; }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return one.link.status().fault == LinkFault::WrongBitRate; }, kPatience));
   EXPECT_EQ(one.heard.state(), LinkState::Lost);
   EXPECT_EQ(one.link.write(frameOf(0x123, {})), WriteResult::NotOpen);
   setUp(names[0], false);

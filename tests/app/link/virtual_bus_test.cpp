@@ -10,10 +10,10 @@
 #include <memory>
 #include <vector>
 
+#include "support/patience.h"
+
 namespace deckpipe {
 namespace {
-
-constexpr int kLong = 30'000;  // ms; only reached by what is broken
 
 // A client that speaks the plugin's protocol by hand.
 struct Client {
@@ -28,11 +28,11 @@ struct Client {
                  heard += socket.readAll();
                  return heard.size() >= expected.size();
                },
-               kLong) &&
+               kPatience) &&
            heard == expected;
   }
   bool isLetGo() {
-    return QTest::qWaitFor([&] { return socket.state() == QAbstractSocket::UnconnectedState; }, kLong);
+    return QTest::qWaitFor([&] { return socket.state() == QAbstractSocket::UnconnectedState; }, kPatience);
   }
   QTcpSocket socket;
   QByteArray heard;
@@ -41,7 +41,7 @@ struct Client {
 struct VirtualBusTest : ::testing::Test {
   void SetUp() override { ASSERT_TRUE(bus.start()); }
   bool waitForClients(int channel, int count) {
-    return QTest::qWaitFor([&] { return bus.clients(channel) == count; }, kLong);
+    return QTest::qWaitFor([&] { return bus.clients(channel) == count; }, kPatience);
   }
   VirtualBus bus;
 };

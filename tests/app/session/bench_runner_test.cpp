@@ -12,12 +12,11 @@
 
 #include "session/twin_faults.h"
 #include "support/frames.h"
+#include "support/patience.h"
 #include "support/recording_listener.h"
 
 namespace deckpipe {
 namespace {
-
-constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
 
 class RunningTwin : public testing::Test {
  protected:

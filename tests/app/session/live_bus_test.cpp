@@ -10,12 +10,11 @@
 
 #include "link/virtual_bus.h"
 #include "support/frames.h"
+#include "support/patience.h"
 #include "support/recording_listener.h"
 
 namespace deckpipe {
 namespace {
-
-constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
 
 TEST(LiveBus, LocksWhereTheLogTakesNoMoreAndAnswersNothingFromThenOn) {
   VirtualBus bus;

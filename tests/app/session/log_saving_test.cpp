@@ -12,11 +12,10 @@
 
 #include "support/frames.h"
 #include "support/logs.h"
+#include "support/patience.h"
 
 namespace deckpipe {
 namespace {
-
-constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
 
 struct LogSavingTest : testing::Test {
   QTemporaryDir dir;

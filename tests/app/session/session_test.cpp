@@ -9,10 +9,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "support/patience.h"
+
 namespace deckpipe {
 namespace {
 
-constexpr int kPatience = 20'000;  // ms; only ever used up by a failure
 const Pin kMonitor = *Pin::parse("1032AE100801035");
 
 QString writeLog(const QTemporaryDir& dir, const QByteArray& text) {

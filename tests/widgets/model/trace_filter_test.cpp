@@ -11,7 +11,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr const char* kLog =
+constexpr const char* kFilterLog =
     "(1700000000.000000) can0 18EFFF80#FF83150206021A0B\n"    // 1 announcement: 80 is Akron
     "(1700000000.100000) can0 18EFFF80#011D940371000041\n"    // 2 rotation 47.3, elevation -5.5
     "(1700000000.200000) can0 18EFFF80#81FED401C280\n"        // 3 rotation soft limits
@@ -27,7 +27,7 @@ constexpr const char* kLog =
 
 // Numbers, from 1, of the frames that pass: "2 12".
 std::string passing(TraceFilter filter) {
-  const auto log = test::logOfText(kLog);
+  const auto log = test::logOfText(kFilterLog);
   filter.bind(log->frames);
   LogWalk walk(*log, 0);
   std::string numbers;

@@ -23,7 +23,7 @@ namespace {
 using test::frame;
 using What = wish::PipeAction::What;
 
-const DeviceKey kMonitor = test::kTalkedTo;
+const DeviceKey kTerminalMonitor = test::kTalkedTo;
 constexpr std::int64_t kMilli = 1'000'000;
 
 struct Terminal : test::Talk<TerminalPanel> {
@@ -124,7 +124,7 @@ TEST_F(Terminal, CharactersOfMoreThanAByteAreRefusedWithWords) {
 TEST_F(Terminal, WhatWasTypedForOneDeviceIsNotThereForAnother) {
   auto* input = child<QLineEdit>("pipeInput");
   QTest::keyClicks(input, QStringLiteral("for the roof"));
-  panel.setDevice(kMonitor, QStringLiteral("Roof, renamed"));
+  panel.setDevice(kTerminalMonitor, QStringLiteral("Roof, renamed"));
   EXPECT_FALSE(input->text().isEmpty());
   panel.setDevice(DeviceKey::of(*Pin::parse("1033AE100802117")), QStringLiteral("Riser"));
   EXPECT_TRUE(input->text().isEmpty());
@@ -336,7 +336,7 @@ TEST(PipeTranscript, KnowsTheAckOfEachPacketAndSavesThem) {
   view.cursor = {5, document->frames.timeAt(4)};
   view.begin = document->frames.timeAt(0);
   PipeTranscript transcript;
-  transcript.take(view, talk, kMonitor);
+  transcript.take(view, talk, kTerminalMonitor);
   ASSERT_EQ(transcript.packets().size(), 3u);
   EXPECT_EQ(*transcript.packets()[0].acknowledged - transcript.packets()[0].time, 4ms);
   EXPECT_FALSE(transcript.packets()[1].acknowledged);
