@@ -179,8 +179,8 @@ class Pair {
     for (auto& console : m_consoles) {
       if (console.get() == sender) {
         Frame echo = frame;
-        echo.flags |= sender->echoes ? Frame::kSent | Frame::kConfirmed : Frame::kSent;
-        fly(sender, echo, sender->echo(frame));
+        echo.flags |= console->echoes ? Frame::kSent | Frame::kConfirmed : Frame::kSent;
+        fly(console.get(), echo, console->echo(frame));
       } else {
         fly(console.get(), frame, fate);
       }

@@ -36,18 +36,16 @@ class TinyParser final : public TextParser {
   }
 };
 
+std::string hexOf(std::uint32_t number, unsigned digits) {
+  std::string hex;
+  for (unsigned i = digits; i-- > 0;) hex += "0123456789abcdef"[number >> 4 * i & 0xF];
+  return hex;
+}
+
 void writeTiny(const Frame& frame, std::string_view, std::string& out) {
-  char line[64];
-  char* p = std::copy_n("@", 1, line);
-  p = std::to_chars(p, std::end(line), frame.stamp).ptr;
-  *p++ = ' ';
-  p = std::to_chars(p, std::end(line), frame.id, 16).ptr;
-  *p++ = ' ';
-  for (const std::uint8_t byte : frame.bytes()) {
-    if (byte < 16) *p++ = '0';
-    p = std::to_chars(p, std::end(line), byte, 16).ptr;
-  }
-  out.append(line, p).append("\n");
+  out += "@" + std::to_string(frame.stamp) + " " + hexOf(frame.id, 8) + " ";
+  for (const std::uint8_t byte : frame.bytes()) out += hexOf(byte, 2);
+  out += "\n";
 }
 
 constexpr LogFormat kTiny = textFormat<TinyParser>("tiny", "*.tiny *.t", writeTiny);
