@@ -4,17 +4,14 @@
 //
 // 1. A step is judged against the last stamp of the same channel: back by more than kBack, or forward by more
 //    than kForward. Smaller differences are no step, whichever way they go.
-// 2. If the next stamp of the channel undoes the step, that one frame has no time of its own: it takes the
-// time
+// 2. If the next stamp of the channel undoes the step, that one frame has no time of its own: it takes the time
 //    of the frame before.
 // 3. A step back that holds begins a piece. Its time goes on from the frame before.
-// 4. A step forward that holds is time that passed. But if it brings the clock back to an earlier piece of
-// the
+// 4. A step forward that holds is time that passed. But if it brings the clock back to an earlier piece of the
 //    channel, within kReturn, the offset of that piece returns. An earlier piece is met where it stopped, or
 //    where its clock would stand by now.
 // 5. Each step is one mark.
-// 6. A channel whose first stamp lies more than kForward from log time starts at the time of the frame
-// before,
+// 6. A channel whose first stamp lies more than kForward from log time starts at the time of the frame before,
 //    without a mark.
 #pragma once
 

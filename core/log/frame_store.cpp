@@ -39,8 +39,7 @@ std::span<Frame> FrameStore::room() {
 }
 
 // Copies what fits into one chunk after the other and publishes each chunk's part at once. `take(index,
-// rest)` moves log time on for the first frame of `rest`, and says whether that frame is a jump. Take::Wait
-// ends it.
+// rest)` moves log time on for the first frame of `rest`, unless that frame must wait, which ends it.
 template <typename TakeFrame>
 FrameStore::Appended FrameStore::appendEach(std::span<const Frame> frames, TakeFrame take) {
   Appended done;

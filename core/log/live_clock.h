@@ -2,14 +2,12 @@
 // LiveClock: what the stamps of an adapter say about time while frames arrive. FrameStore asks it for each
 // live frame, in order. Log time is CLOCK_BOOTTIME; a stamp plus the offset of its channel is log time.
 //
-// 1. Where stamps are the wall clock (socketcan, virtualcan) the offset is CLOCK_BOOTTIME minus
-// CLOCK_REALTIME.
+// 1. Where stamps are the wall clock (socketcan, virtualcan) the offset is CLOCK_BOOTTIME minus CLOCK_REALTIME.
 //    It is taken anew when that difference moves by more than kClockSet: somebody set the wall clock.
 // 2. Other adapters count from a base of their own. There the offset is the smallest (arrival − stamp) of the
 //    last kWindow, since a frame is often late and never early. A stamp that goes back by more than kWrap
 //    begins anew: the counter wrapped.
-// 3. No frame is later than its arrival. A frame that is handled late keeps its own earlier time: a slow
-// thread
+// 3. No frame is later than its arrival. A frame that is handled late keeps its own earlier time: a slow thread
 //    is no jump of the clock.
 // 4. A frame that belongs before what the live State has reached takes the State's time, and is marked late.
 // 5. A frame without a stamp takes the time of the frame before, unless that is more than kStampless old.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "log/candump.h"
+#include "log/text_marks.h"
 
 namespace deckpipe {
 namespace {
@@ -21,6 +22,24 @@ bool hasPatternOf(const LogFormat& format, std::string_view fileName) {
     if (fileName.ends_with(suffix)) return true;
   }
   return false;
+}
+
+Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, FrameStore& store, UnkeptList& unkept,
+                                         const ReadOptions& options, std::span<const LogFormat> formats) {
+  std::vector<char> buffer;
+  std::string_view head;
+  const std::uint64_t size = std::min<std::uint64_t>(bytes.size(), kSniffBytes);
+  if (std::string why = bytes.get(0, size, buffer, head); !why.empty())
+    return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
+  const auto format = std::ranges::find_if(formats, [&](const LogFormat& candidate) {
+    return candidate.sniff(head, size == bytes.size()) == Sniff::Yes;
+  });
+  if (format == formats.end()) return Failure{ReadError{ReadError::Kind::UnknownFormat}};
+  auto result = format->read(bytes, store, unkept, options);
+  if (result) return result;
+  ReadError error = result.error();
+  error.format = format->name;
+  return Failure{std::move(error)};
 }
 
 }  // namespace
@@ -39,18 +58,12 @@ Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, FrameStore& store,
                                        const ReadOptions& options, std::span<const LogFormat> formats) {
   std::vector<char> buffer;
   std::string_view head;
-  const std::uint64_t size = std::min<std::uint64_t>(bytes.size(), kSniffBytes);
-  if (std::string why = bytes.get(0, size, buffer, head); !why.empty())
+  if (std::string why = bytes.get(0, std::min<std::uint64_t>(bytes.size(), kMaxTextMark), buffer, head);
+      !why.empty())
     return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
-  const auto format = std::ranges::find_if(formats, [&](const LogFormat& candidate) {
-    return candidate.sniff(head, size == bytes.size()) == Sniff::Yes;
-  });
-  if (format == formats.end()) return Failure{ReadError{ReadError::Kind::UnknownFormat}};
-  auto result = format->read(bytes, store, unkept, options);
-  if (result) return result;
-  ReadError error = result.error();
-  error.format = format->name;
-  return Failure{std::move(error)};
+  const TextMark mark = textMarkOf(head);
+  if (mark == TextMark::None) return readPlain(bytes, store, unkept, options, formats);
+  return readPlain(UnmarkedBytes(bytes, mark), store, unkept, options, formats);
 }
 
 const LogFormat& formatToWrite(std::string_view fileName, std::span<const LogFormat> formats) {

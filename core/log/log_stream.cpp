@@ -19,7 +19,9 @@ void LogStream::decide(bool isWhole) {
   if (format->stream != nullptr) m_reader = format->stream(m_store, m_unkept);
 }
 
-bool LogStream::feed(std::string_view bytes) {
+bool LogStream::feed(std::string_view bytes) { return feedPlain(m_unmarker.take(bytes)); }
+
+bool LogStream::feedPlain(std::string_view bytes) {
   if (m_reader) return m_reader->feed(bytes);
   if (m_sniff != Sniff::Open) return false;
   m_head += bytes;
@@ -32,6 +34,7 @@ bool LogStream::feed(std::string_view bytes) {
 }
 
 Result<ReadSummary, ReadError> LogStream::finish() {
+  feedPlain(m_unmarker.finish());
   if (m_sniff == Sniff::Open) {
     decide(true);
     if (m_reader) m_reader->feed(std::exchange(m_head, {}));

@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "log/log_format.h"
+#include "log/text_marks.h"
 
 namespace deckpipe {
 
@@ -24,11 +25,13 @@ class LogStream {
   Result<ReadSummary, ReadError> finish();
 
  private:
+  bool feedPlain(std::string_view bytes);
   void decide(bool isWhole);
 
   FrameStore& m_store;
   UnkeptList& m_unkept;
   std::span<const LogFormat> m_formats;
+  Unmarker m_unmarker;
   Sniff m_sniff = Sniff::Open;
   std::string m_head;         // while it is open
   std::size_t m_sniffAt = 1;  // bytes of head

@@ -9,8 +9,7 @@
 //
 // 1. The number of a kind, and of a value of its enums, is never changed and never used again.
 // 2. Fields are only ever added at the end: what follows the known ones is skipped.
-// 3. A kind, or a value of an enum, that this version does not know is from a newer one. It is told as
-// unknown
+// 3. A kind, or a value of an enum, that this version does not know is from a newer one. It is told as unknown
 //    and skipped; what follows is read.
 #pragma once
 

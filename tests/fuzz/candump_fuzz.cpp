@@ -78,6 +78,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Reading back;
   back.result = readLog(BytesInMemory(written), back.store, back.unkept);
   demand(back.store.count() == whole.store.count());
-  for (std::uint64_t i = 0; i < back.store.count(); ++i) demand(back.store[i] == whole.store[i]);
+  for (std::uint64_t i = 0; i < back.store.count(); ++i) {
+    Frame read = back.store[i], expected = whole.store[i];
+    if (expected.hasStamp()) expected.stamp -= expected.stamp % 1000;  // six decimals are written
+    // What is cut off may decide whether a clock steps.
+    read.flags &= static_cast<std::uint8_t>(~Frame::kTimeJump);
+    expected.flags &= static_cast<std::uint8_t>(~Frame::kTimeJump);
+    demand(read == expected);
+  }
   return 0;
 }
