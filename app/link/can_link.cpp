@@ -203,6 +203,10 @@ void CanLink::deliver() {
   m_delivery.handOver();
 }
 
+void CanLink::drain() {
+  if (m_stage == LinkStage::Up) deliverRest();
+}
+
 // Hands over what came before the end; false where that led to another stage, by the listener or the device.
 bool CanLink::deliverRest() {
   const int moves = m_moves;

@@ -60,6 +60,8 @@ class CanLink : public QObject, public Port {
   void close() override;
   WriteResult write(const Frame& frame) override;
   bool echoes() const override;
+  // Hands over what has arrived by now, also what the kernel still holds: whoever judges time calls it first.
+  void drain();
 
   const LinkSettings& settings() const { return m_settings; }
   const LinkStatus& status() const { return m_status; }

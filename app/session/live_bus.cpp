@@ -44,7 +44,10 @@ LiveBus::Published LiveBus::latest() const {
 void LiveBus::start() {
   m_tick = new QTimer(this);
   m_tick->setTimerType(Qt::PreciseTimer);
-  connect(m_tick, &QTimer::timeout, this, &LiveBus::publish);
+  connect(m_tick, &QTimer::timeout, this, [this] {
+    m_link->drain();
+    publish();
+  });
   m_tick->start(kTick);
   m_serviceTimer = new QTimer(this);
   m_serviceTimer->setTimerType(Qt::PreciseTimer);
@@ -56,6 +59,7 @@ void LiveBus::start() {
 
 void LiveBus::apply(const Intent& intent) {
   if (m_storeFull && !onlyStops(intent.value)) return;
+  if (m_link != nullptr) m_link->drain();
   followHardware();
   m_services.apply(bootTime(), m_state, intent);
   serve();
@@ -77,12 +81,13 @@ void LiveBus::sayDrive(Address address, bool isDrive) {
 }
 
 void LiveBus::serve() {
-  m_services.takeFrames(m_toSend);
-  for (const OutFrame& out : m_toSend) {
-    const WriteResult result = m_link != nullptr ? m_link->write(out.frame) : WriteResult::NotOpen;
-    m_services.wrote(bootTime(), m_state, out, result);
+  // What became of one frame may lead to another.
+  for (m_services.takeFrames(m_toSend); !m_toSend.empty(); m_services.takeFrames(m_toSend)) {
+    for (const OutFrame& out : std::exchange(m_toSend, {})) {
+      const WriteResult result = m_link != nullptr ? m_link->write(out.frame) : WriteResult::NotOpen;
+      m_services.wrote(bootTime(), m_state, out, result);
+    }
   }
-  m_toSend.clear();
   m_services.takeNotes(m_toNote);
   for (Note& note : m_toNote) write(std::move(note.value));
   m_toNote.clear();

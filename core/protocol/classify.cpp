@@ -4,6 +4,7 @@
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "protocol/address_book.h"
+#include "protocol/address_use.h"
 #include "protocol/lists.h"
 
 namespace deckpipe {
@@ -36,8 +37,6 @@ constexpr TypeTable makeTable(Family family) {
 }
 constexpr TypeTable kAkronTypes = makeTable(Family::Akron);
 constexpr TypeTable kCopleyCommands = makeTable(Family::Copley);
-
-constexpr bool isDynamicAddress(Address a) { return a.value >= 0x80 && a.value <= 0xF7; }
 
 Classified decoded(Family family, MessageId id, unsigned length) {
   const Lengths wanted = messageOf(id).lengths;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/claim_service.h"
 
+#include <utility>
+
 #include "bus/j1939.h"
 
 namespace deckpipe {
@@ -86,7 +88,7 @@ bool ClaimService::isFree(const Live& live, Address address) const {
   if (m_lost[address.value]) return false;
   if (book.isHeld(address) && book.holder(address).value != m_status.name) return false;
   if (!book.isHeard(address)) return true;
-  // Rule 7: others may have sent from a monitor's address that was ours, while we did not listen.
+  // Rule 8: others may have sent from a monitor's address that was ours, while we did not listen.
   return m_ours[address.value] && !isDynamicAddress(address);
 }
 
@@ -152,7 +154,7 @@ void ClaimService::received(Instant now, const Live& live, const Frame& frame, O
   const J1939Id id = J1939Id::of(frame.identifier());
   const bool isClaim = id.pgn == pgn::kAddressClaimed && frame.length == 8;
   const bool isSameName = isClaim && Name::of(frame).value == m_status.name;
-  if (id.source == m_status.address && isDynamicAddress(id.source) && !isSameName)
+  if (id.source == m_status.address && isDynamicAddress(id.source) && !isSameName && (isClaim || m_echoes))
     return leave(now, live, isClaim ? How::Lost : How::InUse, out);
   if (isClaim) return claimHeard(now, live, id.source, Name::of(frame), out);
   const bool hasAddress = m_status.address != kNullAddress;
@@ -170,7 +172,7 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
   if (source == kGlobalAddress || name.value == 0) return;
   if (name.value == m_status.name) {
     m_status.progress = Progress::SameName;
-    m_status.address = kNullAddress;
+    out.left.push_back(std::exchange(m_status.address, kNullAddress));
     m_deadline = kNever;
     noteAddress(live, kNullAddress, How::SameName, out);
     return;
@@ -188,6 +190,7 @@ void ClaimService::claimHeard(Instant now, const Live& live, Address source, Nam
 void ClaimService::leave(Instant now, const Live& live, How why, Outgoing& out) {
   ++m_status.lost;
   m_lost.set(m_status.address.value);
+  out.left.push_back(m_status.address);
   m_conflict = kNotYet;
   noteAddress(live, kNullAddress, why, out);
   claimNext(now, live, out);

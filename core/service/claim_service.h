@@ -4,8 +4,7 @@
 // application has a NAME and an address of its own.
 //
 // 1. First it asks who is there, from the null address, and listens kListen, so as to disturb nobody.
-// 2. An address may be used kClaimTime after its claim was on the bus, unless a numerically lower NAME
-// claimed
+// 2. An address may be used kClaimTime after its claim was on the bus, unless a numerically lower NAME claimed
 //    it too. Where the adapter has no echo the time counts from when it took the claim.
 // 3. The loser claims the next address that nobody is known to use, F9 and FA first; where there is none it
 //    says 'cannot claim' from the null address, 0-153 ms later, and whenever it is asked.
@@ -13,8 +12,7 @@
 // 5. A frame from our address that we did not send is a conflict: we claim again, and move when it goes on.
 //    Without echoes our own frames cannot be told from another's, and this is not watched.
 // 6. Another node with our very NAME cannot be contested: it is reported, and nothing more is sent.
-// 7. The console never prefers a joystick's or a monitor's address, whatever the settings say: F9 replaces
-// it.
+// 7. The console never prefers a joystick's or a monitor's address, whatever the settings say. F9 replaces it.
 // 8. A monitor's address (80..F7 hex) is claimed only where F9 and FA are taken, from the top, and only if no
 //    frame was ever heard from it. It is given up at once when anybody else claims it or sends from it.
 #pragma once

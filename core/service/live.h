@@ -45,6 +45,7 @@ struct Outgoing {
   std::vector<Note> notes;
   std::uint32_t owner = 0;  // place of the service that is called, in the list; Services sets it
   std::uint64_t lastNumber = 0;
+  std::vector<Address> left;  // addresses that are not ours any more: nothing more is sent from them
 
   // Placed in the log (frame, time) by whoever writes them down.
   void note(NoteValue value) { notes.push_back({.value = std::move(value)}); }

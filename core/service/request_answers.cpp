@@ -35,7 +35,11 @@ void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, Wri
   if (handed != m_commands.end()) {
     const Handed command = *handed;
     m_commands.erase(handed);
-    if (isOnBus && command.isSaid) return commandEnded(now, live, command, RequestEnd::WentOutLate, out);
+    if (isOnBus && command.isSaid) {
+      Ask late{};
+      if (Asked* at = openWith(tag, late)) at->status(late).sent = now;
+      return commandEnded(now, live, command, RequestEnd::WentOutLate, out);
+    }
     if (outcome == WriteOutcome::Gone)
       return commandEnded(now, live, command, RequestEnd::GoneWithInterface, out);
   }

@@ -95,9 +95,9 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
   if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
   const AskSet takes = asksTakenBy(live, *device) & wish.asks;
   if (takes.isEmpty()) return Refusal::NotTaken;
-  if ((takes & kPolls) != takes) {
-    if (const Refusal why = live.whyNotTo(now, wish.device); why != Refusal::None) return why;
-  }
+  // A silent device may be polled; nothing is sent to an address that is contested.
+  const Refusal why = live.whyNotTo(now, wish.device);
+  if (why == Refusal::Contested || (why != Refusal::None && (takes & kPolls) != takes)) return why;
   Asked& at = asked(live.canonical(wish.device));
   Refusal refusal = Refusal::Busy;
   forEachAsk(takes, [&](Ask ask) {

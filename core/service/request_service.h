@@ -27,8 +27,7 @@ class RequestService : public Service {
  public:
   // An answer this long after it was given up is still told from one that nobody asked for.
   static constexpr Duration kLate = 5s;
-  // A device that restarts is silent for three periods of its statuses at least: its claim alone takes 250
-  // ms.
+  // A device that restarts is silent for three periods of its statuses at least: its claim alone takes 250 ms.
   static constexpr Duration kRestart = 300ms;
 
   // Sends from the address that `own` claims.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bus/j1939.h"
 #include "service/pipe_service.h"
 #include "service/request_service.h"
 
@@ -69,6 +70,7 @@ void Services::begin(Instant now, const Live& live) {
 
 Refusal Services::unlock(Instant now, const Live& live) {
   if (!m_status.locked) return Refusal::None;
+  if (m_isClosed) return Refusal::NoLink;
   if (m_status.isListenOnly) return Refusal::ListenOnly;
   m_status.locked = false;
   m_out.note(note::Unlocked{live.channel});
@@ -142,7 +144,23 @@ Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) 
   return answer.value_or(Refusal::NotTaken);
 }
 
+// What was put out before from an address that is not ours any more would speak for whoever has it now.
+void Services::dropLeft(Instant now, const Live& live) {
+  const std::vector<Address> left = std::exchange(m_out.left, {});
+  if (left.empty()) return;
+  std::vector<OutFrame> dropped;
+  const auto take = [&](const OutFrame& out) {
+    const bool isOurs = std::ranges::count(left, J1939Id::of(out.frame.identifier()).source) == 0;
+    if (!isOurs) dropped.push_back(out);
+    return !isOurs;
+  };
+  std::erase_if(m_out.frames, take);
+  std::erase_if(m_again, [&](const Again& again) { return take(again.frame); });
+  for (const OutFrame& frame : dropped) writeEnded(now, live, frame.tag, WriteOutcome::NotTaken);
+}
+
 void Services::followAddresses(Instant now, const Live& live) {
+  dropLeft(now, live);
   bool isLost = false;
   for (std::size_t i = 0; i < m_services.size(); ++i) {
     const Address before = std::exchange(m_services[i].source, m_services[i].service->source());
@@ -182,8 +200,9 @@ void Services::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutc
 void Services::wrote(Instant now, const State& state, const OutFrame& frame, WriteResult result) {
   const Live live = liveOf(state);
   if (result == WriteResult::Accepted) {
-    if (!m_settings.echoes) return writeEnded(now, live, frame.tag, WriteOutcome::CannotTell);
-    return m_own.wrote(frame.frame, frame.tag, now);
+    if (m_settings.echoes) return m_own.wrote(frame.frame, frame.tag, now);
+    writeEnded(now, live, frame.tag, WriteOutcome::CannotTell);
+    return followEnding(now, live);
   }
   if (result == WriteResult::QueueFull && frame.triesAgain) {
     m_again.push_back({frame, now + kTryAgain});
@@ -193,6 +212,7 @@ void Services::wrote(Instant now, const State& state, const OutFrame& frame, Wri
   ++m_status.notTaken;
   const bool isFull = result == WriteResult::QueueFull;
   writeEnded(now, live, frame.tag, isFull ? WriteOutcome::QueueFull : WriteOutcome::NotTaken);
+  followEnding(now, live);
 }
 
 void Services::giveUp(Instant now, const Live& live, const OutFrame& frame) {

@@ -84,6 +84,7 @@ class Services {
   template <typename F>
   void callAt(std::size_t place, F&& call);
   // Who sent from an address that is no longer ours ends.
+  void dropLeft(Instant now, const Live& live);
   void followAddresses(Instant now, const Live& live);
 
   ServiceSettings m_settings;

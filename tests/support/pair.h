@@ -179,7 +179,8 @@ class Pair {
     for (auto& console : m_consoles) {
       if (console.get() == sender) {
         Frame echo = frame;
-        echo.flags |= console->echoes ? Frame::kSent | Frame::kConfirmed : Frame::kSent;
+        echo.flags |= Frame::kSent;
+        if (console->echoes) echo.flags |= Frame::kConfirmed;
         fly(console.get(), echo, console->echo(frame));
       } else {
         fly(console.get(), frame, fate);

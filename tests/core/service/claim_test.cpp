@@ -112,6 +112,20 @@ TEST_F(Claim, ALowerNameTakesTheAddressAndAnotherIsClaimed) {
   EXPECT_EQ(status().progress, Progress::Claimed);
 }
 
+// Both frames arrive before anything is written, as after a stall.
+TEST_F(Claim, NothingMoreIsSentFromAnAddressThatWasLostMeanwhile) {
+  pair.want(wish::Unlock{});
+  pair.run(1s);
+  ASSERT_EQ(status().progress, Progress::Claimed);
+  Services& services = pair.console().services;
+  services.received(pair.now(), pair.console().state, requestNames(0x80));
+  services.received(pair.now(), pair.console().state, claimFrame(5, 0xF9));
+  std::vector<OutFrame> out;
+  services.takeFrames(out);
+  ASSERT_FALSE(out.empty()) << "another address is claimed";
+  for (const OutFrame& sent : out) EXPECT_NE(J1939Id::of(sent.frame.identifier()).source, Address{0xF9});
+}
+
 TEST_F(Claim, ContestedWhileClaimingItNeverUsesTheAddress) {
   pair.want(wish::Unlock{});
   pair.run(ClaimService::kListen + 100ms);

@@ -291,7 +291,7 @@ TEST_F(Request, ACommandToADeviceThatIsSilentForASecondIsRefusedAndAPollIsNot) {
   EXPECT_EQ(sent(0x41), 0u);
 }
 
-TEST_F(Request, ACommandToAContestedAddressIsRefusedUntilItIsDecided) {
+TEST_F(Request, NothingIsAskedOfAContestedAddressUntilItIsDecided) {
   Frame claim = frame("18EEFF00", "FFFFFFFFFFFFFFFF");  // would lose, and the holder does not answer yet
   claim.id = J1939Id{6, pgn::kAddressClaimed, Address{monitorAddress()}, kGlobalAddress}.frameId();
   pair.wire = [](const Frame& f) {
@@ -301,8 +301,9 @@ TEST_F(Request, ACommandToAContestedAddressIsRefusedUntilItIsDecided) {
   pair.inject(claim);
   pair.run(Pair::kFlight);
   EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Contested);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::Contested);
   EXPECT_EQ(sent(0x41), 0u);
+  EXPECT_EQ(sent(0x02), 0u);
 }
 
 TEST_F(Request, NothingIsUnlockedOnAListenOnlyAdapter) {
