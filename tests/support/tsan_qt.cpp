@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of every test program and tool of the thread sanitizer's build. Debian's Qt is not instrumented and
-// locks with futexes, so the sanitizer does not see that a call that one thread posts happens before the
-// other thread runs it. This file tells it: what was written before a signal or a queued call is known to
-// each thread that takes an event later. All threads share one such mark, so that a race between two threads
-// may hide behind a call that they exchanged for something else; that is the price of knowing neither the
-// receiver of a signal nor the sender of an event.
+// Part of every program with Qt in the thread sanitizer's build. Debian's Qt is not instrumented and locks
+// with futexes, so the sanitizer does not see that a call that one thread posts happens before the other
+// thread runs it. This file tells it. A queued call is known to the thread that receives it. A signal is
+// known to every thread that takes a posted call later, since its receivers cannot be told here: a race may
+// hide behind a signal that was emitted between its two sides.
 #include <dlfcn.h>
 
+#include <QCoreApplication>
 #include <QObject>
+#include <QThread>
 
 extern "C" void __tsan_acquire(void* mark);
 extern "C" void __tsan_release(void* mark);
+
+// What Qt and GLib do on their own account: Qt frees an event that another thread allocated, GLib wakes a
+// thread through a descriptor that the other thread opened. Both rules match the library's own call only; our
+// code that an event runs has none of these on its stack, as the sanitizer does not follow what is not
+// instrumented.
+extern "C" const char* __tsan_default_suppressions() {
+  return "race:QCoreApplicationPrivate::sendPostedEvents\ncalled_from_lib:libglib-2.0.so.0\n";
+}
 
 // Qt's own hook for debuggers (private/qobject_p.h).
 struct QSignalSpyCallbackSet {
@@ -23,21 +32,25 @@ Q_CORE_EXPORT void qt_register_signal_spy_callbacks(QSignalSpyCallbackSet* callb
 
 namespace {
 
-char handOver;
+char emitted;
 
 QSignalSpyCallbackSet spy{
-    [](QObject*, int, void**) { __tsan_release(&handOver); },
+    [](QObject*, int, void**) { __tsan_release(&emitted); },
     nullptr,
     nullptr,
     nullptr,
 };
 
+// Before each event of any thread. The event itself is not looked at: reading it would be the first race.
+bool received(void**) {
+  __tsan_acquire(QThread::currentThread());
+  __tsan_acquire(&emitted);
+  return false;  // the event goes on to its receiver
+}
+
 [[maybe_unused]] const bool hooked = [] {
   qt_register_signal_spy_callbacks(&spy);
-  return QInternal::registerCallback(QInternal::EventNotifyCallback, [](void**) {
-    __tsan_acquire(&handOver);
-    return false;  // the event goes on to its receiver
-  });
+  return QInternal::registerCallback(QInternal::EventNotifyCallback, received);
 }();
 
 template <typename F>
@@ -53,12 +66,12 @@ bool QMetaObject::invokeMethodImpl(QObject* object, QtPrivate::QSlotObjectBase* 
   static const auto invoke = original<bool (*)(QObject*, QtPrivate::QSlotObjectBase*, Qt::ConnectionType,
                                                void*)>(
       "_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv");
-  __tsan_release(&handOver);
+  __tsan_release(object->thread());
   return invoke(object, slot, type, result);
 }
 
 void QObject::deleteLater() {
-  static const auto deleteLater = original<void (*)(QObject*)>("_ZN7QObject11deleteLaterEv");
-  __tsan_release(&handOver);
-  deleteLater(this);
+  static const auto deletion = original<void (*)(QObject*)>("_ZN7QObject11deleteLaterEv");
+  __tsan_release(thread());
+  deletion(this);
 }
