@@ -79,7 +79,7 @@ TEST_F(Twin, Rule20OnlyAVcanNeedsNoWordForMovingMonitors) {
   RecordingListener heard;
   CanLink link({QStringLiteral("socketcan"), QStringLiteral("can0"), 250'000, Channel{0}});
   link.open(heard);
-  ASSERT_EQ(heard.state(), LinkState::Up) << heard.reason();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.state() == LinkState::Up; }, kPatience)) << heard.reason();
   EXPECT_EQ(statusOf(QStringLiteral("can1")), 2);
   QTest::qWait(0);
   EXPECT_TRUE(heard.frames.empty());
