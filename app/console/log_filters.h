@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dialogs for files offer, from the table of log formats.
+// The filters of the file dialogs, made from the table of log formats.
 #pragma once
 
 #include <QStringList>

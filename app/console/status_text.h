@@ -22,14 +22,14 @@ struct StatusFact {
 // The bit rate to reckon the load with: the link's, or of a log, which does not say, that of J1939.
 int loadBitRate(const SourceStatus& source);
 
-// What went wrong, or the system's own words for it; empty if nothing did.
+// The sentence for an error, or the system's own words for it; empty if there is no error.
 QString sourceErrorText(const SourceError& error);
 StatusFact sourceFact(const SourceStatus& source);
 StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);
 StatusFact rateFact(const BusRates& rates);
 StatusFact errorFact(const Snapshot& snapshot);
 StatusFact lockFact(const Snapshot& snapshot);
-// What we handed to the adapter and is not on the bus; without text where nothing is to be said.
+// Our frames that the adapter has and the bus has not; without text if there are none.
 StatusFact sentFact(const Snapshot& snapshot);
 StatusFact recordingFact(const Snapshot& snapshot);
 StatusFact completenessFact(const Snapshot& snapshot);

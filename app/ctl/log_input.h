@@ -12,7 +12,7 @@
 
 namespace deckpipe::ctl {
 
-// What a FILE to read may be, for --help.
+// The sentence of --help that says which files and pipes can be read.
 QString logArgumentHelp();
 
 struct LogInput {

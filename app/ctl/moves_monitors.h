@@ -12,7 +12,7 @@ namespace deckpipe::ctl {
 
 // --moves-monitors
 QCommandLineOption movesMonitorsOption();
-// What a person is told who left it out; for badUsage().
+// The sentence for badUsage() if --moves-monitors was left out.
 QString movesMonitorsMissing(const QString& command, const QString& interfaceName);
 // "1032AE100801035 (6032 Universal II) at address 80; a joystick at address 33"
 QString strangersText(const std::vector<Stranger>& strangers);

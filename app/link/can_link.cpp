@@ -119,7 +119,7 @@ void CanLink::happened(LinkEvent event, LinkFault fault, const QString& reason) 
   if (!hasDevice(before) && hasDevice(after)) m_device->open();
 }
 
-// What a stage asks for, besides telling of it.
+// Carries out what the new stage needs; telling the listener is apart.
 void CanLink::enter(LinkStage stage, bool politely) {
   const LinkStage before = std::exchange(m_stage, stage);
   if (before == stage) return;

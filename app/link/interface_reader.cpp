@@ -9,7 +9,7 @@
 
 namespace deckpipe {
 
-// What reader and worker share. All of it is guarded by the mutex, which nobody holds while reading.
+// The state that reader and worker share. The mutex guards all of it; nobody holds the mutex while reading.
 struct InterfaceReader::Desk {
   std::mutex mutex;
   std::condition_variable changed;

@@ -20,7 +20,7 @@ namespace deckpipe {
 namespace {
 
 constexpr int kReceiveBufferBytes = 4 * 1'024 * 1'024;  // some 5,000 frames, more than 0.1 s of a full bus
-// Of plugins that queue inside: more than that would be sent long after it was meant.
+// Limit for plugins that queue inside: a longer queue would be sent long after it was meant.
 constexpr qint64 kMostQueued = 32;
 
 bool isAnyOf(const QString& text, std::initializer_list<int> errors) {

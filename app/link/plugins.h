@@ -17,7 +17,7 @@ std::mutex& serialBusMutex();
 bool isSocketCan(const QString& plugin);
 
 // Whether frames we wrote come back marked once they were on the bus.
-// socketcan: yes, MSG_CONFIRM on our own socket after the controller sent it. virtualcan: its own 'receive
+// socketcan: yes, by MSG_CONFIRM on our own socket; drivers without IFF_ECHO (slcan, vcan) confirm on queueing. virtualcan: its own 'receive
 // own' hands a copy back inside writeFrame() and so proves nothing; but a host that returns frames with the
 // local-echo flag is honest, and VirtualBus does: it says so by "?echo" in the interface name. All others: no
 // such mark in 6.4.2.
