@@ -129,7 +129,6 @@ void CanLink::enter(LinkStage stage, bool politely) {
   } else {
     m_waiting.stop();
   }
-  if (before == LinkStage::Up) m_delivery.forgetOwn();
   if (hasDevice(before) && !hasDevice(stage)) {
     m_device->close(politely ? LinkDevice::Leave::Politely : LinkDevice::Leave::AtOnce);
     m_delivery.clear();

@@ -65,8 +65,6 @@ class CanLink : public QObject, public Port {
 
   const LinkSettings& settings() const { return m_settings; }
   const LinkStatus& status() const { return m_status; }
-  // Frames written that have not come back; only of use where echoes().
-  std::size_t unconfirmed() const { return m_delivery.unconfirmed(); }
   // The kernel's, of socketcan while it is open. Frames that the kernel drops, and those that controller and
   // driver lose, come to the listener as NotKept::Overflow.
   std::optional<ReceiveBuffer> receiveBuffer() const;

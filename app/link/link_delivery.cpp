@@ -6,13 +6,12 @@
 namespace deckpipe {
 namespace {
 
-constexpr std::size_t kAwaitedEchoes = 512;
-constexpr std::size_t kStrayEchoes = 64;  // of plugins that are known not to echo
+constexpr std::size_t kStrayEchoes = 64;
 
 }  // namespace
 
 LinkDelivery::LinkDelivery(Channel channel, bool echoes, LinkStatus& status)
-    : m_channel(channel), m_echoes(echoes), m_status(status), m_own(echoes ? kAwaitedEchoes : kStrayEchoes) {}
+    : m_channel(channel), m_echoes(echoes), m_status(status), m_strays(kStrayEchoes) {}
 
 void LinkDelivery::begin(PortListener& listener) {
   clear();
@@ -27,7 +26,7 @@ PortListener* LinkDelivery::end() {
 }
 
 void LinkDelivery::clear() {
-  m_own.clear();
+  m_strays.clear();
   m_batch.clear();
   m_missing.clear();
   m_lost = 0;
@@ -41,8 +40,7 @@ void LinkDelivery::take(const QCanBusFrame& frame) {
   }
   Frame& out = converted.value();
   if (frame.hasLocalEcho()) {
-    const bool isAwaited = m_own.cameBack(out);
-    if (isAwaited && !m_echoes) return;  // delivered when it was written
+    if (!m_echoes && m_strays.cameBack(out)) return;  // delivered when it was written
     if (m_echoes) {
       out.flags = Frame::kSent | Frame::kConfirmed;
       ++m_status.confirmed;
@@ -54,8 +52,8 @@ void LinkDelivery::take(const QCanBusFrame& frame) {
 
 void LinkDelivery::wrote(const Frame& frame, std::int64_t time) {
   ++m_status.written;
-  m_own.wrote(frame);
   if (m_echoes) return;
+  m_strays.wrote(frame);
   Frame own = frame;
   own.channel = m_channel.value;
   own.flags = Frame::kSent;

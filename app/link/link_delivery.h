@@ -38,15 +38,10 @@ class LinkDelivery {
   void lost(std::uint32_t frames) { m_lost += frames; }
   // The device is gone: nothing more comes from it.
   void clear();
-  // Written frames that did not come back will not do so any more.
-  void forgetOwn() { m_own.clear(); }
 
   bool isEmpty() const { return m_batch.empty() && m_missing.empty() && m_lost == 0; }
   void handOver();
   void tell(LinkState state, const std::string& reason);
-
-  // Frames written that have not come back; only of use where the link echoes.
-  std::size_t unconfirmed() const { return m_own.waiting(); }
 
  private:
   Channel m_channel;
@@ -54,7 +49,7 @@ class LinkDelivery {
   LinkStatus& m_status;
   PortListener* m_listener = nullptr;
   int m_listeners = 0;  // counts begin() and end()
-  OwnFrames m_own;
+  OwnFrames m_strays;   // written; a plugin that is known not to echo may give them back all the same
   std::vector<Frame> m_batch;
   std::vector<std::pair<std::size_t, NotKept>> m_missing;  // place in m_batch
   std::uint32_t m_lost = 0;

@@ -102,26 +102,17 @@ void LiveBus::serve() {
         Qt::QueuedConnection);
     return m_serviceTimer->stop();
   }
-  if (m_isJudging) return;  // the timer is set anew after that
   const Instant next = m_services.nextTime();
   if (next == kNever) return m_serviceTimer->stop();
   const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - bootTime());
   m_serviceTimer->start(std::max(wait, std::chrono::milliseconds{0}));
 }
 
-// Frames first. Those that arrived while the thread was held up are read in the next turn of the event loop,
-// which does not judge yet, and are handed over in the one after it: this call is queued behind them.
+// Frames first: those that arrived while the thread was held up may be answers in time.
 void LiveBus::deadlineCame() {
-  if (!std::exchange(m_isJudging, true)) return m_serviceTimer->start(0);
-  QMetaObject::invokeMethod(
-      this,
-      [this] {
-        m_isJudging = false;
-        if (m_link == nullptr) return;
-        m_services.timeCame(bootTime(), m_state);
-        serve();
-      },
-      Qt::QueuedConnection);
+  m_link->drain();
+  m_services.timeCame(bootTime(), m_state);
+  serve();
 }
 
 void LiveBus::close() {
@@ -165,7 +156,11 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
 void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
   m_notKept += count;
   switch (reason) {
-    case NotKept::Overflow: write(note::Dropped{m_settings.channel, count}); break;
+    case NotKept::Overflow:
+      write(note::Dropped{m_settings.channel, count});
+      m_services.echoesLost(bootTime(), m_state);
+      serve();
+      break;
     case NotKept::FlexibleDataRate:
       for (std::uint32_t i = 0; i < count; ++i) {
         m_document->unkept.add(m_document->frames.count(), Unkept::CanFd);

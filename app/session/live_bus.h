@@ -85,7 +85,6 @@ class LiveBus : public QObject, private PortListener {
   std::uint64_t m_notKept = 0;
   bool m_storeFull = false;
   bool m_isClosing = false;
-  bool m_isJudging = false;  // a deadline has come; frames that have arrived are handed over first
   std::vector<OutFrame> m_toSend;
   std::vector<Note> m_toNote;
 

@@ -21,14 +21,19 @@ enum class ControllerState : std::uint8_t {
   Sleeping
 };
 
+inline constexpr std::uint32_t kRestartedClass = 0x100;
+
+// The controller has left bus-off. Frames that it held then were thrown away, without an echo.
+constexpr bool isRestart(const Frame& frame) { return frame.isError() && (frame.id & kRestartedClass) != 0; }
+
 // Nothing where the frame is no error frame or speaks of something else. Where it speaks of several, the
 // worst.
 constexpr std::optional<ControllerState> controllerStateOf(const Frame& frame) {
-  constexpr std::uint32_t kController = 0x04, kBusOff = 0x40, kRestarted = 0x100;  // classes
+  constexpr std::uint32_t kController = 0x04, kBusOff = 0x40;      // classes
   constexpr int kWarning = 0x0C, kPassive = 0x30, kActive = 0x40;  // of data[1]: to receive, to send
   if (!frame.isError()) return {};
   if ((frame.id & kBusOff) != 0) return ControllerState::BusOff;
-  if ((frame.id & kRestarted) != 0) return ControllerState::ErrorActive;
+  if (isRestart(frame)) return ControllerState::ErrorActive;
   if ((frame.id & kController) == 0 || frame.length < 2) return {};
   if ((frame.data[1] & kPassive) != 0) return ControllerState::ErrorPassive;
   if ((frame.data[1] & kWarning) != 0) return ControllerState::ErrorWarning;

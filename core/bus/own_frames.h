@@ -33,9 +33,15 @@ class OwnFrames {
   // Above `limit` the oldest is given up: an adapter that never echoes must not grow us.
   explicit OwnFrames(std::size_t limit = 512) : m_limit(limit) {}
 
-  void wrote(const Frame& frame, FrameTag tag = {}, Instant when = kNotYet) {
-    if (m_waiting.size() == m_limit) m_waiting.pop_front();
+  // Returns the one that is given up for it.
+  std::optional<Own> wrote(const Frame& frame, FrameTag tag = {}, Instant when = kNotYet) {
+    std::optional<Own> givenUp;
+    if (m_waiting.size() == m_limit) {
+      givenUp = m_waiting.front().own;
+      m_waiting.pop_front();
+    }
     m_waiting.push_back({{frame.id, frame.length, frame.data}, {tag, when}});
+    return givenUp;
   }
   // Nothing where no such frame is waiting. Not only the oldest is looked at: controllers with several
   // transmit mailboxes send by priority.
@@ -47,7 +53,7 @@ class OwnFrames {
     return own;
   }
   bool cameBack(const Frame& frame) { return take(frame).has_value(); }
-  // All of them: the interface that held them is gone.
+  // All of them: no echo of theirs is to be expected any more.
   std::vector<Own> takeAll() {
     std::vector<Own> all;
     for (const Waiting& waiting : m_waiting) all.push_back(waiting.own);

@@ -73,6 +73,7 @@ enum class RequestEnd : std::uint8_t {
   NotOnBus = 9,            // a poll that has not reached the bus, or a command that the adapter did not take
   WentOutLate = 10,        // a command that was 'not on the bus yet' for a while
   GoneWithInterface = 11,  // a command that was not on the bus yet when the interface went down
+  EchoLost = 12,           // … when frames were lost, its echo perhaps: whether it went out is not known
 };
 
 constexpr bool isKnown(RequestEnd end) {
@@ -88,7 +89,8 @@ constexpr bool isKnown(RequestEnd end) {
     case RequestEnd::AddressLost:
     case RequestEnd::NotOnBus:
     case RequestEnd::WentOutLate:
-    case RequestEnd::GoneWithInterface: return true;
+    case RequestEnd::GoneWithInterface:
+    case RequestEnd::EchoLost: return true;
   }
   return false;
 }

@@ -130,6 +130,7 @@ void Pipe::writeEnded(const Turn& turn, FrameTag tag, WriteOutcome outcome) {
   switch (outcome) {
     case WriteOutcome::OnBus:
     case WriteOutcome::CannotTell:
+    case WriteOutcome::EchoLost:
       m_flying->isOnBus = true;
       m_flying->sent = turn.now;
       m_deadline = turn.now + kAckTimeout;

@@ -30,11 +30,14 @@ RequestService::Asked* RequestService::openWith(FrameTag tag, Ask& ask) {
 
 void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
                                 Outgoing& out) {
-  const bool isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell;
+  const bool isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell ||
+                       outcome == WriteOutcome::EchoLost;
   const auto handed = std::ranges::find(m_commands, tag, &Handed::tag);
   if (handed != m_commands.end()) {
     const Handed command = *handed;
     m_commands.erase(handed);
+    if (outcome == WriteOutcome::EchoLost && command.isSaid)
+      return commandEnded(now, live, command, RequestEnd::EchoLost, out);
     if (isOnBus && command.isSaid) {
       Ask late{};
       if (Asked* at = openWith(tag, late)) at->status(late).sent = now;
@@ -120,7 +123,8 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
     return;
   }
   const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer ||
-                          status.end == RequestEnd::NotOnBus || status.end == RequestEnd::WentOutLate;
+                          status.end == RequestEnd::NotOnBus || status.end == RequestEnd::WentOutLate ||
+                          status.end == RequestEnd::EchoLost;
   if (!wasGivenUp || now - status.ended > kLate) {
     if (timing.spare > 0) {
       --timing.spare;

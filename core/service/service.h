@@ -58,6 +58,7 @@ enum class WriteOutcome : std::uint8_t {
   QueueFull,   // not sent, for want of room
   NotTaken,    // not sent
   Gone,        // the interface went down first: whether it went out before is not known
+  EchoLost,    // its echo may have been lost on the way to us: whether it went out is not known
 };
 
 // The longest that an ending may last.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bus/controller.h"
 #include "bus/j1939.h"
 #include "service/pipe_service.h"
 #include "service/request_service.h"
@@ -47,8 +48,10 @@ void Services::linkChanged(Instant now, const State& state, bool isUp) {
   if (isUp) return begin(now, live);
   dropUnwritten(now, live);
   // A link that we close takes nothing along: what waits in the adapter may still go out.
-  for (const OwnFrames::Own& own : m_own.takeAll()) {
-    if (!m_isClosed) writeEnded(now, live, own.tag, WriteOutcome::Gone);
+  if (m_isClosed) {
+    m_own.clear();
+  } else {
+    endOwn(now, live, WriteOutcome::Gone);
   }
   if (m_status.locked) return;
   forEachBackwards([&](Service& service) { service.linkChanged(now, live, false, m_out); });
@@ -183,6 +186,7 @@ void Services::received(Instant at, const State& state, const Frame& frame) {
   if ((frame.flags & Frame::kConfirmed) != 0) {
     if (const auto own = m_own.take(frame)) writeEnded(at, live, own->tag, WriteOutcome::OnBus);
   }
+  if (isRestart(frame)) endOwn(at, live, WriteOutcome::EchoLost);
   if (!isOpen()) return;
   forEach([&](Service& service) {
     service.received(at, live, frame, m_out);
@@ -197,11 +201,24 @@ void Services::writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutc
   if (isOpen()) followAddresses(now, live);
 }
 
+void Services::endOwn(Instant now, const Live& live, WriteOutcome outcome) {
+  for (const OwnFrames::Own& own : m_own.takeAll()) writeEnded(now, live, own.tag, outcome);
+}
+
+void Services::echoesLost(Instant now, const State& state) {
+  const Live live = liveOf(state);
+  endOwn(now, live, WriteOutcome::EchoLost);
+  followEnding(now, live);
+}
+
 void Services::wrote(Instant now, const State& state, const OutFrame& frame, WriteResult result) {
   const Live live = liveOf(state);
   if (result == WriteResult::Accepted) {
-    if (m_settings.echoes) return m_own.wrote(frame.frame, frame.tag, now);
-    writeEnded(now, live, frame.tag, WriteOutcome::CannotTell);
+    if (!m_settings.echoes) {
+      writeEnded(now, live, frame.tag, WriteOutcome::CannotTell);
+    } else if (const auto givenUp = m_own.wrote(frame.frame, frame.tag, now)) {
+      writeEnded(now, live, givenUp->tag, WriteOutcome::EchoLost);
+    }
     return followEnding(now, live);
   }
   if (result == WriteResult::QueueFull && frame.triesAgain) {

@@ -41,6 +41,9 @@ class Services {
   Refusal apply(Instant now, const State& live, const Intent& intent);
   // A frame that the State has taken already, with its own log time; our own echoes too. In order.
   void received(Instant at, const State& live, const Frame& frame);
+  // Frames were lost before they could be read, behind those that were received(): the echoes of what is not
+  // confirmed yet may be among them, and are not waited for.
+  void echoesLost(Instant now, const State& live);
   // Only when every frame that was on the bus until `now` was handed over: an answer that came in time is in
   // time, however late the thread is.
   void timeCame(Instant now, const State& live);
@@ -72,6 +75,8 @@ class Services {
   void followEnding(Instant now, const Live& live);
   void complete(Instant now, const Live& live);
   void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome);
+  // Of all frames that wait for their echo.
+  void endOwn(Instant now, const Live& live, WriteOutcome outcome);
   // What was not written yet, or waits for its second try, is not sent.
   void dropUnwritten(Instant now, const Live& live);
   void giveUp(Instant now, const Live& live, const OutFrame& frame);

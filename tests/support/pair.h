@@ -105,6 +105,11 @@ class Pair {
   }
   // Its thread stands still: frames wait for it, and then come with the times at which they came.
   void freeze(Console& console, Duration d) { console.frozenUntil = m_now + d; }
+  // The console's receive buffer overflowed.
+  void loseEchoes(Console& console) {
+    console.services.echoesLost(m_now, console.state);
+    pump();
+  }
   // What waits in the adapter goes with the link.
   void setLink(Console& console, bool isUp) {
     if (!isUp) {

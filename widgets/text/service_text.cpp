@@ -42,6 +42,7 @@ QString requestEndText(RequestEnd end) {
     case RequestEnd::WentOutLate: return ServiceText::tr("went out late");
     case RequestEnd::GoneWithInterface:
       return ServiceText::tr("gone with the interface before it was on the bus");
+    case RequestEnd::EchoLost: return ServiceText::tr("frames were lost: whether it went out cannot be told");
   }
   return {};
 }

@@ -90,7 +90,6 @@ TEST_F(CanLinkTest, EveryKindOfFrameGoesBothWaysAndOwnOnesComeBackOnce) {
     from.heard.forget();
     to.heard.forget();
     for (const Frame& frame : everyKind()) EXPECT_EQ(from.link.write(frame), WriteResult::Accepted);
-    EXPECT_EQ(from.link.unconfirmed(), everyKind().size());
     EXPECT_TRUE(from.heard.frames.empty()) << "from inside write()";
     // One more from the other end, and everything before it has arrived.
     ASSERT_TRUE(to.waitForFrames(everyKind().size()));
@@ -110,7 +109,6 @@ TEST_F(CanLinkTest, EveryKindOfFrameGoesBothWaysAndOwnOnesComeBackOnce) {
     }
     for (const Frame& frame : to.heard.frames)
       EXPECT_EQ((frame.flags & Frame::kSent) != 0, frame.id == 0x100);
-    EXPECT_EQ(from.link.unconfirmed(), 0u);
   }
   EXPECT_EQ(one.link.status().confirmed, everyKind().size() + 1);
   EXPECT_EQ(bus.refusedLines(), 0);

@@ -85,7 +85,6 @@ TEST_F(SocketCan, FramesGoBothWaysAndOwnOnesComeBackConfirmedOnce) {
     one.heard.forget();
     two.heard.forget();
   }
-  EXPECT_EQ(one.link.unconfirmed(), 0u);
   EXPECT_EQ(one.link.status().confirmed, sent.size());
   EXPECT_EQ(two.link.status().received, sent.size());
 }
@@ -123,7 +122,7 @@ TEST_F(SocketCan, ABurstEndsInAFullQueueAndWhatWasAcceptedComesBack) {
     EXPECT_LT(accepted, 200u);
   }
   EXPECT_TRUE(one.waitForFrames(accepted));
-  EXPECT_EQ(one.link.unconfirmed(), 0u);
+  EXPECT_EQ(one.link.status().confirmed, accepted);
   if (isSlow) {
     QProcess::execute(tc, {QStringLiteral("qdisc"), QStringLiteral("del"), QStringLiteral("dev"), names[0],
                            QStringLiteral("root")});

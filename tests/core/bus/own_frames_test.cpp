@@ -75,7 +75,9 @@ TEST(OwnFrames, OfEqualFramesTheFirstHandedOverComesBackFirst) {
 
 TEST(OwnFrames, TheOldestIsGivenUpAboveTheLimit) {
   OwnFrames own(2);
-  for (int i = 0; i < 3; ++i) own.wrote(frameOf(0x123, {i}));
+  EXPECT_FALSE(own.wrote(frameOf(0x123, {0}), {7, 1}));
+  EXPECT_FALSE(own.wrote(frameOf(0x123, {1})));
+  EXPECT_EQ(own.wrote(frameOf(0x123, {2})).value().tag, (FrameTag{7, 1}));
   EXPECT_EQ(own.waiting(), 2u);
   EXPECT_FALSE(own.cameBack(frameOf(0x123, {0})));
   EXPECT_TRUE(own.cameBack(frameOf(0x123, {2})));

@@ -84,7 +84,8 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
   const RequestEnd ends[] = {RequestEnd::None,     RequestEnd::Answered,     RequestEnd::WrongAnswer,
                              RequestEnd::NoAnswer, RequestEnd::Cancelled,    RequestEnd::LinkLost,
                              RequestEnd::Gone,     RequestEnd::AnsweredLate, RequestEnd::AddressLost,
-                             RequestEnd::NotOnBus, RequestEnd::WentOutLate,  RequestEnd::GoneWithInterface};
+                             RequestEnd::NotOnBus, RequestEnd::WentOutLate,  RequestEnd::GoneWithInterface,
+                             RequestEnd::EchoLost};
   for (std::uint8_t n = 0; n < std::size(ends); ++n)
     EXPECT_EQ(last(note::AskEnded{{}, {}, {}, Ask::Fault, ends[n]}), n);
   EXPECT_EQ(test::allOf<RequestEnd>().size(), std::size(ends));

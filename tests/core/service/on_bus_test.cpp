@@ -139,6 +139,16 @@ TEST_F(OnBus, AConflictLongAgoIsAnotherOne) {
   EXPECT_EQ(pair.claim().conflicts, 2u);
 }
 
+TEST_F(OnBus, AClaimWhoseEchoIsLostIsMadeAgain) {
+  console().echo = [](const Frame& f) { return isClaim(f) ? Fate{.copies = 0} : Fate{}; };
+  pair.want(wish::Unlock{});
+  pair.run(ClaimService::kListen + 500ms);
+  console().echo = [](const Frame&) { return Fate{}; };
+  pair.loseEchoes(console());
+  pair.run(2s);
+  EXPECT_EQ(pair.claim().progress, Claim::Claimed);
+}
+
 // --- polls
 
 TEST_F(OnBus, APollsClockStartsAtItsEcho) {
@@ -238,6 +248,26 @@ TEST_F(KeptCommand, EndsAsGoneWithTheInterface) {
   EXPECT_EQ(ends(), std::vector{RequestEnd::GoneWithInterface});
 }
 
+TEST_F(KeptCommand, EndsWithoutAWordOfItsFateWhenItsEchoMayBeAmongLostFrames) {
+  pair.run(500ms);
+  pair.loseEchoes(console());
+  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::EchoLost);
+  EXPECT_TRUE(all().waitingCommands.empty());
+  EXPECT_EQ(ends(), std::vector{RequestEnd::EchoLost}) << "never that it went out late";
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None) << "the person may decide to send it again";
+}
+
+TEST_F(KeptCommand, EndsSoWhenABusOffHasThrownAwayWhatTheControllerHeld) {
+  pair.run(500ms);
+  Frame restarted;
+  restarted.id = kErrorBit | kRestartedClass;
+  restarted.length = 8;
+  pair.inject(restarted);
+  pair.run(10ms);
+  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::EchoLost);
+  EXPECT_EQ(all().unconfirmed, 0u);
+}
+
 TEST_F(KeptCommand, IsSaidAtALockAndItsFateAfterIt) {
   pair.run(10ms);
   pair.want(wish::Lock{});
@@ -267,6 +297,21 @@ TEST_F(KeptCommand, WaitsAloneEvenAfterItWasGivenUp) {
   EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Busy) << "the first may still go out";
   pair.run(2s);
   EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None);
+}
+
+TEST_F(OnBus, AfterOneLostEchoTheNextPollsOfTheKindAreAnswered) {
+  pair.unlock();
+  console().echo = [](const Frame& f) { return isType(f, kFaultPoll) ? Fate{.copies = 0} : Fate{}; };
+  ask(Ask::Fault);
+  pair.run(5ms);
+  console().echo = [](const Frame&) { return Fate{}; };
+  pair.loseEchoes(console());
+  pair.run(1s);
+  EXPECT_EQ(request(Ask::Fault).answered, 1u) << "its answer came after its echo was given up";
+  ask(Ask::Fault);
+  pair.run(1s);
+  EXPECT_EQ(request(Ask::Fault).end, RequestEnd::Answered);
+  EXPECT_EQ(request(Ask::Fault).answered, 2u);
 }
 
 TEST_F(OnBus, ACommandThatIsRefusedWasNotSent) {
