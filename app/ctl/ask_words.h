@@ -25,7 +25,7 @@ constexpr std::string_view endWord(RequestEnd end) {
     case RequestEnd::NotOnBus: return "not_on_bus";
     case RequestEnd::WentOutLate: return "went_out_late";
     case RequestEnd::GoneWithInterface: return "gone_with_interface";
-    case RequestEnd::EchoLost: return "echo_lost";
+    case RequestEnd::CannotTell: return "cannot_tell";
   }
   return "open";
 }

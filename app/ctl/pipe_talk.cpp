@@ -161,6 +161,10 @@ void PipeTalk::frameCame(const Frame& frame) {
 void PipeTalk::ackMissing(const PipeStatus& pipe) {
   if (pipe.stall == PipeStatus::Stall::Gone)
     return fail(QStringLiteral("the device has no address any more"), pipe);
+  if (pipe.stall == PipeStatus::Stall::NotSent)
+    return fail(QStringLiteral("the next packet was not sent (%1)")
+                    .arg(QString::fromLatin1(refusalWord(pipe.refusal))),
+                pipe);
   if (pipe.stall == PipeStatus::Stall::NotOnBus)
     return fail(QStringLiteral("the packet is not on the bus yet; it may still go out"), pipe);
   if (m_isStopping || m_plan.missingAck == PipePlan::MissingAck::Stop || m_inARow >= kMostInARow)

@@ -69,6 +69,7 @@ void LiveBus::apply(const Intent& intent) {
 void LiveBus::followHardware() {
   if (m_link == nullptr) return;
   const auto& hardware = m_link->status().hardware;
+  if (hardware) m_services.setEchoProves(hardware->echoesInDriver);
   const bool isListenOnly = hardware && hardware->isListenOnly;
   const bool wasLocked = m_services.isLocked();
   m_services.setListenOnly(bootTime(), m_state, isListenOnly);
@@ -175,6 +176,7 @@ void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   m_linkState = state;
   if (state == LinkState::Up && !wasUp) write(note::LinkUp{m_settings.channel});
   if (state != LinkState::Up && wasUp) write(note::LinkDown{m_settings.channel, reason});
+  followHardware();
   m_services.linkChanged(bootTime(), m_state, state == LinkState::Up);
   serve();
   publish();

@@ -66,7 +66,7 @@ class LiveBus : public QObject, private PortListener {
   void linkChanged(LinkState state, const std::string& reason) override;
   // Places a note at the end of the log.
   void write(NoteValue value);
-  // An adapter that cannot send is not unlocked.
+  // An adapter that cannot send is not unlocked; one that echoes by itself is believed.
   void followHardware();
   // What the services want sent and noted, and when they want to be called again.
   void serve();

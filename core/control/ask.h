@@ -73,7 +73,7 @@ enum class RequestEnd : std::uint8_t {
   NotOnBus = 9,            // a poll that has not reached the bus, or a command that the adapter did not take
   WentOutLate = 10,        // a command that was 'not on the bus yet' for a while
   GoneWithInterface = 11,  // a command that was not on the bus yet when the interface went down
-  EchoLost = 12,           // … when frames were lost, its echo perhaps: whether it went out is not known
+  CannotTell = 12,         // … and whose fate cannot be told: lost frames, its echo perhaps among them
 };
 
 constexpr bool isKnown(RequestEnd end) {
@@ -90,7 +90,7 @@ constexpr bool isKnown(RequestEnd end) {
     case RequestEnd::NotOnBus:
     case RequestEnd::WentOutLate:
     case RequestEnd::GoneWithInterface:
-    case RequestEnd::EchoLost: return true;
+    case RequestEnd::CannotTell: return true;
   }
   return false;
 }

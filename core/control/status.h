@@ -92,13 +92,15 @@ struct PipeStatus {
     Gone,      // and the device has none
     NotOnBus,  // the packet itself is not on the bus yet; it may still go out
     NotTaken,  // the adapter did not take the packet: it was not sent
+    NotSent,   // nothing may go to the device: `refusal` says why
   };
   enum class FileEnd : std::uint8_t { None, Done, Cancelled, Aborted };
 
   Progress progress = Progress::Idle;
   Stall stall = Stall::None;
-  std::uint32_t waiting = 0;  // characters typed and not yet sent
-  std::uint64_t sent = 0;     // characters acknowledged or skipped
+  Refusal refusal = Refusal::None;  // of the last packet, by the rules for sending to a device
+  std::uint32_t waiting = 0;        // characters typed and not yet sent
+  std::uint64_t sent = 0;           // characters acknowledged or skipped
   std::uint64_t received = 0;
   std::uint32_t skipped = 0, resent = 0, lateAcks = 0, strayAcks = 0;
 
@@ -146,7 +148,8 @@ struct ServiceStatus {
   bool locked = true;
   bool isEnding = false;  // a lock or close was asked for; a service still has something to say before
   bool linkUp = false;
-  // The adapter gives back what was on the bus; otherwise nobody can tell whether our frames reach it.
+  // The adapter gives back what was on the bus, and only that; otherwise nobody can tell whether our frames
+  // reach it.
   bool echoes = true;
   bool isListenOnly = false;  // the driver says that the adapter cannot send
   ClaimStatus claim;

@@ -47,8 +47,15 @@ bool Pipe::move(Instant now, PipeMove what) {
     m_heldSince = now;
   }
   m_status.progress = *to;
-  if (*to == Progress::Settling && what != PipeMove::GiveUp) m_deadline = now + kSettle;
+  if (*to == Progress::Settling && what != PipeMove::GiveUp) settle(now);
   return true;
+}
+
+void Pipe::settle(Instant now) { m_deadline = m_inAdapter.empty() ? now + kSettle : kNever; }
+
+void Pipe::giveUpFlying() {
+  if (m_flying->fate == Packet::Fate::InAdapter) m_inAdapter.push_back(m_flying->tag);
+  m_flying.reset();
 }
 
 bool Pipe::isBusy() const {
@@ -112,38 +119,42 @@ void Pipe::sendNext(const Turn& turn) {
 
 void Pipe::fly(const Turn& turn) {
   Packet& packet = *m_flying;
-  const auto to = turn.live.addressOf(m_device);
-  if (!to) return stall(turn, Stall::Gone);
-  packet.to = *to;
+  packet.fate = Packet::Fate::NotSent;
+  packet.to = addressOf(turn, m_device);
+  m_status.refusal = turn.live.whyNotTo(turn.now, m_device);
+  if (m_status.refusal != Refusal::None) return stall(turn, Stall::NotSent);
   packet.sent = turn.now;
-  packet.isOnBus = false;
+  packet.fate = Packet::Fate::InAdapter;
   m_deadline = turn.now + kAckTimeout;
   Encoded data{.length = static_cast<std::uint8_t>(1 + packet.bytes.size())};
   data.data[0] = static_cast<std::uint8_t>(messageOf(MessageId::PipeData).firstByte);
   std::ranges::transform(packet.bytes, data.data.begin() + 1,
                          [](char c) { return static_cast<std::uint8_t>(c); });
-  packet.tag = turn.out.send(turn.live, turn.from, MessageId::PipeData, *to, data);
+  packet.tag = turn.out.send(turn.live, turn.from, MessageId::PipeData, packet.to, data);
 }
 
 void Pipe::writeEnded(const Turn& turn, FrameTag tag, WriteOutcome outcome) {
+  if (std::erase(m_inAdapter, tag) > 0) return settle(turn.now);
   if (!m_flying || m_flying->tag != tag) return;
   switch (outcome) {
     case WriteOutcome::OnBus:
     case WriteOutcome::CannotTell:
     case WriteOutcome::EchoLost:
-      m_flying->isOnBus = true;
+      m_flying->fate = Packet::Fate::OnBus;
       m_flying->sent = turn.now;
       m_deadline = turn.now + kAckTimeout;
       move(turn.now, PipeMove::LateEcho);
       return;
     case WriteOutcome::QueueFull:
-    case WriteOutcome::NotTaken: return stall(turn, Stall::NotTaken);
-    case WriteOutcome::Gone: return;  // a lost link ends the pipe
+    case WriteOutcome::NotTaken: m_flying->fate = Packet::Fate::NotSent; return stall(turn, Stall::NotTaken);
+    case WriteOutcome::Gone:
+      m_flying->fate = Packet::Fate::OnBus;
+      return;  // perhaps; a lost link ends the pipe
   }
 }
 
 void Pipe::ackHeard(const Turn& turn, Address source) {
-  if (!m_flying || m_flying->to != source || !m_flying->isOnBus) {
+  if (!m_flying || m_flying->to != source || m_flying->fate != Packet::Fate::OnBus) {
     ++m_status.strayAcks;
     return;
   }
@@ -193,14 +204,15 @@ void Pipe::stall(const Turn& turn, Stall why) {
 }
 
 PipeStatus::Stall Pipe::whyNoAck(const Live& live) const {
+  if (m_flying->fate == Packet::Fate::InAdapter) return Stall::NotOnBus;
   const auto address = live.addressOf(m_device);
   if (!address) return Stall::Gone;
-  if (!m_flying->isOnBus) return m_status.stall == Stall::NotTaken ? Stall::NotTaken : Stall::NotOnBus;
   return *address != m_flying->to ? Stall::Moved : Stall::NoAck;
 }
 
 void Pipe::followDevice(const Live& live) {
-  if (m_status.progress == Progress::Stalled) m_status.stall = whyNoAck(live);
+  if (m_status.progress == Progress::Stalled && m_flying->fate != Packet::Fate::NotSent)
+    m_status.stall = whyNoAck(live);
 }
 
 Refusal Pipe::act(const Turn& turn, What what) {
@@ -217,19 +229,24 @@ Refusal Pipe::act(const Turn& turn, What what) {
 }
 
 Refusal Pipe::resend(const Turn& turn) {
-  if (!after(m_status.progress, PipeMove::Resend) || m_status.stall == Stall::NotOnBus) return Refusal::Busy;
+  if (!after(m_status.progress, PipeMove::Resend) || m_flying->fate == Packet::Fate::InAdapter)
+    return Refusal::Busy;
   if (const Refusal why = turn.live.whyNotTo(turn.now, m_device); why != Refusal::None) return why;
   move(turn.now, PipeMove::Resend);
-  ++m_status.resent;
-  if (m_flying->isOfFile) ++m_status.fileResent;
-  m_flying->wasResent = true;
-  notePipe(turn, m_device, m_flying->to, PipeEvent::Resent);
+  if (m_flying->fate == Packet::Fate::OnBus) {
+    ++m_status.resent;
+    if (m_flying->isOfFile) ++m_status.fileResent;
+    m_flying->wasResent = true;
+    notePipe(turn, m_device, m_flying->to, PipeEvent::Resent);
+  }
   fly(turn);
   return Refusal::None;
 }
 
 Refusal Pipe::skip(const Turn& turn) {
-  if (!move(turn.now, PipeMove::Skip)) return Refusal::Busy;
+  if (!after(m_status.progress, PipeMove::Skip)) return Refusal::Busy;
+  if (m_flying->fate == Packet::Fate::InAdapter) m_inAdapter.push_back(m_flying->tag);
+  move(turn.now, PipeMove::Skip);
   ++m_status.skipped;
   if (m_flying->isOfFile) ++m_status.fileSkipped;
   notePipe(turn, m_device, m_flying->to, PipeEvent::Skipped);
@@ -242,15 +259,15 @@ void Pipe::cancelFile(const Turn& turn) {
   const bool isInDoubt = m_status.progress == Progress::Stalled && m_flying->isOfFile;
   endFile(turn, FileEnd::Cancelled);
   if (!isInDoubt) return;
-  m_flying.reset();
+  giveUpFlying();
   move(turn.now, PipeMove::GiveUp);
-  m_deadline = turn.now + kSettle;
+  settle(turn.now);
 }
 
 void Pipe::drop(const Turn& turn) {
   const bool wasFlying = m_flying.has_value();
   const bool had = wasFlying || waiting() > 0;
-  m_flying.reset();
+  if (wasFlying) giveUpFlying();
   m_status.isPaused = false;
   m_typed.clear();
   m_typedFrom = 0;
@@ -261,13 +278,14 @@ void Pipe::drop(const Turn& turn) {
     notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::Dropped);
   }
   move(turn.now, PipeMove::GiveUp);
-  if (wasFlying) m_deadline = turn.now + kSettle;
+  if (wasFlying) settle(turn.now);
 }
 
 void Pipe::take(const Turn& turn, Pipe&& other) {
   if (other.isBusy() && isBusy()) {
     other.drop(turn);
     drop(turn);
+    m_inAdapter.insert(m_inAdapter.end(), other.m_inAdapter.begin(), other.m_inAdapter.end());
     move(turn.now, PipeMove::Joined);
   } else if (other.isBusy()) {
     std::swap(*this, other);

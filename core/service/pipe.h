@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "service/pipe_moves.h"
 #include "service/service.h"
@@ -54,11 +55,16 @@ class Pipe {
 
  private:
   struct Packet {
+    enum class Fate : std::uint8_t {
+      NotSent,
+      InAdapter,  // handed over: it may go out at any time
+      OnBus,      // as far as that can be told
+    };
     std::string bytes;
     Address to;
     Instant sent = kNotYet;  // on the bus; handed over, until that is known
     FrameTag tag{};
-    bool isOnBus = false;
+    Fate fate = Fate::NotSent;
     bool isOfFile = false;
     bool wasResent = false;
   };
@@ -71,6 +77,9 @@ class Pipe {
   void passed(const Turn& turn);
   void stall(const Turn& turn, PipeStatus::Stall why);
   PipeStatus::Stall whyNoAck(const Live& live) const;
+  // An ack of what was given up may come until kSettle after it was on the bus.
+  void settle(Instant now);
+  void giveUpFlying();
   Refusal resend(const Turn& turn);
   Refusal skip(const Turn& turn);
   void cancelFile(const Turn& turn);
@@ -83,8 +92,9 @@ class Pipe {
   std::size_t m_typedFrom = 0;
   std::shared_ptr<const std::string> m_content;
   std::optional<Packet> m_flying;
-  Instant m_deadline = kNever;    // of the ack, or of settling
-  Instant m_heldSince = kNotYet;  // paused or stalled
+  std::vector<FrameTag> m_inAdapter;  // packets that were given up there
+  Instant m_deadline = kNever;        // of the ack, or of settling
+  Instant m_heldSince = kNotYet;      // paused or stalled
 };
 
 }  // namespace deckpipe

@@ -16,7 +16,7 @@ enum class PipeMove : std::uint8_t {
   Hold,      // the person has paused before the next one
   Ack,       // of the packet in flight, which went once
   AckAgain,  // … which went twice: a second ack may come yet
-  Silence,   // no ack in time, not on the bus, not taken by the adapter, no address to send to
+  Silence,   // no ack in time, not on the bus, not taken by the adapter, nothing may go to the device
   LateEcho,  // the packet in flight is on the bus after all
   Resend,    // the person's decision on a packet whose fate is not known
   Skip,      // …

@@ -36,12 +36,12 @@ void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, Wri
   if (handed != m_commands.end()) {
     const Handed command = *handed;
     m_commands.erase(handed);
-    if (outcome == WriteOutcome::EchoLost && command.isSaid)
-      return commandEnded(now, live, command, RequestEnd::EchoLost, out);
     if (isOnBus && command.isSaid) {
       Ask late{};
       if (Asked* at = openWith(tag, late)) at->status(late).sent = now;
-      return commandEnded(now, live, command, RequestEnd::WentOutLate, out);
+      const bool isProven = outcome == WriteOutcome::OnBus;
+      return commandEnded(now, live, command, isProven ? RequestEnd::WentOutLate : RequestEnd::CannotTell,
+                          out);
     }
     if (outcome == WriteOutcome::Gone)
       return commandEnded(now, live, command, RequestEnd::GoneWithInterface, out);
@@ -124,7 +124,7 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
   }
   const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer ||
                           status.end == RequestEnd::NotOnBus || status.end == RequestEnd::WentOutLate ||
-                          status.end == RequestEnd::EchoLost;
+                          status.end == RequestEnd::CannotTell;
   if (!wasGivenUp || now - status.ended > kLate) {
     if (timing.spare > 0) {
       --timing.spare;

@@ -54,7 +54,7 @@ enum class EndReason : std::uint8_t {
 // Of a frame. Handing it over proves nothing: only an echo does.
 enum class WriteOutcome : std::uint8_t {
   OnBus,       // its echo came; `now` is the echo's log time
-  CannotTell,  // the adapter took it and tells no more: this counts as on the bus from now on
+  CannotTell,  // the adapter took it, or queued it, and tells no more: this counts as on the bus from now on
   QueueFull,   // not sent, for want of room
   NotTaken,    // not sent
   Gone,        // the interface went down first: whether it went out before is not known

@@ -174,9 +174,11 @@ void Services::followAddresses(Instant now, const Live& live) {
   if (isLost) noteWaiting(live);
 }
 
-// Nothing takes back what the adapter has.
+// Nothing takes back what the adapter has. What was said last is about to be handed to it.
 void Services::noteWaiting(const Live& live) {
-  if (m_own.waiting() > 0) m_out.note(note::StillWaits{live.channel, m_own.waiting()});
+  if (!m_settings.echoes) return;
+  const std::size_t waiting = m_own.waiting() + m_out.frames.size();
+  if (waiting > 0) m_out.note(note::StillWaits{live.channel, waiting});
 }
 
 void Services::received(Instant at, const State& state, const Frame& frame) {
@@ -184,7 +186,8 @@ void Services::received(Instant at, const State& state, const Frame& frame) {
   m_budget.heard(at, frame);
   const Live live = liveOf(state);
   if ((frame.flags & Frame::kConfirmed) != 0) {
-    if (const auto own = m_own.take(frame)) writeEnded(at, live, own->tag, WriteOutcome::OnBus);
+    if (const auto own = m_own.take(frame))
+      writeEnded(at, live, own->tag, m_status.echoes ? WriteOutcome::OnBus : WriteOutcome::CannotTell);
   }
   if (isRestart(frame)) endOwn(at, live, WriteOutcome::EchoLost);
   if (!isOpen()) return;

@@ -35,6 +35,9 @@ class Services {
   void linkChanged(Instant now, const State& live, bool isUp);
   // What the driver says of the adapter: nothing is unlocked that cannot send, and what is, is locked.
   void setListenOnly(Instant now, const State& live, bool isListenOnly);
+  // … and whether it loops frames back itself: where the kernel does it when a frame is queued, an echo says
+  // nothing about the bus. Taken for true until said otherwise.
+  void setEchoProves(bool proves) { m_status.echoes = m_settings.echoes && proves; }
   // Ends everything, because the link is about to be closed; complete when isLocked(). For good.
   void close(Instant now, const State& live);
   bool isLocked() const { return m_status.locked; }

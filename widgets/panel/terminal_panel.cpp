@@ -192,8 +192,7 @@ void TerminalPanel::showStall(const PipeStatus& pipe) {
   m_caution->setVisible(!isStalled);  // a small screen has room for one of them
   m_resend->setEnabled(m_isLive);
   m_skip->setEnabled(m_isLive);
-  if (isStalled)
-    setText(*m_stall, tr("%1 Whether the packet arrived is not known.").arg(stallText(pipe.stall)));
+  if (isStalled) setText(*m_stall, stallText(pipe));
 }
 
 void TerminalPanel::say(const QString& trouble) {

@@ -42,7 +42,7 @@ QString requestEndText(RequestEnd end) {
     case RequestEnd::WentOutLate: return ServiceText::tr("went out late");
     case RequestEnd::GoneWithInterface:
       return ServiceText::tr("gone with the interface before it was on the bus");
-    case RequestEnd::EchoLost: return ServiceText::tr("frames were lost: whether it went out cannot be told");
+    case RequestEnd::CannotTell: return ServiceText::tr("whether it went out cannot be told");
   }
   return {};
 }
@@ -96,16 +96,23 @@ QString pipeEventText(PipeEvent event) {
   return {};
 }
 
-QString stallText(PipeStatus::Stall stall) {
-  switch (stall) {
+QString stallText(const PipeStatus& pipe) {
+  const auto inDoubt = [](const QString& why) {
+    return ServiceText::tr("%1 Whether the packet arrived is not known.").arg(why);
+  };
+  switch (pipe.stall) {
     case PipeStatus::Stall::None: return {};
-    case PipeStatus::Stall::NoAck: return ServiceText::tr("No ack from the device within 1 s.");
-    case PipeStatus::Stall::Moved: return ServiceText::tr("No ack; the device is at another address now.");
-    case PipeStatus::Stall::Gone: return ServiceText::tr("No ack; the device has no address any more.");
+    case PipeStatus::Stall::NoAck: return inDoubt(ServiceText::tr("No ack from the device within 1 s."));
+    case PipeStatus::Stall::Moved:
+      return inDoubt(ServiceText::tr("No ack; the device is at another address now."));
+    case PipeStatus::Stall::Gone:
+      return inDoubt(ServiceText::tr("No ack; the device has no address any more."));
     case PipeStatus::Stall::NotOnBus:
       return ServiceText::tr("The packet is not on the bus yet; it may still go out.");
     case PipeStatus::Stall::NotTaken:
       return ServiceText::tr("The adapter did not take the packet: it was not sent.");
+    case PipeStatus::Stall::NotSent:
+      return ServiceText::tr("The next packet was not sent. %1").arg(refusalText(pipe.refusal));
   }
   return {};
 }

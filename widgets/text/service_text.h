@@ -21,6 +21,6 @@ QString claimText(const ClaimStatus& claim);
 // "file sent", "no ack".
 QString pipeEventText(PipeEvent event);
 // "no ack from the device within 1 s".
-QString stallText(PipeStatus::Stall stall);
+QString stallText(const PipeStatus& pipe);
 
 }  // namespace deckpipe

@@ -81,11 +81,11 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
   for (std::uint8_t n = 0; n < std::size(hows); ++n)
     EXPECT_EQ(last(note::OwnAddress{{}, {}, hows[n]}), n + 1);
   EXPECT_EQ(test::allOf<How>().size(), std::size(hows));
-  const RequestEnd ends[] = {RequestEnd::None,     RequestEnd::Answered,     RequestEnd::WrongAnswer,
-                             RequestEnd::NoAnswer, RequestEnd::Cancelled,    RequestEnd::LinkLost,
-                             RequestEnd::Gone,     RequestEnd::AnsweredLate, RequestEnd::AddressLost,
-                             RequestEnd::NotOnBus, RequestEnd::WentOutLate,  RequestEnd::GoneWithInterface,
-                             RequestEnd::EchoLost};
+  const RequestEnd ends[] = {RequestEnd::None,      RequestEnd::Answered,     RequestEnd::WrongAnswer,
+                             RequestEnd::NoAnswer,  RequestEnd::Cancelled,    RequestEnd::LinkLost,
+                             RequestEnd::Gone,      RequestEnd::AnsweredLate, RequestEnd::AddressLost,
+                             RequestEnd::NotOnBus,  RequestEnd::WentOutLate,  RequestEnd::GoneWithInterface,
+                             RequestEnd::CannotTell};
   for (std::uint8_t n = 0; n < std::size(ends); ++n)
     EXPECT_EQ(last(note::AskEnded{{}, {}, {}, Ask::Fault, ends[n]}), n);
   EXPECT_EQ(test::allOf<RequestEnd>().size(), std::size(ends));

@@ -251,9 +251,9 @@ TEST_F(KeptCommand, EndsAsGoneWithTheInterface) {
 TEST_F(KeptCommand, EndsWithoutAWordOfItsFateWhenItsEchoMayBeAmongLostFrames) {
   pair.run(500ms);
   pair.loseEchoes(console());
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::EchoLost);
+  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell);
   EXPECT_TRUE(all().waitingCommands.empty());
-  EXPECT_EQ(ends(), std::vector{RequestEnd::EchoLost}) << "never that it went out late";
+  EXPECT_EQ(ends(), std::vector{RequestEnd::CannotTell}) << "never that it went out late";
   EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None) << "the person may decide to send it again";
 }
 
@@ -264,7 +264,7 @@ TEST_F(KeptCommand, EndsSoWhenABusOffHasThrownAwayWhatTheControllerHeld) {
   restarted.length = 8;
   pair.inject(restarted);
   pair.run(10ms);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::EchoLost);
+  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell);
   EXPECT_EQ(all().unconfirmed, 0u);
 }
 
@@ -345,6 +345,17 @@ TEST_F(OnBus, TwoCommandsWhoseEchoesComeInTheOtherOrderKeepTheirOwn) {
   EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::WentOutLate);
 }
 
+TEST_F(OnBus, AnEchoOfTheKernelsQueueNeverProvesThatACommandWentOut) {
+  console().services.setEchoProves(false);
+  pair.unlock();
+  EXPECT_EQ(pair.claim().progress, Claim::Claimed);
+  EXPECT_FALSE(all().echoes) << "shown as: cannot tell";
+  keep(kZeroAxes, 2s);
+  ask(Ask::ZeroAxes);
+  pair.run(2s + 2 * Pair::kFlight);
+  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell);
+}
+
 TEST_F(OnBus, WithoutEchoesACommandIsNeverSaidToWait) {
   Console& deaf = pair.addConsole({.echoes = false, .claim = {.identityNumber = 7}});
   pair.run(2s);
@@ -379,6 +390,28 @@ TEST_F(OnBus, APacketThatIsNotOnTheBusStopsThePipeAndIsNotSentAgainMeanwhile) {
   pair.run(2500ms);
   EXPECT_EQ(pipe().progress, PipeStatus::Progress::Idle) << "it went out and was acknowledged";
   EXPECT_EQ(pipe().acks, 1u);
+}
+
+TEST_F(OnBus, APacketGivenUpInTheAdapterHoldsTheNextUntilAnAckOfItCanComeNoMore) {
+  using What = wish::PipeAction::What;
+  for (const What how : {What::Skip, What::Abort}) {
+    TruckPair truck;
+    truck.unlock();
+    truck.console().leaves = [](const Frame& f) { return isType(f, kPipe) ? 3s : Duration(0ns); };
+    truck.want(wish::PipeWrite{monitor, "abc"});
+    truck.run(1100ms);
+    ASSERT_EQ(truck.want(wish::PipeAction{monitor, how}), Refusal::None);
+    truck.console().leaves = [](const Frame&) { return Duration(0ns); };
+    truck.want(wish::PipeWrite{monitor, "x"});
+    truck.run(2500ms);
+    ASSERT_EQ(truck.sent(kPipe, &truck.console()).size(), 1u) << "the first went out 3 s late";
+    EXPECT_EQ(truck.console().pipe(truck.now(), monitor).strayAcks, 1u);
+    truck.run(300ms);
+    EXPECT_EQ(truck.sent(kPipe, &truck.console()).size(), 1u);
+    truck.run(1s);
+    EXPECT_EQ(truck.sent(kPipe, &truck.console()).size(), 2u);
+    EXPECT_EQ(truck.console().pipe(truck.now(), monitor).acks, 1u);
+  }
 }
 
 TEST_F(OnBus, APacketThatTheAdapterRefusedMayBeSentAgain) {

@@ -521,6 +521,32 @@ TEST_F(Pipe, NothingGoesToADeviceThatIsSilentForASecond) {
   EXPECT_EQ(act(What::Abort), Refusal::None);
 }
 
+TEST_F(Pipe, ThePacketsAfterTheFirstGoOnlyToADeviceThatIsHeardToo) {
+  act(What::Pause);
+  type("0123456");
+  act(What::Pause);
+  type("789");
+  pair.run(100ms);
+  pair.wire = [](const Frame& f) { return Pair::Fate{isOfDevice(f) ? 0 : 1, 0ns}; };  // it falls silent
+  pair.run(2s);
+  const std::size_t before = packets().size();
+  act(What::Resume);
+  EXPECT_EQ(status().progress, Progress::Stalled);
+  EXPECT_EQ(status().stall, Stall::NotSent);
+  EXPECT_EQ(status().refusal, Refusal::NotHeard);
+  EXPECT_EQ(packets().size(), before);
+  pair.run(5s);
+  EXPECT_EQ(status().stall, Stall::NotSent) << "it never becomes an ack that did not come";
+  EXPECT_EQ(act(What::Resend), Refusal::NotHeard);
+  pair.wire = [](const Frame&) { return Pair::Fate{}; };
+  pair.run(1s);
+  EXPECT_EQ(act(What::Resend), Refusal::None);
+  pair.run(1s);
+  EXPECT_EQ(status().progress, Progress::Idle);
+  EXPECT_EQ(sentText(), "0123456789");
+  EXPECT_EQ(status().resent, 0u) << "it went for the first time";
+}
+
 TEST_F(Pipe, OthersFramesThatLookTheSameAreNotAnswered) {
   const Instant before = pair.now();
   pair.inject(frame("18EEFFA0", "1234560000000000"));  // another maker's NAME
