@@ -117,7 +117,7 @@ void Services::complete(Instant now, const Live& live) {
   m_status.isEnding = false;
   m_status.locked = true;
   m_endBy = kNever;
-  for (const Again& again : std::exchange(m_again, {})) giveUp(now, live, again.frame);
+  giveUpAgain(now, live);
   for (Entry& entry : m_services) {
     entry.source = kNullAddress;
     entry.hasEnded = true;
@@ -235,14 +235,17 @@ void Services::wrote(Instant now, const State& state, const OutFrame& frame, Wri
   followEnding(now, live);
 }
 
-void Services::giveUp(Instant now, const Live& live, const OutFrame& frame) {
-  ++m_status.notTaken;
-  writeEnded(now, live, frame.tag, WriteOutcome::NotTaken);
+void Services::giveUpAgain(Instant now, const Live& live) {
+  for (const Again& again : std::exchange(m_again, {})) {
+    ++m_status.notTaken;
+    writeEnded(now, live, again.frame.tag, WriteOutcome::NotTaken);
+  }
 }
 
 void Services::dropUnwritten(Instant now, const Live& live) {
-  for (const Again& again : std::exchange(m_again, {})) giveUp(now, live, again.frame);
-  for (const OutFrame& frame : std::exchange(m_out.frames, {})) giveUp(now, live, frame);
+  giveUpAgain(now, live);
+  for (const OutFrame& frame : std::exchange(m_out.frames, {}))
+    writeEnded(now, live, frame.tag, WriteOutcome::NotTaken);
 }
 
 void Services::timeCame(Instant now, const State& state) {

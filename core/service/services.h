@@ -82,7 +82,8 @@ class Services {
   void endOwn(Instant now, const Live& live, WriteOutcome outcome);
   // What was not written yet, or waits for its second try, is not sent.
   void dropUnwritten(Instant now, const Live& live);
-  void giveUp(Instant now, const Live& live, const OutFrame& frame);
+  // What a full queue refused is not tried again.
+  void giveUpAgain(Instant now, const Live& live);
   void noteWaiting(const Live& live);
   // Calls every service that has not ended, in order or backwards, as the owner of what it sends.
   template <typename F>

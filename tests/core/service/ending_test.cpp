@@ -165,6 +165,21 @@ TEST_F(Ending, OthersFallSilentAtOnce) {
   EXPECT_TRUE(pair.sent(0xFE, &console, before).empty());
 }
 
+TEST_F(Ending, WhatALockKeepsFromTheAdapterIsNotCountedAsRefusedByIt) {
+  Services& services = console.services;
+  const auto apply = [&](Wish wish) {
+    services.apply(pair.now(), console.state, {std::move(wish), pair.now(), 1});
+  };
+  apply(wish::AskDevice{TruckPair::monitor(), AskSet{Ask::SetupMode}});
+  apply(wish::Lock{});
+  const RequestStatus command = console.request(pair.now(), TruckPair::monitor(), Ask::SetupMode);
+  EXPECT_EQ(command.end, RequestEnd::NotOnBus);
+  EXPECT_EQ(status().notTaken, 0u);
+  std::vector<OutFrame> frames;
+  services.takeFrames(frames);
+  EXPECT_EQ(std::ranges::count_if(frames, [](const OutFrame& f) { return f.frame.data[0] == 0x46; }), 0);
+}
+
 TEST_F(Ending, LastsASecondAtMostAndWhatStillWaitsIsSaid) {
   neutral->neverEnds = true;
   console.leaves = [](const Frame&) { return std::optional<Duration>(); };
