@@ -123,6 +123,13 @@ class EnumSet {
     for (std::size_t i = 0; i < a.m_words.size(); ++i) a.m_words[i] &= b.m_words[i];
     return a;
   }
+  // In the enum's order.
+  template <typename F>
+  constexpr void forEach(F&& f) const {
+    for (const E e : kAllOf<E>) {
+      if (has(e)) f(e);
+    }
+  }
   friend constexpr bool operator==(const EnumSet&, const EnumSet&) = default;
 
  private:

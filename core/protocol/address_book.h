@@ -27,6 +27,7 @@
 #include "bus/frame.h"
 #include "protocol/classify.h"
 #include "protocol/exchanges.h"
+#include "protocol/lists.h"
 #include "protocol/name.h"
 
 namespace deckpipe {
@@ -124,16 +125,8 @@ class AddressBook {
     m_flags[a.value] = static_cast<std::uint8_t>(m_flags[a.value] & ~flag);
   }
   static constexpr bool isLesson(MessageId id) {
-    switch (id) {
-      case MessageId::Name:
-      case MessageId::AddressAnnouncement:
-      case MessageId::SdoReadResponse:
-      case MessageId::ZeroAxesRequest:
-      case MessageId::ZeroAxesAck:
-      case MessageId::SetupModeRequest:
-      case MessageId::SetupModeAck: return true;
-      default: return false;
-    }
+    return id == MessageId::Name || id == MessageId::AddressAnnouncement ||
+           id == MessageId::SdoReadResponse || kLooksAlikeBothWays[id];
   }
   bool learn(const Frame& frame, Instant time, const Classified& classified, Lost& lost);
   // Not heard yet, or not since its device left.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "control/pipe_event.h"
+#include "protocol/lists.h"
 
 namespace deckpipe {
 namespace {
@@ -127,7 +128,7 @@ void Pipe::fly(const Turn& turn) {
   packet.fate = Packet::Fate::InAdapter;
   m_deadline = turn.now + kAckTimeout;
   Encoded data{.length = static_cast<std::uint8_t>(1 + packet.bytes.size())};
-  data.data[0] = static_cast<std::uint8_t>(messageOf(MessageId::PipeData).firstByte);
+  data.data[0] = typeOf(MessageId::PipeData);
   std::ranges::transform(packet.bytes, data.data.begin() + 1,
                          [](char c) { return static_cast<std::uint8_t>(c); });
   packet.tag = turn.out.send(turn.live, turn.from, MessageId::PipeData, packet.to, data);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bus/j1939.h"
+#include "protocol/lists.h"
 #include "service/ask_rules.h"
 
 namespace deckpipe {
@@ -54,8 +55,8 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
       (frame.flags & Frame::kSent) != 0)
     return;
   const J1939Id id = J1939Id::of(frame.identifier());
-  const auto type = static_cast<std::uint8_t>(messageOf(MessageId::PipeData).firstByte);
-  if (id.pgn != pgn::kProprietaryA || frame.data[0] != type || source() == kNullAddress) return;
+  if (id.pgn != pgn::kProprietaryA || !hasTypeOf(frame, MessageId::PipeData) || source() == kNullAddress)
+    return;
   const Pipe::Turn turn{now, live, source(), out};
   adopt(turn);
   if (id.destination != source() || !live.bus().book.isAkron(id.source)) return;
@@ -63,7 +64,7 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
   if (frame.length > 1) {
     pipe(device).dataHeard(frame.length - 1u);
     Encoded ack{.length = 1};
-    ack.data[0] = type;
+    ack.data[0] = typeOf(MessageId::PipeAck);
     out.send(live, source(), MessageId::PipeAck, id.source, ack, true);
   } else if (Pipe* at = find(device)) {
     at->ackHeard(turn, id.source);

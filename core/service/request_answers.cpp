@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bus/j1939.h"
+#include "protocol/lists.h"
 #include "service/request_service.h"
 
 namespace deckpipe {
@@ -92,8 +93,7 @@ void RequestService::received(Instant now, const Live& live, const Frame& frame,
       if (ask == Ask::Reset || at.timing(ask).to != id.source) continue;
       const AskRule& rule = ruleOf(ask);
       for (std::size_t part = 0; part < rule.answers.size(); ++part) {
-        if (rule.answers[part] == kNoAnswer || messageOf(rule.answers[part]).firstByte != frame.data[0])
-          continue;
+        if (rule.answers[part] == kNoAnswer || !hasTypeOf(frame, rule.answers[part])) continue;
         // The address may have gone to somebody else since.
         if (live.addressOf(at.device) != id.source) continue;
         if (!allows(messageOf(rule.answers[part]).lengths, frame.length)) {
@@ -144,8 +144,9 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
 // before.
 void RequestService::broadcastHeard(Instant now, const Live& live, Address source, const Frame& frame,
                                     Outgoing& out) {
-  const Message& message = messageOf(MessageId::AddressAnnouncement);
-  const bool isAnnouncement = frame.data[0] == message.firstByte && allows(message.lengths, frame.length);
+  constexpr MessageId kAnnouncement = MessageId::AddressAnnouncement;
+  const bool isAnnouncement =
+      hasTypeOf(frame, kAnnouncement) && allows(messageOf(kAnnouncement).lengths, frame.length);
   const auto pin = isAnnouncement ? announcedPin(frame) : std::nullopt;
   for (Asked& at : m_devices) {
     Timing& timing = at.timing(Ask::Reset);

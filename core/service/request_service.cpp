@@ -6,18 +6,12 @@
 #include <utility>
 
 #include "bus/j1939.h"
+#include "protocol/lists.h"
 
 namespace deckpipe {
 namespace {
 
 using Progress = RequestStatus::Progress;
-
-template <typename F>
-void forEachAsk(AskSet asks, F&& f) {
-  for (const Ask ask : kAllOf<Ask>) {
-    if (asks.has(ask)) f(ask);
-  }
-}
 
 // What a request and its whole answer take of the bus.
 unsigned costOf(Ask ask) {
@@ -100,7 +94,7 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
   if (why == Refusal::Contested || (why != Refusal::None && (takes & kPolls) != takes)) return why;
   Asked& at = asked(live.canonical(wish.device));
   Refusal refusal = Refusal::Busy;
-  forEachAsk(takes, [&](Ask ask) {
+  takes.forEach([&](Ask ask) {
     RequestStatus& status = at.status(ask);
     // A repeated poll that waits for its turn may as well come now.
     if (status.progress == Progress::Waiting || (status.isOpen() && status.period == 0ns)) return;
@@ -126,7 +120,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   if (wish.period == 0ns) {
     if (find(key) == nullptr) return Refusal::None;
     Asked& at = asked(key);
-    forEachAsk(wish.asks, [&](Ask ask) {
+    wish.asks.forEach([&](Ask ask) {
       RequestStatus& status = at.status(ask);
       if (status.period == 0ns) return;
       status.period = 0ns;
@@ -142,7 +136,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   const AskSet takes = asksTakenBy(live, *device) & wish.asks & kPolls;
   if (takes.isEmpty()) return Refusal::NotTaken;
   Asked& at = asked(key);
-  forEachAsk(takes, [&](Ask ask) {
+  takes.forEach([&](Ask ask) {
     RequestStatus& status = at.status(ask);
     status.period = std::max<Duration>(wish.period, wish::Repeat::kShortestPeriod);
     if (!status.isOpen()) {
@@ -190,7 +184,7 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   timing.isOnBus = false;
   timing.deadline = isCommand(ask) ? kNever : now + rule.patience;
   Encoded data{.length = 1};
-  data.data[0] = static_cast<std::uint8_t>(messageOf(rule.request).firstByte);
+  data.data[0] = typeOf(rule.request);
   timing.tag = out.send(live, source(), rule.request, *to, data);
   if (isCommand(ask)) m_commands.push_back({timing.tag, at.device, ask, *to, now});
   m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(ask));
