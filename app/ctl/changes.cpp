@@ -67,7 +67,11 @@ void Changes::noteCame(const Note& note) {
   const bool isSaid = std::visit(
       Overload{[](const note::LinkUp&) { return true; }, [](const note::Locked&) { return true; },
                [](const note::Unlocked&) { return true; },
-               [&](const note::LinkDown& n) { return line.add("reason", n.reason.str()), true; },
+               [&](const note::LinkDown& n) {
+                 line.add("reason", kLinkFaultKeys[n.fault]);
+                 if (!n.words.isEmpty()) line.add("words", n.words.str());
+                 return true;
+               },
                [&](const note::Dropped& n) {
                  return line.add("frames", static_cast<std::int64_t>(n.count)), true;
                },

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "base/link_fault.h"
 #include "bus/port.h"
 #include "link/can_interface.h"
 
@@ -18,18 +19,6 @@ struct LinkSettings {
   QString interfaceName;  // in the plugin's way: "can0", "usb0", "tcp://127.0.0.1:41234/can0?echo"
   int bitRate = 250'000;  // bit/s. 0: as the interface has it, which only socketcan can do
   Channel channel;        // put into every frame
-};
-
-enum class LinkFault : std::uint8_t {
-  None,
-  NoPlugin,  // not installed, or its library is missing
-  NoInterface,
-  InterfaceDown,   // needs: ip link set NAME up type can bitrate RATE
-  WrongBitRate,    // the interface runs at another rate than asked for
-  BitRateRefused,  // the adapter cannot do the rate asked for
-  NoAnswer,
-  Gone,   // unplugged, or its other end went away
-  Other,  // in the adapter's words
 };
 
 // Counters are since open().

@@ -175,7 +175,10 @@ void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   const bool wasUp = m_linkState == LinkState::Up;
   m_linkState = state;
   if (state == LinkState::Up && !wasUp) write(note::LinkUp{m_settings.channel});
-  if (state != LinkState::Up && wasUp) write(note::LinkDown{m_settings.channel, reason});
+  if (state != LinkState::Up && wasUp) {
+    const LinkFault fault = state == LinkState::Closed ? LinkFault::None : m_link->status().fault;
+    write(note::LinkDown{m_settings.channel, fault, fault == LinkFault::Other ? reason : std::string()});
+  }
   followHardware();
   m_services.linkChanged(bootTime(), m_state, state == LinkState::Up);
   serve();

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "base/ids.h"
+#include "base/link_fault.h"
 #include "base/time.h"
 #include "control/ask.h"
 #include "control/pipe_event.h"
@@ -48,7 +49,8 @@ struct LinkUp {
 };
 struct LinkDown {
   Channel channel;
-  NoteText reason;  // the adapter's words; may be empty
+  LinkFault fault = LinkFault::None;  // None: closed by us
+  NoteText words{};                   // the adapter's own; may be empty
   friend bool operator==(const LinkDown&, const LinkDown&) = default;
 };
 // So many frames were lost before this place.

@@ -32,7 +32,8 @@ constexpr HasNoLayout<T> kLayout{};
 template <>
 constexpr auto kLayout<note::LinkUp> = layout(1, &note::LinkUp::channel);
 template <>
-constexpr auto kLayout<note::LinkDown> = layout(2, &note::LinkDown::channel, &note::LinkDown::reason);
+constexpr auto kLayout<note::LinkDown> = layout(2, &note::LinkDown::channel, &note::LinkDown::fault,
+                                                &note::LinkDown::words);
 template <>
 constexpr auto kLayout<note::Dropped> = layout(3, &note::Dropped::channel, &note::Dropped::count);
 template <>

@@ -22,7 +22,7 @@ inline const note::Mark kSample<note::Mark>{"water on"};
 template <>
 inline const note::LinkUp kSample<note::LinkUp>{kNotedChannel};
 template <>
-inline const note::LinkDown kSample<note::LinkDown>{kNotedChannel, "Network is down"};
+inline const note::LinkDown kSample<note::LinkDown>{kNotedChannel, LinkFault::Gone, "Network is down"};
 template <>
 inline const note::Dropped kSample<note::Dropped>{kNotedChannel, 0x1'0000'0002};
 template <>

@@ -121,8 +121,8 @@ QString noteText(const LogDocument& log, const Note& note) {
                [&](const note::LinkUp& n) { return EventText::tr("%1 up").arg(busOf(n)); },
                [&](const note::LinkDown& n) {
                  const QString text = EventText::tr("%1 down").arg(busOf(n));
-                 return n.reason.isEmpty() ? text
-                                           : QStringLiteral("%1: %2").arg(text, toQString(n.reason.str()));
+                 const QString why = n.words.isEmpty() ? linkFaultText(n.fault) : toQString(n.words.str());
+                 return why.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, why);
                },
                [&](const note::Dropped& n) {
                  return EventText::tr("%1: %Ln frames lost", nullptr,

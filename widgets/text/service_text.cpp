@@ -47,6 +47,21 @@ QString requestEndText(RequestEnd end) {
   return {};
 }
 
+QString linkFaultText(LinkFault fault) {
+  switch (fault) {
+    case LinkFault::None: return {};
+    case LinkFault::NoPlugin: return ServiceText::tr("its plugin cannot be used");
+    case LinkFault::NoInterface: return ServiceText::tr("there is no such interface");
+    case LinkFault::InterfaceDown: return ServiceText::tr("the interface is down");
+    case LinkFault::WrongBitRate: return ServiceText::tr("the interface has another bit rate");
+    case LinkFault::BitRateRefused: return ServiceText::tr("the adapter does not take the bit rate");
+    case LinkFault::NoAnswer: return ServiceText::tr("the adapter does not answer");
+    case LinkFault::Gone: return ServiceText::tr("the adapter is gone");
+    case LinkFault::Other: return ServiceText::tr("the adapter reports a fault");
+  }
+  return {};
+}
+
 QString refusalText(Refusal refusal) {
   switch (refusal) {
     case Refusal::None: return {};

@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include "base/link_fault.h"
 #include "control/pipe_event.h"
 #include "control/status.h"
 
@@ -16,6 +17,8 @@ QString askText(Ask ask);
 QString requestEndText(RequestEnd end);
 // A whole sentence.
 QString refusalText(Refusal refusal);
+// "the interface is down"; empty for None.
+QString linkFaultText(LinkFault fault);
 // "address F9", "claiming address F9", "no address free".
 QString claimText(const ClaimStatus& claim);
 // "file sent", "no ack".

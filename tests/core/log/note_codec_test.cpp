@@ -49,7 +49,7 @@ TEST(NoteCodec, BeginsWithLengthKindFrameAndTime) {
 TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
   const std::map<std::string_view, std::string> expected{
       {"link_up", "01 02"},
-      {"link_down", "02 020f4e6574776f726b20697320646f776e"},
+      {"link_down", "02 02070f4e6574776f726b20697320646f776e"},
       {"dropped", "03 020200000001000000"},
       {"locked", "04 02"},
       {"unlocked", "05 02"},
@@ -109,6 +109,7 @@ TEST(NoteCodec, KnowsEveryValueOfItsEnums) {
   expectKnown<Ask>();
   expectKnown<RequestEnd>();
   expectKnown<PipeEvent>();
+  expectKnown<LinkFault>();
   expectKnown<note::OwnAddress::How>();
 }
 

@@ -37,7 +37,7 @@ class AnyLog : public testing::Test {
     for (std::uint64_t i = 0; i < frames; i += 1 + random() % 97) {
       const Channel channel{static_cast<std::uint8_t>(random() % 4)};
       const Address address{static_cast<std::uint8_t>(0x80 + random() % 4)};
-      const NoteValue any[] = {note::LinkUp{channel},   note::LinkDown{channel, {}},
+      const NoteValue any[] = {note::LinkUp{channel},   note::LinkDown{channel, {}, {}},
                                note::Unlocked{channel}, note::Locked{channel},
                                note::Mark{"here"},      note::DriveSaid{channel, address, true},
                                note::Dropped{channel},  note::DriveSaid{channel, address, false}};

@@ -322,7 +322,7 @@ TEST_F(StateOfOneChannel, TakesLinkDropsLockAndDrivesFromNotes) {
   EXPECT_FALSE(m_state.isLocked());
   hear("18EF2105", "022101");
   EXPECT_EQ(m_state.counter(MessageId::CopleyGetParameter).count, 1u);
-  m_state.apply({.frame = 1, .time = m_now, .value = note::LinkDown{kCan0, {}}});
+  m_state.apply({.frame = 1, .time = m_now, .value = note::LinkDown{kCan0, {}, {}}});
   EXPECT_EQ(m_state.channel(kCan0).link, ChannelLink::Down);
 }
 
