@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QSemaphore>
 #include <QTest>
+#include <QThread>
 #include <memory>
 
 #include "link/virtual_bus.h"
@@ -46,6 +48,61 @@ TEST(LiveBus, LocksWhereTheLogTakesNoMoreAndAnswersNothingFromThenOn) {
   EXPECT_EQ(ours(), before);
   live.apply({wish::Unlock{}, bootTime(), 2});
   EXPECT_TRUE(live.latest().services->locked) << "nothing is sent on a picture that stands still";
+}
+
+// The thread stands still for longer than an ack may take, and the ack comes meanwhile.
+TEST(LiveBus, AnAckThatCameWhileItsThreadStoodStillIsInTime) {
+  VirtualBus bus;
+  ASSERT_TRUE(bus.start());
+  const LinkSettings settings{QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}};
+  QThread thread;
+  const std::unique_ptr<QThread, void (*)(QThread*)> ended(&thread, [](QThread* t) { t->wait(); });
+  auto* live = new LiveBus(std::make_shared<LogDocument>(), settings);
+  live->moveToThread(&thread);
+  QObject::connect(&thread, &QThread::finished, live, &QObject::deleteLater);
+  thread.start();
+  QMetaObject::invokeMethod(live, &LiveBus::start, Qt::QueuedConnection);
+  RecordingListener peer;
+  CanLink peerLink(settings);
+  peerLink.open(peer);
+  const auto waitFor = [](auto condition) { return QTest::qWaitFor(condition, kPatience); };
+  const auto want = [live](Wish wish) {
+    QMetaObject::invokeMethod(
+        live,
+        [live, wish] {
+          live->apply({wish, bootTime(), 1});
+        },
+        Qt::QueuedConnection);
+  };
+  EXPECT_TRUE(waitFor([&] { return live->latest().link.state == LinkState::Up; }));
+  EXPECT_TRUE(waitFor([&] { return peer.state() == LinkState::Up; }));
+  want(wish::Unlock{});
+  EXPECT_TRUE(waitFor([&] { return live->latest().services->canAsk(); }));
+  const DeviceKey monitor = DeviceKey::of(*Pin::parse("1032AE100801035"));
+  peerLink.write(test::frame("18EFFF80", "FF83150206021A0B"));
+  EXPECT_TRUE(waitFor([&] { return live->latest().services->find(monitor) != nullptr; }));
+  want(wish::PipeWrite{monitor, "abc"});
+  EXPECT_TRUE(waitFor([&] {
+    return std::ranges::any_of(
+        peer.frames, [](const Frame& f) { return (f.id & 0x3FF'0000u) == 0xEF'0000u && f.data[0] == 0xFE; });
+  }));
+  const auto pipe = [&] { return live->latest().services->find(monitor)->pipe.value_or(PipeStatus{}); };
+  QSemaphore stands, goesOn;
+  QMetaObject::invokeMethod(
+      live,
+      [&] {
+        stands.release();
+        goesOn.acquire();
+        QThread::msleep(1'200);
+      },
+      Qt::QueuedConnection);
+  stands.acquire();
+  peerLink.write(test::frame("18EFF980", "FE"));
+  goesOn.release();
+  EXPECT_TRUE(waitFor([&] { return pipe().acks == 1 || pipe().progress == PipeStatus::Progress::Stalled; }));
+  EXPECT_EQ(pipe().progress, PipeStatus::Progress::Idle);
+  EXPECT_EQ(pipe().lateAcks, 0u);
+  QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
 }
 
 struct EndOfALiveBus : testing::Test {

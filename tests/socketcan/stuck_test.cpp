@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Handed over is not on the bus: an adapter that keeps what it is given, one whose queue is full, one that
+// only listens; and what a second card hears after a lock, and after the program ended. We are on can0, the
+// twin and the witness on can1.
+#include <QRegularExpression>
+
+#include "guest_bench.h"
+
+namespace deckpipe::guest {
+namespace {
+
+constexpr auto kMonitorPin = "1032AE100801035";
+
+// An emulated card sends at once, so the kernel's queue before it stands still: one frame has 16 bytes, and
+// one byte a second goes out. It holds so many frames.
+bool freeze(int frames) {
+  return shell(QStringLiteral("tc qdisc replace dev can0 root tbf rate 8bit burst 16 limit %1")
+                   .arg(16 * frames)) == 0;
+}
+// What waits goes out now.
+bool thaw() {
+  return shell(QStringLiteral("tc qdisc change dev can0 root tbf rate 1mbit burst 1600 limit 16000")) == 0;
+}
+
+struct Stuck : ::testing::Test {
+  Stuck()
+      : twin(programOfBuild(QStringLiteral("deckpipectl")) +
+             QStringLiteral(" simulate --moves-monitors --plugin socketcan --interface can1")) {}
+  ~Stuck() override { shell(QStringLiteral("tc qdisc del dev can0 root 2>/dev/null")); }
+
+  bool begin() {
+    if (!console.waitFor(SourceStatus::Progress::Running)) return false;
+    console.session.want(wish::Unlock{});
+    return console.waitUntil([&] { return services().canAsk() && services().find(monitor) != nullptr; });
+  }
+  const ServiceStatus& services() const { return *console.session.snapshot().services; }
+  RequestStatus command() const {
+    const DeviceServices* device = services().find(monitor);
+    return device != nullptr ? device->of(Ask::SetupMode) : RequestStatus{};
+  }
+  void ask() { console.session.want(wish::AskDevice{monitor, AskSet{Ask::SetupMode}}); }
+  // What the other card heard of our command.
+  static qsizetype commandsIn(Witness& witness) {
+    return witness.lines().filter(QRegularExpression(QStringLiteral(" 18EF..F9#46"))).size();
+  }
+
+  const Program twin;
+  Console console{QStringLiteral("can0")};
+  const DeviceKey monitor = DeviceKey::of(*Pin::parse(kMonitorPin));
+};
+
+TEST_F(Stuck, ACommandInAFrozenAdapterIsSaidToWaitAndGoesOutAfterTheLock) {
+  ASSERT_TRUE(begin());
+  Witness witness(QStringLiteral("can1"), QStringLiteral("can1"));
+  ASSERT_TRUE(witness.isRunning());
+  if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
+  console.session.want(wish::AskNames{});  // takes what the queue lets pass at once
+  ask();
+  ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
+  EXPECT_EQ(command().progress, RequestStatus::Progress::NotOnBusYet);
+  EXPECT_EQ(console.notes<note::AskWaits>().size(), 1u);
+  console.session.want(wish::Lock{});
+  ASSERT_TRUE(console.waitUntil([&] { return services().locked; }));
+  ASSERT_EQ(console.notes<note::StillWaits>().size(), 1u);
+  EXPECT_EQ(services().waitingCommands.size(), 1u) << "nothing takes it back";
+  ASSERT_TRUE(thaw());
+  EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::WentOutLate; }));
+  EXPECT_TRUE(services().waitingCommands.empty());
+  EXPECT_EQ(commandsIn(witness), 1) << "a second card hears it after the lock";
+}
+
+TEST_F(Stuck, WhatAFullQueueRefusesWasNotSent) {
+  ASSERT_TRUE(begin());
+  if (!freeze(1)) GTEST_SKIP() << "this kernel has no tbf";
+  const std::uint64_t before = services().notTaken;
+  for (int i = 0; i < 10; ++i) console.session.want(wish::AskNames{});
+  EXPECT_TRUE(console.waitUntil([&] { return services().notTaken > before; }));
+  ask();
+  EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::NotOnBus; }));
+  EXPECT_TRUE(services().waitingCommands.empty());
+}
+
+TEST_F(Stuck, TakingTheInterfaceDownEndsTheWait) {
+  ASSERT_TRUE(begin());
+  if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
+  console.session.want(wish::AskNames{});
+  ask();
+  ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
+  ASSERT_TRUE(setInterfaceUp("can0", false));
+  EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::GoneWithInterface; }));
+  ASSERT_TRUE(setInterfaceUp("can0", true));
+}
+
+TEST_F(Stuck, AnAdapterThatOnlyListensIsNotUnlocked) {
+  ASSERT_TRUE(ip(QStringLiteral("set can0 down")) &&
+              ip(QStringLiteral("set can0 up type can bitrate 250000 listen-only on")));
+  ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Running));
+  ASSERT_TRUE(console.waitUntil([&] { return services().isListenOnly; }));
+  console.session.want(wish::Unlock{});
+  EXPECT_TRUE(console.waitUntil([&] { return services().refusal == Refusal::ListenOnly; }));
+  EXPECT_TRUE(services().locked);
+  EXPECT_EQ(console.session.snapshot().services->sent, 0u);
+  ASSERT_TRUE(ip(QStringLiteral("set can0 down")) &&
+              ip(QStringLiteral("set can0 up type can bitrate 250000 listen-only off")));
+}
+
+// The manual says so: what a queue holds outlives the program.
+TEST_F(Stuck, WhatTheQueueHoldsGoesOutAfterTheProgramHasEnded) {
+  ASSERT_TRUE(begin());
+  ASSERT_TRUE(console.waitUntil([&] { return services().canAsk(); }));
+  Witness witness(QStringLiteral("can1"), QStringLiteral("can1"));
+  ASSERT_TRUE(witness.isRunning());
+  if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
+  console.session.want(wish::AskNames{});
+  ask();
+  ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
+  console.session.closeSource();
+  ASSERT_TRUE(thaw());
+  EXPECT_EQ(commandsIn(witness), 1);
+}
+
+}  // namespace
+}  // namespace deckpipe::guest
