@@ -66,7 +66,7 @@ int LogInput::readFile(const std::function<bool()>& more) {
       publish();
       return wanted.load();
     };
-    outcome.emplace(openLog(path, frames, unkept, options));
+    outcome.emplace(openLog(path, {frames, unkept}, options));
     ended = true;
     publish();
   });
