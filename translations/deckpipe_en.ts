@@ -51,6 +51,20 @@
             <numerusform>%Ln frames of this log are missing here: CAN FD and CAN XL frames are not held.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The end of this recording is not whole: its last %Ln bytes could not be read. Everything before them is here.</source>
+        <translation>
+            <numerusform>The end of this recording is not whole: its last byte could not be read. Everything before them is here.</numerusform>
+            <numerusform>The end of this recording is not whole: its last %Ln bytes could not be read. Everything before them is here.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln parts of this recording are of a newer version of Deckpipe and were left out.</source>
+        <translation>
+            <numerusform>%Ln part of this recording is of a newer version of Deckpipe and was left out.</numerusform>
+            <numerusform>%Ln parts of this recording are of a newer version of Deckpipe and were left out.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>StatusText</name>

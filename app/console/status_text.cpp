@@ -97,6 +97,7 @@ QString readErrorWords(const ReadError& error) {
     case ReadError::Kind::CannotOpen: return withDetail(StatusText::tr("cannot be opened"));
     case ReadError::Kind::CannotRead: return withDetail(StatusText::tr("cannot be read further"));
     case ReadError::Kind::UnknownFormat: return StatusText::tr("not a log of a known format");
+    case ReadError::Kind::NewerVersion: return StatusText::tr("written by a newer version of Deckpipe");
     case ReadError::Kind::NoPipe:
       return StatusText::tr("a log of this format is read from a file only, not from a pipe");
     case ReadError::Kind::StoreFull:
@@ -304,13 +305,19 @@ std::uint64_t missingFrames(const Snapshot& snapshot) {
 StatusFact completenessFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   const std::uint64_t missing = missingFrames(snapshot);
-  if (source.unreadable == 0 && missing == 0) {
+  const bool isWhole = source.read.cutBytes == 0 && source.read.newerParts == 0;
+  if (source.unreadable == 0 && missing == 0 && isWhole) {
     return {StatusTone::Fine, StatusText::tr("Complete"),
             source.kind == From::File
                 ? StatusText::tr("Every line of the log was read and is held.")
                 : StatusText::tr("No frame is known to be lost since the link came up.")};
   }
   QStringList words, story;
+  if (!isWhole) {
+    words += StatusText::tr("Not whole");
+    story +=
+        StatusText::tr("Not all of the recording could be read; what is missing is said below the strip.");
+  }
   if (source.unreadable > 0) {
     words += StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable));
     story += StatusText::tr("Lines that are no frames are left out; what they were is said below the strip.");

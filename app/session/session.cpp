@@ -270,7 +270,11 @@ void Session::updateSource() {
     if (const auto* outcome = m_opening->outcome()) {
       source.fraction = 1;
       source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
-      if (!*outcome) source.error = outcome->error();
+      if (*outcome) {
+        source.read = outcome->value();
+      } else {
+        source.error = outcome->error();
+      }
     }
   }
   if (m_live == nullptr) return;

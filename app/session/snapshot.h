@@ -43,6 +43,7 @@ struct SourceStatus {
   SourceError error;             // the last thing that went wrong
   double fraction = 0;           // of a file being read, 0..1
   std::uint64_t unreadable = 0;  // lines of a file
+  ReadSummary read{};            // of a file, once it was read
   std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
   int bitRate = 0;               // bit/s that it runs at, or that was asked for; 0 = not applicable
   QString plugin;                // of a link

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "log/candump.h"
+#include "log/journal_reader.h"
 #include "log/text_marks.h"
 
 namespace deckpipe {
 namespace {
 
-constexpr LogFormat kFormats[] = {kCandumpFormat};
+constexpr LogFormat kFormats[] = {kJournalFormat, kCandumpFormat};
 
 bool hasPatternOf(const LogFormat& format, std::string_view fileName) {
   std::string_view rest = format.patterns;

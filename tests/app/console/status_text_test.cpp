@@ -258,7 +258,7 @@ TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {
   EXPECT_EQ(notice(snapshot), "truck.log cannot be read: cannot be opened: No such file or directory");
   snapshot.source.error = ReadError{.kind = ReadError::Kind::UnknownFormat};
   EXPECT_EQ(notice(snapshot),
-            "truck.log cannot be read: not a log of a known format. Deckpipe reads: candump.");
+            "truck.log cannot be read: not a log of a known format. Deckpipe reads: Deckpipe, candump.");
 }
 
 TEST(ClockNotice, IsForAClockThatGoesBackAndNotForTheUsualSmallSteps) {
