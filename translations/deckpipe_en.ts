@@ -156,6 +156,16 @@ Other devices in the list: %n.</numerusform>
     </message>
 </context>
 <context>
+    <name>deckpipe::RecordingsList</name>
+    <message numerus="yes">
+        <source>%Ln earlier ones were not saved either.</source>
+        <translation>
+            <numerusform>One earlier one was not saved either.</numerusform>
+            <numerusform>%Ln earlier ones were not saved either.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::RepeatBar</name>
     <message numerus="yes">
         <source>and %n more</source>

@@ -288,8 +288,8 @@ Notice pastNotice(const Snapshot& snapshot) {
   if (snapshot.source.kind != From::Link || view.atEnd || view.frameCount == 0) return {};
   Notice notice{StatusTone::Attend};
   const QString behind = elapsedText(view.end - view.cursor.time);
-  notice.text = (snapshot.playing ? NoticeText::tr("Playing what was recorded %1 ago. Recording goes on.")
-                                  : NoticeText::tr("Paused: this is how it was %1 ago. Recording goes on."))
+  notice.text = (snapshot.playing ? NoticeText::tr("Playing what was received %1 ago. Reception goes on.")
+                                  : NoticeText::tr("Paused: this is how it was %1 ago. Reception goes on."))
                     .arg(behind.left(behind.size() - 4));
   notice.action = Notice::Action::GoToEnd;
   return notice;
@@ -340,6 +340,10 @@ Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
   if (snapshot.source.kind == From::File) return fileNotice(snapshot);
   Notice notice = linkNotice(snapshot, rates);
   if (notice.tone != StatusTone::Fault || notice.text.isEmpty()) {
+    if (const auto& recording = snapshot.source.recording; recording && recording->fault)
+      return {
+          StatusTone::Fault,
+          NoticeText::tr("%1. What is received is kept in memory only.").arg(recordingFaultText(*recording))};
     if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
   }
   return notice;

@@ -2,6 +2,7 @@
 #include "status_text.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
@@ -276,6 +277,12 @@ StatusFact lockFact(const Snapshot& snapshot) {
   return {StatusTone::Plain, StatusText::tr("Transmit locked"), story, Glyph::Locked};
 }
 
+QString recordingFaultText(const JournalStatus& recording) {
+  const QString why = QString::fromStdString(recording.fault.detail);
+  if (recording.path.empty()) return StatusText::tr("No file can be made for this recording: %1").arg(why);
+  return StatusText::tr("%1 cannot be written: %2").arg(QFile::decodeName(recording.path.c_str()), why);
+}
+
 StatusFact recordingFact(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : view.end - view.begin);
@@ -284,13 +291,32 @@ StatusFact recordingFact(const Snapshot& snapshot) {
     const QString frames = frameCountText(view.frameCount);
     return {StatusTone::Plain, frames, StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)};
   }
-  const bool isRunning = snapshot.source.progress == Progress::Running;
+  const SourceStatus& source = snapshot.source;
+  const bool isRunning = source.progress == Progress::Running && source.isRecorded();
   StatusFact fact;
   fact.text = recordingWords(isRunning, shortLength, view.frameCount);
-  fact.story = StatusText::tr(
-      "Everything that is received is kept until another source is opened;\n"
-      "File > Save log writes it to a file. Pausing stops only what is shown.");
   fact.glyph = isRunning ? Glyph::On : Glyph::Off;
+  if (source.recording && source.recording->fault) {
+    fact.tone = StatusTone::Fault;
+    fact.glyph.reset();
+    fact.text = source.recording->fault.kind == JournalFault::Kind::DiskFull
+                    ? StatusText::tr("Not recorded: disk full")
+                    : StatusText::tr("Not recorded");
+    fact.story = StatusText::tr(
+                     "%1\nWhat is received is kept in memory until another source is opened, and "
+                     "written once the disk takes it; that is tried every 10 s.")
+                     .arg(recordingFaultText(*source.recording));
+  } else if (source.isRecorded()) {
+    fact.story = StatusText::tr(
+                     "Everything that is received is written to\n%1\n"
+                     "File > Recordings lists it; File > Save log writes a copy of your own. "
+                     "Pausing stops only what is shown.")
+                     .arg(QFile::decodeName(source.recording->path.c_str()));
+  } else {
+    fact.story = StatusText::tr(
+        "What is received is kept in memory until another source is opened;\n"
+        "File > Save log writes it to a file. Pausing stops only what is shown.");
+  }
   return fact;
 }
 
