@@ -51,6 +51,20 @@
             <numerusform>%Ln frames of this log are missing here: CAN FD and CAN XL frames are not held.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The end of this recording is not whole: its last %Ln bytes could not be read. Everything before them is here.</source>
+        <translation>
+            <numerusform>The end of this recording is not whole: its last byte could not be read. Everything before them is here.</numerusform>
+            <numerusform>The end of this recording is not whole: its last %Ln bytes could not be read. Everything before them is here.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln parts of this recording are of a newer version of Deckpipe and were left out.</source>
+        <translation>
+            <numerusform>%Ln part of this recording is of a newer version of Deckpipe and was left out.</numerusform>
+            <numerusform>%Ln parts of this recording are of a newer version of Deckpipe and were left out.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>StatusText</name>
@@ -138,6 +152,16 @@ Other devices in the list: %n.</numerusform>
         <translation>
             <numerusform>And %n more.</numerusform>
             <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::RecordingsList</name>
+    <message numerus="yes">
+        <source>%Ln earlier ones were not saved either.</source>
+        <translation>
+            <numerusform>One earlier one was not saved either.</numerusform>
+            <numerusform>%Ln earlier ones were not saved either.</numerusform>
         </translation>
     </message>
 </context>

@@ -4,8 +4,6 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
-#include "log/log_format.h"
-
 namespace deckpipe {
 namespace {
 
@@ -17,11 +15,11 @@ QString latin1(std::string_view text) {
   return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+}  // namespace
+
 QString filterOf(const LogFormat& format) {
   return LogFilters::tr("%1 logs (%2)", "format, patterns").arg(latin1(format.name), latin1(format.patterns));
 }
-
-}  // namespace
 
 QStringList filtersForOpening() {
   QStringList filters, patterns;

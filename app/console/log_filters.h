@@ -4,11 +4,14 @@
 
 #include <QStringList>
 
+#include "log/log_format.h"
+
 namespace deckpipe {
 
 // "candump logs (*.log *.txt)", one a format; for opening, all logs first where there are several.
 QStringList filtersForOpening();
 QStringList filtersForSaving();
+QString filterOf(const LogFormat& format);
 // The usual suffix of a filter, without the dot: "log".
 QString suffixOf(const QString& filter);
 

@@ -9,6 +9,7 @@
 #include "language.h"
 #include "main_window.h"
 #include "options.h"
+#include "session/recordings.h"
 
 namespace {
 
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
   if (const auto status = deckpipe::parseOptions(arguments, options)) return *status;
 
   deckpipe::Session session;
+  session.setRecordingFolder(deckpipe::recordingsFolder());
   deckpipe::MainWindow window(session);
   if (options.grabFile.isEmpty()) window.restoreLayout();
   if (const auto theme = deckpipe::themeOfKey(options.theme)) window.setTheme(*theme);

@@ -50,6 +50,7 @@ void MainWindow::makeFileMenu() {
     selection->setEnabled(m_saveAction->isEnabled() && trace->hasSelection());
     shown->setEnabled(m_saveAction->isEnabled() && trace->isFiltered());
   });
+  named(menu->addAction(tr("&Recordings"), this, &MainWindow::showRecordings), "recordingsAction");
   menu->addSeparator();
   m_markAction = named(menu->addAction(tr("&Mark this place…"), QKeySequence(Qt::CTRL | Qt::Key_M), this,
                                        [this] { m_markBar->open(m_snapshot.view); }),

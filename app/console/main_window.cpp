@@ -25,11 +25,13 @@
 #include "pane_cycle.h"
 #include "panel/about_page.h"
 #include "panel/connection_page.h"
+#include "panel/recordings_page.h"
 #include "panel/settings_page.h"
 #include "panel/trace_panel.h"
 #include "panel/transport_bar.h"
 #include "protocol/name.h"
 #include "recent_logs.h"
+#include "recordings_list.h"
 #include "save_bar.h"
 #include "sending_actions.h"
 #include "status_strip.h"
@@ -67,6 +69,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   m_about = about;
   m_pages->addWidget(about);
   connect(about, &AboutPage::closeRequested, this, [this] { showExtra(nullptr); });
+  m_recordings = new RecordingsList(m_session.recordingFolder(), this);
+  m_pages->addWidget(m_recordings->page());
   auto* central = new QWidget(this);
   auto* layout = new QVBoxLayout(central);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -90,6 +94,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   makeMenus();
   connect(&m_session, &Session::changed, this, &MainWindow::showSnapshot);
   connectPanels();
+  connectRecordings();
   setDensity(m_density);
   setTheme(m_theme);
   resize(1366, 720);
@@ -123,6 +128,7 @@ void MainWindow::connectPanels() {
   connect(m_notice, &NoticeBar::actionRequested, this, &MainWindow::follow);
   connect(m_markBar, &MarkBar::marked, &m_session, &Session::mark);
   connect(m_saveBar, &SaveBar::saved, this, [](const QString& path) { rememberLog(path); });
+  connect(m_saveBar, &SaveBar::savedWhole, &m_session, &Session::setSaved);
   connect(m_workspace, &Workspace::frameRequested, this,
           [this](std::uint64_t frame) { m_session.seekFrames(frame + 1); });
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
@@ -153,7 +159,8 @@ void MainWindow::setSnapshot(const Snapshot& snapshot) {
   m_status->setSnapshot(snapshot);
   m_sending->setSnapshot(snapshot);
   const Notice notice = noticeOf(snapshot, m_status->rates());
-  m_notice->setNotice(notice.text.isEmpty() ? m_addressNotice : notice);
+  const Notice& kept = m_addressNotice.text.isEmpty() ? m_unsavedNotice : m_addressNotice;
+  m_notice->setNotice(notice.text.isEmpty() ? kept : notice);
   showPage();
   const bool isFile = snapshot.source.kind == SourceStatus::Kind::File;
   setWindowTitle(isFile ? tr("%1 – Deckpipe").arg(QFileInfo(snapshot.source.name).fileName())
@@ -255,6 +262,7 @@ void MainWindow::closeSource() {
 void MainWindow::follow(Notice::Action action) {
   if (action == Notice::Action::GoToEnd) m_session.goToEnd();
   if (action == Notice::Action::Reconnect) m_session.reconnect();
+  if (action == Notice::Action::ShowRecordings) showRecordings();
 }
 
 void MainWindow::setDensity(Density density) {

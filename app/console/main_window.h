@@ -20,6 +20,7 @@ namespace deckpipe {
 
 class Connection;
 class MarkBar;
+class RecordingsList;
 class SaveBar;
 class SettingsPage;
 class StatusStrip;
@@ -60,7 +61,7 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void showSnapshot();
   void showPage();
-  // Settings, about: in the place of the work until closed. Null: none.
+  // Settings, about, recordings: in the place of the work until closed. Null: none.
   void showExtra(QWidget* page);
   QFileDialog* fileDialog(const QString& title, const QStringList& filters);
   void openLogByHand();
@@ -70,6 +71,10 @@ class MainWindow : public QMainWindow {
   void savePartByHand(std::uint64_t begin, std::uint64_t end, const TraceFilter& filter);
   QFileDialog* saveDialog(const QString& title);
   void closeSource();
+  void connectRecordings();
+  void showRecordings();
+  void saveRecordingByHand(const QString& path);
+  void deleteRecordingByHand(const QString& path);
   void follow(Notice::Action action);
   QList<QWidget*> panes() const;
   void saveLayout() const;
@@ -87,7 +92,9 @@ class MainWindow : public QMainWindow {
   Workspace* m_workspace;
   SettingsPage* m_settings;
   QWidget* m_about;
-  QWidget* m_extra = nullptr;            // one of the two, while it is seen
+  RecordingsList* m_recordings;
+  Notice m_unsavedNotice;                // until the recordings were looked at
+  QWidget* m_extra = nullptr;            // one of the pages, while it is seen
   const LogDocument* m_shown = nullptr;  // the last log
   MarkBar* m_markBar;
   SaveBar* m_saveBar;

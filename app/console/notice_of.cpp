@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
-#include <climits>
 #include <limits>
 
 #include "log/log_format.h"
@@ -50,6 +49,10 @@ QString reasonText(Unkept reason) {
   return {};
 }
 
+int forPlural(std::uint64_t number) {
+  return static_cast<int>(std::min<std::uint64_t>(number, std::numeric_limits<int>::max()));
+}
+
 Notice unreadable(const Snapshot& snapshot) {
   const UnkeptPlaces unkept = snapshot.view.document->unkept.content();
   QStringList shown, all;
@@ -59,8 +62,7 @@ Notice unreadable(const Snapshot& snapshot) {
     if (shown.size() < static_cast<qsizetype>(kPlacesShown)) shown.append(all.last());
   }
   if (all.size() > shown.size()) shown += QStringLiteral("…");
-  const int count =
-      static_cast<int>(std::min<std::uint64_t>(snapshot.source.unreadable, std::numeric_limits<int>::max()));
+  const int count = forPlural(snapshot.source.unreadable);
   Notice notice{StatusTone::Attend};
   notice.text = NoticeText::tr("%Ln lines of this log could not be read and are left out: %1", nullptr, count)
                     .arg(shown.join(QStringLiteral("; ")));
@@ -89,6 +91,24 @@ Notice clockNotice(const LogDocument& log) {
   return {};
 }
 
+// What is missing of a recording.
+Notice recordingNotice(const ReadSummary& read) {
+  if (read.cutBytes > 0)
+    return {StatusTone::Attend,
+            NoticeText::tr("The end of this recording is not whole: its last %Ln bytes could not be read. "
+                           "Everything before them is here.",
+                           nullptr, forPlural(read.cutBytes))};
+  if (read.newerParts > 0)
+    return {
+        StatusTone::Attend,
+        NoticeText::tr("%Ln parts of this recording are of a newer version of Deckpipe and were left out.",
+                       nullptr, forPlural(read.newerParts))};
+  if (read.isOpenEnded)
+    return {StatusTone::Attend,
+            NoticeText::tr("This recording was not ended: it still goes on, or its last second was lost.")};
+  return {};
+}
+
 Notice fileNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (source.progress == Progress::Failed) {
@@ -102,12 +122,12 @@ Notice fileNotice(const Snapshot& snapshot) {
   }
   if (source.progress != Progress::Done) return {};
   if (source.unreadable > 0) return unreadable(snapshot);
+  if (Notice notice = recordingNotice(source.read); !notice.text.isEmpty()) return notice;
   if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};
   if (source.notKept > 0) {
-    return {StatusTone::Attend,
-            NoticeText::tr("%Ln frames of this log are missing here: CAN FD and CAN XL "
-                           "frames are not held.",
-                           nullptr, static_cast<int>(std::min<std::uint64_t>(source.notKept, INT_MAX)))};
+    return {StatusTone::Attend, NoticeText::tr("%Ln frames of this log are missing here: CAN FD and CAN XL "
+                                               "frames are not held.",
+                                               nullptr, forPlural(source.notKept))};
   }
   return clockNotice(*snapshot.view.document);
 }
@@ -268,8 +288,8 @@ Notice pastNotice(const Snapshot& snapshot) {
   if (snapshot.source.kind != From::Link || view.atEnd || view.frameCount == 0) return {};
   Notice notice{StatusTone::Attend};
   const QString behind = elapsedText(view.end - view.cursor.time);
-  notice.text = (snapshot.playing ? NoticeText::tr("Playing what was recorded %1 ago. Recording goes on.")
-                                  : NoticeText::tr("Paused: this is how it was %1 ago. Recording goes on."))
+  notice.text = (snapshot.playing ? NoticeText::tr("Playing what was received %1 ago. Reception goes on.")
+                                  : NoticeText::tr("Paused: this is how it was %1 ago. Reception goes on."))
                     .arg(behind.left(behind.size() - 4));
   notice.action = Notice::Action::GoToEnd;
   return notice;
@@ -320,6 +340,10 @@ Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
   if (snapshot.source.kind == From::File) return fileNotice(snapshot);
   Notice notice = linkNotice(snapshot, rates);
   if (notice.tone != StatusTone::Fault || notice.text.isEmpty()) {
+    if (const auto& recording = snapshot.source.recording; recording && recording->fault)
+      return {
+          StatusTone::Fault,
+          NoticeText::tr("%1. What is received is kept in memory only.").arg(recordingFaultText(*recording))};
     if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
   }
   return notice;

@@ -43,6 +43,7 @@ void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& p
   const std::vector<Note> notes = document->notes.all();
   m_marks = static_cast<int>(std::ranges::count_if(
       notes, [](const Note& note) { return std::holds_alternative<note::Mark>(note.value); }));
+  m_whole = part.begin == 0 && !part.passes && part.end >= document->frames.count() ? document : nullptr;
   m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
   const auto frames = m_saving->frames();
@@ -62,7 +63,8 @@ void SaveBar::showProgress() {
 
 void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   const QString path = m_saving->path();
-  const QString frames = frameCountText(m_saving->written());
+  const std::uint64_t written = m_saving->written();
+  const QString frames = frameCountText(written);
   const QString format = m_saving->formatName();
   m_tick.stop();
   m_saving.release()->deleteLater();  // it is telling us this
@@ -77,10 +79,12 @@ void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
               : tr("Saved %1 to %2; %Ln marks are not in it, for %3 has no place for them", nullptr, m_marks)
                     .arg(frames, path, format));
       Q_EMIT saved(path);
+      if (m_whole != nullptr) Q_EMIT savedWhole(m_whole, written);
       break;
     case LogSaving::Outcome::Cancelled: m_text->setText(tr("Cancelled: nothing was saved.")); break;
     case LogSaving::Outcome::Failed: m_text->setText(tr("%1 cannot be saved: %2").arg(path, reason)); break;
   }
+  m_whole.reset();
 }
 
 void SaveBar::cancelOrClose() {

@@ -27,6 +27,8 @@ class SaveBar : public QWidget {
 
  Q_SIGNALS:
   void saved(const QString& path);
+  // All of a log, as far as it had so many frames then.
+  void savedWhole(const std::shared_ptr<const deckpipe::LogDocument>& document, std::uint64_t frames);
 
  private:
   void showProgress();
@@ -34,7 +36,8 @@ class SaveBar : public QWidget {
   void cancelOrClose();
 
   std::unique_ptr<LogSaving> m_saving;
-  int m_marks = 0;  // of the log that is saved
+  std::shared_ptr<const LogDocument> m_whole;  // that is saved, if it is not a part of it
+  int m_marks = 0;                             // of the log that is saved
   QTimer m_tick;
   QLabel* m_text;
   QProgressBar* m_progress;

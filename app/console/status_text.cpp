@@ -2,6 +2,7 @@
 #include "status_text.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
@@ -97,6 +98,7 @@ QString readErrorWords(const ReadError& error) {
     case ReadError::Kind::CannotOpen: return withDetail(StatusText::tr("cannot be opened"));
     case ReadError::Kind::CannotRead: return withDetail(StatusText::tr("cannot be read further"));
     case ReadError::Kind::UnknownFormat: return StatusText::tr("not a log of a known format");
+    case ReadError::Kind::NewerVersion: return StatusText::tr("written by a newer version of Deckpipe");
     case ReadError::Kind::NoPipe:
       return StatusText::tr("a log of this format is read from a file only, not from a pipe");
     case ReadError::Kind::StoreFull:
@@ -275,6 +277,12 @@ StatusFact lockFact(const Snapshot& snapshot) {
   return {StatusTone::Plain, StatusText::tr("Transmit locked"), story, Glyph::Locked};
 }
 
+QString recordingFaultText(const JournalStatus& recording) {
+  const QString why = QString::fromStdString(recording.fault.detail);
+  if (recording.path.empty()) return StatusText::tr("No file can be made for this recording: %1").arg(why);
+  return StatusText::tr("%1 cannot be written: %2").arg(QFile::decodeName(recording.path.c_str()), why);
+}
+
 StatusFact recordingFact(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : view.end - view.begin);
@@ -283,13 +291,32 @@ StatusFact recordingFact(const Snapshot& snapshot) {
     const QString frames = frameCountText(view.frameCount);
     return {StatusTone::Plain, frames, StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)};
   }
-  const bool isRunning = snapshot.source.progress == Progress::Running;
+  const SourceStatus& source = snapshot.source;
+  const bool isRunning = source.progress == Progress::Running && source.isRecorded();
   StatusFact fact;
   fact.text = recordingWords(isRunning, shortLength, view.frameCount);
-  fact.story = StatusText::tr(
-      "Everything that is received is kept until another source is opened;\n"
-      "File > Save log writes it to a file. Pausing stops only what is shown.");
   fact.glyph = isRunning ? Glyph::On : Glyph::Off;
+  if (source.recording && source.recording->fault) {
+    fact.tone = StatusTone::Fault;
+    fact.glyph.reset();
+    fact.text = source.recording->fault.kind == JournalFault::Kind::DiskFull
+                    ? StatusText::tr("Not recorded: disk full")
+                    : StatusText::tr("Not recorded");
+    fact.story = StatusText::tr(
+                     "%1\nWhat is received is kept in memory until another source is opened, and "
+                     "written once the disk takes it; that is tried every 10 s.")
+                     .arg(recordingFaultText(*source.recording));
+  } else if (source.isRecorded()) {
+    fact.story = StatusText::tr(
+                     "Everything that is received is written to\n%1\n"
+                     "File > Recordings lists it; File > Save log writes a copy of your own. "
+                     "Pausing stops only what is shown.")
+                     .arg(QFile::decodeName(source.recording->path.c_str()));
+  } else {
+    fact.story = StatusText::tr(
+        "What is received is kept in memory until another source is opened;\n"
+        "File > Save log writes it to a file. Pausing stops only what is shown.");
+  }
   return fact;
 }
 
@@ -304,13 +331,19 @@ std::uint64_t missingFrames(const Snapshot& snapshot) {
 StatusFact completenessFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   const std::uint64_t missing = missingFrames(snapshot);
-  if (source.unreadable == 0 && missing == 0) {
+  const bool isWhole = source.read.cutBytes == 0 && source.read.newerParts == 0;
+  if (source.unreadable == 0 && missing == 0 && isWhole) {
     return {StatusTone::Fine, StatusText::tr("Complete"),
             source.kind == From::File
                 ? StatusText::tr("Every line of the log was read and is held.")
                 : StatusText::tr("No frame is known to be lost since the link came up.")};
   }
   QStringList words, story;
+  if (!isWhole) {
+    words += StatusText::tr("Not whole");
+    story +=
+        StatusText::tr("Not all of the recording could be read; what is missing is said below the strip.");
+  }
   if (source.unreadable > 0) {
     words += StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable));
     story += StatusText::tr("Lines that are no frames are left out; what they were is said below the strip.");

@@ -32,6 +32,8 @@ StatusFact lockFact(const Snapshot& snapshot);
 // Our frames that the adapter has and the bus has not; without text if there are none.
 StatusFact sentFact(const Snapshot& snapshot);
 StatusFact recordingFact(const Snapshot& snapshot);
+// Why a recording is not written at the moment.
+QString recordingFaultText(const JournalStatus& recording);
 StatusFact completenessFact(const Snapshot& snapshot);
 
 // Frames lost up to the cursor or refused by the store, of all channels.

@@ -13,6 +13,7 @@ inline constexpr int kBadUsage = 2;  // unusable arguments
 
 int decodeCommand(const QStringList& arguments);
 int infoCommand(const QStringList& arguments);
+int recordingsCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);
 int nodesCommand(const QStringList& arguments);
 int watchCommand(const QStringList& arguments);

@@ -16,17 +16,27 @@ namespace {
 // Walks the store as it grows, with the roles of every channel.
 class Decoder {
  public:
-  Decoder(const FrameStore& frames, DecodeFormat format, std::vector<ChannelAddress> drives)
-      : m_frames(frames), m_times(frames), m_format(format), m_drives(std::move(drives)) {
+  Decoder(const LogInput& input, DecodeFormat format, std::vector<ChannelAddress> drives)
+      : m_frames(input.frames),
+        m_notes(input.notes),
+        m_times(input.frames),
+        m_format(format),
+        m_drives(std::move(drives)) {
     m_output.text() += decodeHeader(format);
   }
 
   // Everything that has come since the last call, and out with it. False where standard output takes no more.
   bool decodeNew() {
     const std::uint64_t count = m_frames.count();
+    const std::vector<Note> notes = m_notes.between(m_next, count);
+    auto note = notes.begin();
     while (m_next < count) {
       for (const Frame& frame : m_frames.run(m_next)) {
         if (m_next == count) break;
+        for (; note != notes.end() && note->frame == m_next; ++note) {
+          if (const auto* said = std::get_if<note::DriveSaid>(&note->value))
+            m_roles.sayDrive(said->channel, said->address, said->isDrive, note->time);
+        }
         decodeOne(frame, m_times.at(m_next++));
         if (!m_output.write()) return false;
       }
@@ -48,6 +58,7 @@ class Decoder {
   }
 
   const FrameStore& m_frames;
+  const NoteStore& m_notes;
   LogTimes m_times;
   DecodeFormat m_format;
   std::vector<ChannelAddress> m_drives;
@@ -95,7 +106,7 @@ int decodeCommand(const QStringList& arguments) {
   if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("decode: one FILE is wanted"));
 
   LogInput input(parser.positionalArguments().first().toStdString());
-  Decoder decoder(input.frames, wanted, std::move(drives));
+  Decoder decoder(input, wanted, std::move(drives));
   bool written = true;
   const int status = input.read([&] { return written = decoder.decodeNew(); });
   return written ? status : kNotWhole;

@@ -21,7 +21,7 @@ int infoCommand(const QStringList& arguments) {
   if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("info: one FILE is wanted"));
 
   LogInput input(parser.positionalArguments().first().toStdString());
-  InfoReport report(input.frames, parser.isSet(devices));
+  InfoReport report(input.frames, input.notes, parser.isSet(devices));
   const int status = input.read([&] {
     report.countNew();
     return true;

@@ -129,9 +129,12 @@ std::string deviceText(const Device& device, std::string_view channel) {
 
 void InfoReport::countNew() {
   const std::uint64_t count = m_frames.count();
+  const std::vector<Note> notes = m_notes.between(m_next, count);
+  auto note = notes.begin();
   while (m_next < count) {
     for (const Frame& frame : m_frames.run(m_next)) {
       if (m_next == count) break;
+      for (; m_withDevices && note != notes.end() && note->frame == m_next; ++note) m_state.apply(*note);
       ++m_byId[{frame.channel, frame.id}];
       if ((frame.flags & Frame::kTimeJump) != 0) ++m_timeJumps;
       const Instant time = m_times.at(m_next++);

@@ -14,8 +14,8 @@ namespace deckpipe::ctl {
 
 class InfoReport {
  public:
-  InfoReport(const FrameStore& frames, bool withDevices)
-      : m_frames(frames), m_times(frames), m_withDevices(withDevices) {}
+  InfoReport(const FrameStore& frames, const NoteStore& notes, bool withDevices)
+      : m_frames(frames), m_notes(notes), m_times(frames), m_withDevices(withDevices) {}
 
   // Counts what has come since the last call.
   void countNew();
@@ -33,6 +33,7 @@ class InfoReport {
   double spanSeconds() const;
 
   const FrameStore& m_frames;
+  const NoteStore& m_notes;
   LogTimes m_times;
   bool m_withDevices;
   std::uint64_t m_next = 0;

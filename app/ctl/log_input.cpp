@@ -66,7 +66,7 @@ int LogInput::readFile(const std::function<bool()>& more) {
       publish();
       return wanted.load();
     };
-    outcome.emplace(openLog(path, frames, unkept, options));
+    outcome.emplace(openLog(path, {frames, unkept, &notes}, options));
     ended = true;
     publish();
   });
@@ -78,7 +78,8 @@ int LogInput::readFile(const std::function<bool()>& more) {
   reader.join();
   if (wanted) more();
   const int unkeptStatus = sayUnkept();
-  return *outcome ? unkeptStatus : sayError(name(), outcome->error());
+  if (!*outcome) return sayError(name(), outcome->error());
+  return std::max(unkeptStatus, sayMissing(outcome->value()));
 }
 
 int LogInput::readStream(int descriptor, const std::function<bool()>& more) {
@@ -100,6 +101,19 @@ int LogInput::readStream(int descriptor, const std::function<bool()>& more) {
   const int unkeptStatus = sayUnkept();
   if (!outcome) return sayError(name(), outcome.error());
   return std::max(status, unkeptStatus);
+}
+
+int LogInput::sayMissing(const ReadSummary& summary) const {
+  if (summary.cutBytes > 0)
+    std::fprintf(stderr, "%s: the last %" PRIu64 " bytes are not whole and were left out\n", name().c_str(),
+                 summary.cutBytes);
+  if (summary.newerParts > 0)
+    std::fprintf(stderr, "%s: %" PRIu64 " parts of a newer version of Deckpipe were left out\n",
+                 name().c_str(), summary.newerParts);
+  if (summary.isOpenEnded)
+    std::fprintf(stderr, "%s: the recording was not ended: it still goes on, or its last second was lost\n",
+                 name().c_str());
+  return summary.cutBytes == 0 && summary.newerParts == 0 ? kDone : kNotWhole;
 }
 
 int LogInput::sayUnkept() const {

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "log/frame_store.h"
+#include "log/note_store.h"
+#include "log/reading.h"
 #include "log/unkept.h"
 
 namespace deckpipe::ctl {
@@ -20,6 +22,7 @@ struct LogInput {
 
   std::string path;  // "-" is standard input
   FrameStore frames;
+  NoteStore notes;  // of a recording
   UnkeptList unkept;
 
   // What a person calls it in messages.
@@ -33,6 +36,8 @@ struct LogInput {
   // Whatever is no regular file: standard input, a pipe.
   int readStream(int descriptor, const std::function<bool()>& more);
   int sayUnkept() const;
+  // Of a recording.
+  int sayMissing(const ReadSummary& summary) const;
 };
 
 }  // namespace deckpipe::ctl

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
+#include <QFile>
 #include <QThread>
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "session/bench_runner.h"
 #include "session/live_bus.h"
 #include "session/log_opening.h"
+#include "session/recorder.h"
 #include "session/state_walker.h"
 #include "session/worker_thread.h"
 
@@ -57,6 +60,10 @@ void Session::endSource() {
   if (live != nullptr) QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
   endThread(std::exchange(m_busThread, nullptr), live != nullptr ? Quit::ByItself : Quit::Now);
   m_bench = nullptr;
+  if (m_recorder != nullptr) {
+    m_recorder->end();  // once nothing is received any more
+    m_oldRecorders.push_back(std::move(m_recorder));
+  }
   m_opening.reset();
   m_walker.reset();
   m_document.reset();
@@ -71,6 +78,27 @@ void Session::beginDocument() {
   m_walker = std::make_unique<StateWalker>(m_document);
   m_snapshot.view.document = m_document;
   m_timer.start();
+}
+
+void Session::beginRecording() {
+  if (m_recordingFolder.isEmpty()) return;
+  m_recorder =
+      std::make_unique<Recorder>(m_document, recordingIn(m_recordingFolder), m_snapshot.source.simulated);
+  m_snapshot.source.recording.emplace();
+}
+
+void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
+  if (m_recorder != nullptr && m_recorder->isOf(document)) return m_recorder->setSaved(frames);
+  for (const auto& recorder : m_oldRecorders) {
+    if (recorder->isOf(document)) return recorder->setSaved(frames);
+  }
+  // A recording of earlier that is open as a file.
+  const SourceStatus& source = m_snapshot.source;
+  if (document != m_document || source.progress != SourceStatus::Progress::Done ||
+      frames < source.read.frames)
+    return;
+  if (source.name.endsWith(QLatin1String(".deckpipe")))
+    std::thread([path = QFile::encodeName(source.name).toStdString()] { markJournalSaved(path); }).detach();
 }
 
 void Session::openLog(const QString& path) {
@@ -92,6 +120,7 @@ void Session::openLink(const LinkSettings& wanted) {
   m_snapshot.source.interfaceName = settings.interfaceName;
   m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
   m_snapshot.source.bitRate = settings.bitRate;
+  beginRecording();
   const QString channelName = settings.interfaceName;
   LinkSettings onChannel = settings;
   onChannel.channel = {m_document->frames.channel(channelName.toStdString())};
@@ -115,6 +144,7 @@ void Session::openDemo() {
   m_snapshot.source.plugin = QStringLiteral("virtualcan");
   m_snapshot.source.interfaceName = QStringLiteral("can0");
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;
+  beginRecording();
   m_bench = new BenchRunner;
   // The twin is on the bus first: frames written before the other end listens reach nobody.
   // A signal of a twin that was closed meanwhile may still be on its way: it is not for what is open now.
@@ -270,9 +300,14 @@ void Session::updateSource() {
     if (const auto* outcome = m_opening->outcome()) {
       source.fraction = 1;
       source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
-      if (!*outcome) source.error = outcome->error();
+      if (*outcome) {
+        source.read = outcome->value();
+      } else {
+        source.error = outcome->error();
+      }
     }
   }
+  if (m_recorder != nullptr) source.recording = m_recorder->status();
   if (m_live == nullptr) return;
   const LiveBus::Published published = m_live->latest();
   m_snapshot.services = published.services;

@@ -23,6 +23,7 @@ namespace deckpipe {
 class BenchRunner;
 class LiveBus;
 class LogOpening;
+class Recorder;
 class StateWalker;
 
 class Session : public QObject {
@@ -45,6 +46,11 @@ class Session : public QObject {
 
   // A person's note at a place of the log.
   void mark(Cursor at, const QString& text);
+  // Links that are opened from now on are recorded there; empty, as at first: they are not.
+  void setRecordingFolder(const QString& folder) { m_recordingFolder = folder; }
+  QString recordingFolder() const { return m_recordingFolder; }
+  // The first so many frames of a log were saved in a file of the person's own.
+  void setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames);
   // Who we are on a bus; for links opened from now on.
   void setClaim(const ClaimSettings& claim) { m_claim = claim; }
 
@@ -78,6 +84,7 @@ class Session : public QObject {
 
  private:
   void beginDocument();
+  void beginRecording();
   void tick();
   void updateSource();
   void movePlayingCursor();
@@ -97,6 +104,9 @@ class Session : public QObject {
   LiveBus* m_live = nullptr;
   BenchRunner* m_bench = nullptr;
   ClaimSettings m_claim;
+  QString m_recordingFolder;
+  std::unique_ptr<Recorder> m_recorder;                   // of the live source
+  std::vector<std::unique_ptr<Recorder>> m_oldRecorders;  // some of them still at work
   std::uint64_t m_serial = 0;
   QTimer m_timer;
   std::uint64_t m_indexed = 0;  // frames of the log when the walker was last told

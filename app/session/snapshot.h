@@ -3,11 +3,13 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "control/status.h"
 #include "link/can_link.h"
+#include "log/journal_writer.h"
 #include "log/reading.h"
 #include "state/log_view.h"
 
@@ -43,6 +45,7 @@ struct SourceStatus {
   SourceError error;             // the last thing that went wrong
   double fraction = 0;           // of a file being read, 0..1
   std::uint64_t unreadable = 0;  // lines of a file
+  ReadSummary read{};            // of a file, once it was read
   std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
   int bitRate = 0;               // bit/s that it runs at, or that was asked for; 0 = not applicable
   QString plugin;                // of a link
@@ -50,6 +53,13 @@ struct SourceStatus {
   bool isListenOnly = false;  // the driver says so
   ControllerState controller = ControllerState::Unknown;
   bool simulated = false;  // behind it is the bench twin
+  // Of a link: how it is written down. A recording without a path has no frame yet, or could not be begun.
+  std::optional<JournalStatus> recording{};
+
+  // Whether a file grows with what is received.
+  bool isRecorded() const {
+    return recording && !recording->path.empty() && !recording->fault && !recording->isEnded;
+  }
 
   friend bool operator==(const SourceStatus&, const SourceStatus&) = default;
 };

@@ -112,14 +112,29 @@ bool FrameStore::append(std::span<const Frame> frames, const Arrival& arrival) {
   return !done.isFull;
 }
 
-void FrameStore::addOffset(std::uint8_t channel, Offset offset) {
+bool FrameStore::restore(std::span<const Frame> frames, std::span<const ClockOffset> offsets) {
+  const Appended done = appendEach(frames, [&](std::uint64_t i, std::span<const Frame> rest) {
+    const Frame& frame = rest.front();
+    if (!offsets.empty() && offsets.front().frame == i) {
+      addOffset(frame.channel, offsets.front());
+      offsets = offsets.subspan(1);
+    }
+    m_time = std::max(m_time, valueOf(i, frame));
+    return Taken{.isJump = (frame.flags & Frame::kTimeJump) != 0,
+                 .isLate = (frame.flags & Frame::kLate) != 0};
+  });
+  return !done.isFull;
+}
+
+void FrameStore::addOffset(std::uint8_t channel, ClockOffset offset) {
   auto& list = m_offsets[channel];
-  if (!list.load(std::memory_order_relaxed)) list.store(new StableList<Offset>, std::memory_order_release);
+  if (!list.load(std::memory_order_relaxed))
+    list.store(new StableList<ClockOffset>, std::memory_order_release);
   list.load(std::memory_order_relaxed)->append(offset);
 }
 
-const FrameStore::Offset* FrameStore::offsetAt(std::uint8_t channel, std::uint64_t i) const {
-  const StableList<Offset>* list = m_offsets[channel].load(std::memory_order_acquire);
+const ClockOffset* FrameStore::offsetAt(std::uint8_t channel, std::uint64_t i) const {
+  const StableList<ClockOffset>* list = m_offsets[channel].load(std::memory_order_acquire);
   if (!list) return nullptr;
   std::size_t low = 0;  // the number of offsets set at i or before it
   for (std::size_t high = list->size(); low < high;) {
@@ -134,7 +149,7 @@ const FrameStore::Offset* FrameStore::offsetAt(std::uint8_t channel, std::uint64
 }
 
 std::int64_t FrameStore::liveValueOf(std::uint64_t i, const Frame& frame) const {
-  const Offset* offset = offsetAt(frame.channel, i);
+  const ClockOffset* offset = offsetAt(frame.channel, i);
   if (!offset) return frame.stamp;
   if (offset->frame == i) return offset->at;
   return frame.hasStamp() ? saturatedPlus(frame.stamp, offset->offset) : kNoStamp;
@@ -212,7 +227,7 @@ std::uint64_t FrameStore::indexBytes() const {
   std::uint64_t bytes = sizeof(*this) + m_chunks.size() * (sizeof(Chunk) + kBlocks * sizeof(std::int64_t));
   for (const auto& list : m_offsets) {
     if (const auto* offsets = list.load(std::memory_order_acquire)) {
-      bytes += sizeof(*offsets) + offsets->size() * sizeof(Offset);
+      bytes += sizeof(*offsets) + offsets->size() * sizeof(ClockOffset);
     }
   }
   return bytes;

@@ -35,6 +35,15 @@
 
 namespace deckpipe {
 
+// A change of the clock of a channel: log time is stamp + `offset` from this frame of the channel on.
+struct ClockOffset {
+  std::uint64_t frame = 0;
+  std::int64_t offset = 0;  // ns
+  std::int64_t at = 0;      // log time of this very frame in ns; kNoStamp: it has no time of its own
+
+  friend bool operator==(const ClockOffset&, const ClockOffset&) = default;
+};
+
 struct StoreLimits {
   std::uint64_t memoryBytes = std::uint64_t{2} << 30;  // frames beyond this live in a temporary file …
   std::string spillFolder = "/var/tmp";  // … in this folder (not /tmp: that often is memory too)
@@ -63,6 +72,9 @@ class FrameStore {
   [[nodiscard]] bool append(std::span<const Frame> frames, Follows follows = Follows::Nothing);
   // Live frames, as they arrive.
   [[nodiscard]] bool append(std::span<const Frame> frames, const Arrival& arrival);
+  // Frames of a store that was written down, with the log times that they had there. `offsets` are those that
+  // were set at these frames, in the order of the frames; kTimeJump and kLate are taken from the frames.
+  [[nodiscard]] bool restore(std::span<const Frame> frames, std::span<const ClockOffset> offsets);
 
   // --- Readers, on any thread.
 
@@ -80,6 +92,10 @@ class FrameStore {
   std::uint64_t firstAfter(Instant t) const;
   // The first kMostJumps frames with Frame::kTimeJump, some of them perhaps beyond count().
   const StableList<std::uint64_t>& jumps() const { return m_jumps; }
+  // The offsets that were set on a channel, some of them perhaps beyond count(). Null if there never was one.
+  const StableList<ClockOffset>* offsets(std::uint8_t channel) const {
+    return m_offsets[channel].load(std::memory_order_acquire);
+  }
   // Log time of the last frame; 0 in an empty store.
   Instant lastTime() const;
 
@@ -105,11 +121,6 @@ class FrameStore {
     Frame* frames = nullptr;
     std::unique_ptr<std::int64_t[]> timeBefore;
   };
-  struct Offset {
-    std::uint64_t frame = 0;  // from this frame of the channel on
-    std::int64_t offset = 0;  // log time = stamp + offset …
-    std::int64_t at = 0;      // … and of this very frame it is this; kNoStamp: no time of its own
-  };
   struct Taken {
     bool isJump = false;
     bool isLate = false;
@@ -124,9 +135,9 @@ class FrameStore {
   std::span<Frame> room();
   template <typename TakeFrame>
   Appended appendEach(std::span<const Frame> frames, TakeFrame take);
-  void addOffset(std::uint8_t channel, Offset offset);
+  void addOffset(std::uint8_t channel, ClockOffset offset);
   // The offset in force on a channel at a frame; null before the first.
-  const Offset* offsetAt(std::uint8_t channel, std::uint64_t i) const;
+  const ClockOffset* offsetAt(std::uint8_t channel, std::uint64_t i) const;
   // What a frame says about the time; the lowest number where it says nothing, which kNoStamp is.
   std::int64_t valueOf(std::uint64_t i, const Frame& frame) const {
     return m_offsets[frame.channel].load(std::memory_order_acquire) ? liveValueOf(i, frame) : frame.stamp;
@@ -137,7 +148,7 @@ class FrameStore {
   StableList<Chunk> m_chunks;
   StableList<std::uint64_t> m_jumps;
   std::atomic<std::uint64_t> m_count = 0;
-  std::array<std::atomic<StableList<Offset>*>, 256> m_offsets{};  // null on channels that never had one
+  std::array<std::atomic<StableList<ClockOffset>*>, 256> m_offsets{};  // null on channels that never had one
 
   // The writer's own.
   std::vector<MappedMemory> m_memory;

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "log/candump.h"
+#include "log/journal_reader.h"
 #include "log/text_marks.h"
 
 namespace deckpipe {
 namespace {
 
-constexpr LogFormat kFormats[] = {kCandumpFormat};
+constexpr LogFormat kFormats[] = {kJournalFormat, kCandumpFormat};
 
 bool hasPatternOf(const LogFormat& format, std::string_view fileName) {
   std::string_view rest = format.patterns;
@@ -24,7 +25,7 @@ bool hasPatternOf(const LogFormat& format, std::string_view fileName) {
   return false;
 }
 
-Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, FrameStore& store, UnkeptList& unkept,
+Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, const LogTarget& target,
                                          const ReadOptions& options, std::span<const LogFormat> formats) {
   std::vector<char> buffer;
   std::string_view head;
@@ -35,7 +36,7 @@ Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, FrameStore& stor
     return candidate.sniff(head, size == bytes.size()) == Sniff::Yes;
   });
   if (format == formats.end()) return Failure{ReadError{ReadError::Kind::UnknownFormat}};
-  auto result = format->read(bytes, store, unkept, options);
+  auto result = format->read(bytes, target, options);
   if (result) return result;
   ReadError error = result.error();
   error.format = format->name;
@@ -46,15 +47,15 @@ Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, FrameStore& stor
 
 std::span<const LogFormat> logFormats() { return kFormats; }
 
-Result<ReadSummary, ReadError> openLog(const std::string& path, FrameStore& store, UnkeptList& unkept,
+Result<ReadSummary, ReadError> openLog(const std::string& path, const LogTarget& target,
                                        const ReadOptions& options, std::span<const LogFormat> formats) {
   BytesOfFile file;
   if (std::string why = file.open(path); !why.empty())
     return Failure{ReadError{ReadError::Kind::CannotOpen, std::move(why)}};
-  return readLog(file, store, unkept, options, formats);
+  return readLog(file, target, options, formats);
 }
 
-Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, FrameStore& store, UnkeptList& unkept,
+Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, const LogTarget& target,
                                        const ReadOptions& options, std::span<const LogFormat> formats) {
   std::vector<char> buffer;
   std::string_view head;
@@ -62,8 +63,8 @@ Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, FrameStore& store,
       !why.empty())
     return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
   const TextMark mark = textMarkOf(head);
-  if (mark == TextMark::None) return readPlain(bytes, store, unkept, options, formats);
-  return readPlain(UnmarkedBytes(bytes, mark), store, unkept, options, formats);
+  if (mark == TextMark::None) return readPlain(bytes, target, options, formats);
+  return readPlain(UnmarkedBytes(bytes, mark), target, options, formats);
 }
 
 const LogFormat& formatToWrite(std::string_view fileName, std::span<const LogFormat> formats) {

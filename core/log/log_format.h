@@ -16,6 +16,7 @@
 #include "bus/frame.h"
 #include "log/frame_store.h"
 #include "log/log_bytes.h"
+#include "log/note_store.h"
 #include "log/reading.h"
 #include "log/unkept.h"
 
@@ -31,13 +32,20 @@ class StreamReader {
   virtual Result<ReadSummary, ReadError> finish() = 0;
 };
 
+// Where a log goes that is read; all empty.
+struct LogTarget {
+  FrameStore& frames;
+  UnkeptList& unkept;
+  NoteStore* notes = nullptr;  // null: notes are left out
+};
+
 struct LogFormat {
   std::string_view name;      // a proper name, not translated: "candump"
   std::string_view patterns;  // of file names, the usual first, separated by blanks: "*.log *.txt"
 
   // By the first kSniffBytes of a log, or all of it if that is less: `isWhole`.
   Sniff (*sniff)(std::string_view head, bool isWhole);
-  Result<ReadSummary, ReadError> (*read)(const LogBytes&, FrameStore&, UnkeptList&, const ReadOptions&);
+  Result<ReadSummary, ReadError> (*read)(const LogBytes&, const LogTarget&, const ReadOptions&);
   // Null if it cannot be read from a pipe.
   std::unique_ptr<StreamReader> (*stream)(FrameStore&, UnkeptList&);
   // Appends one frame to a log of this format. Null if it cannot be written.
@@ -48,10 +56,10 @@ struct LogFormat {
 std::span<const LogFormat> logFormats();
 
 // Finds the format and reads the log. An error names the format that its content seemed to be, if any.
-Result<ReadSummary, ReadError> openLog(const std::string& path, FrameStore& store, UnkeptList& unkept,
+Result<ReadSummary, ReadError> openLog(const std::string& path, const LogTarget& target,
                                        const ReadOptions& options = {},
                                        std::span<const LogFormat> formats = logFormats());
-Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, FrameStore& store, UnkeptList& unkept,
+Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, const LogTarget& target,
                                        const ReadOptions& options = {},
                                        std::span<const LogFormat> formats = logFormats());
 

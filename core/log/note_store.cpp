@@ -8,9 +8,11 @@ namespace deckpipe {
 
 void NoteStore::append(Note note) {
   const std::lock_guard lock(m_lock);
-  const auto place = std::upper_bound(m_notes.begin(), m_notes.end(), note.frame,
-                                      [](std::uint64_t frame, const Note& n) { return frame < n.frame; });
-  m_notes.insert(place, std::move(note));
+  const auto place =
+      std::upper_bound(m_places.begin(), m_places.end(), note.frame,
+                       [this](std::uint64_t frame, std::size_t n) { return frame < m_notes[n].frame; });
+  m_places.insert(place, m_notes.size());
+  m_notes.push_back(std::move(note));
 }
 
 std::size_t NoteStore::count() const {
@@ -19,16 +21,28 @@ std::size_t NoteStore::count() const {
 }
 
 std::vector<Note> NoteStore::between(std::uint64_t from, std::uint64_t to) const {
-  const auto before = [](const Note& n, std::uint64_t frame) { return n.frame < frame; };
   const std::lock_guard lock(m_lock);
-  const auto first = std::lower_bound(m_notes.begin(), m_notes.end(), from, before);
-  const auto last = std::lower_bound(first, m_notes.end(), std::max(from, to), before);
-  return {first, last};
+  const auto before = [this](std::size_t n, std::uint64_t frame) { return m_notes[n].frame < frame; };
+  const auto first = std::lower_bound(m_places.begin(), m_places.end(), from, before);
+  const auto last = std::lower_bound(first, m_places.end(), std::max(from, to), before);
+  std::vector<Note> notes;
+  notes.reserve(static_cast<std::size_t>(last - first));
+  std::for_each(first, last, [&](std::size_t n) { notes.push_back(m_notes[n]); });
+  return notes;
 }
 
 std::vector<Note> NoteStore::all() const {
   const std::lock_guard lock(m_lock);
-  return m_notes;
+  std::vector<Note> notes;
+  notes.reserve(m_places.size());
+  for (const std::size_t n : m_places) notes.push_back(m_notes[n]);
+  return notes;
+}
+
+std::vector<Note> NoteStore::appendedAfter(std::size_t count) const {
+  const std::lock_guard lock(m_lock);
+  const auto first = m_notes.begin() + static_cast<std::ptrdiff_t>(std::min(count, m_notes.size()));
+  return {first, m_notes.end()};
 }
 
 }  // namespace deckpipe

@@ -20,10 +20,13 @@ class NoteStore {
   // The notes that stand before a frame in [from, to), in order.
   std::vector<Note> between(std::uint64_t from, std::uint64_t to) const;
   std::vector<Note> all() const;
+  // The notes that were appended after the first `count` ones, as they were appended.
+  std::vector<Note> appendedAfter(std::size_t count) const;
 
  private:
   mutable std::mutex m_lock;
-  std::vector<Note> m_notes;
+  std::vector<Note> m_notes;          // as they were appended
+  std::vector<std::size_t> m_places;  // of the notes in order
 };
 
 }  // namespace deckpipe

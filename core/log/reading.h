@@ -36,6 +36,10 @@ struct ReadSummary {
   std::uint64_t frames = 0;  // put into the store
   std::uint64_t lines = 0;   // of a text format
   bool cancelled = false;
+  // Of a recording:
+  std::uint64_t cutBytes = 0;    // at its end, that are not whole and were left out
+  std::uint64_t newerParts = 0;  // that a newer version of Deckpipe wrote, and that were left out
+  bool isOpenEnded = false;      // it has no end: it still goes on, or its last second was lost
 
   friend bool operator==(const ReadSummary&, const ReadSummary&) = default;
 };
@@ -45,6 +49,7 @@ struct ReadError {
     CannotOpen,     // detail: the system's words
     CannotRead,     // detail: the system's words; what was read before is in the store
     UnknownFormat,  // its content is that of no log in the table of formats
+    NewerVersion,   // a newer version of Deckpipe wrote it; detail: which
     NoPipe,         // a log of this format can be read from a file only
     StoreFull,      // neither memory nor disk for more; what was read before is in the store
   };
@@ -61,6 +66,7 @@ constexpr std::string_view readErrorText(ReadError::Kind kind) {
     case ReadError::Kind::CannotOpen: return "cannot be opened";
     case ReadError::Kind::CannotRead: return "cannot be read further";
     case ReadError::Kind::UnknownFormat: return "not a log of a known format";
+    case ReadError::Kind::NewerVersion: return "written by a newer version of Deckpipe";
     case ReadError::Kind::NoPipe: return "a log of this format is read from a file only, not from a pipe";
     case ReadError::Kind::StoreFull: return "no room for more frames, neither in memory nor on disk";
   }

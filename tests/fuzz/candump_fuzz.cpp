@@ -53,13 +53,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data) + 2, size - 2);
 
   Reading whole;
-  whole.result = readLog(BytesInMemory(text), whole.store, whole.unkept);
+  whole.result = readLog(BytesInMemory(text), {whole.store, whole.unkept});
 
   Reading blocks;
   ReadOptions options;
   options.threads = 1 + data[0] % 2;
   options.blockBytes = block;
-  blocks.result = readLog(BytesInMemory(text), blocks.store, blocks.unkept, options);
+  blocks.result = readLog(BytesInMemory(text), {blocks.store, blocks.unkept}, options);
   demandEqual(whole, blocks);
 
   Reading pieces;
@@ -76,7 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     writeCandump(frame, whole.store.channelName(frame.channel), written);
   }
   Reading back;
-  back.result = readLog(BytesInMemory(written), back.store, back.unkept);
+  back.result = readLog(BytesInMemory(written), {back.store, back.unkept});
   demand(back.store.count() == whole.store.count());
   for (std::uint64_t i = 0; i < back.store.count(); ++i) {
     Frame read = back.store[i], expected = whole.store[i];

@@ -21,6 +21,7 @@ QString actionText(Notice::Action action) {
     case Notice::Action::GoToEnd: return NoticeBar::tr("To the end");
     case Notice::Action::Reconnect: return NoticeBar::tr("Connect again");
     case Notice::Action::CopyDetails: return NoticeBar::tr("Copy the list");
+    case Notice::Action::ShowRecordings: return NoticeBar::tr("Recordings…");
   }
   return {};
 }

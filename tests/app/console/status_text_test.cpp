@@ -47,6 +47,53 @@ std::string notice(const Snapshot& snapshot) {
 }
 bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
+TEST(RecordingFact, IsSaidOnlyWhileAFileGrows) {
+  const JournalStatus growing{.path = "/data/2026-11-28_14-03-22.deckpipe", .frames = 2, .bytes = 100};
+  JournalStatus full = growing, ended = growing, none;
+  full.fault = {JournalFault::Kind::DiskFull, "No space left on device"};
+  ended.isEnded = true;
+  none.fault = {JournalFault::Kind::CannotCreate, "Permission denied"};
+  struct Row {
+    const char* name;
+    Progress progress;
+    std::optional<JournalStatus> recording;
+    const char* text;
+    StatusTone tone;
+    const char* story;
+  };
+  for (const Row& row :
+       {Row{"growing", Progress::Running, growing, "Recording 0:00:00 · 2 frames", StatusTone::Plain,
+            "/data/2026-11-28_14-03-22.deckpipe"},
+        Row{"no frame yet", Progress::Running, JournalStatus{}, "Recorded ", StatusTone::Plain, "in memory"},
+        Row{"no folder", Progress::Running, {}, "Recorded ", StatusTone::Plain, "in memory"},
+        Row{"link lost", Progress::Lost, growing, "Recorded ", StatusTone::Plain, "/data/"},
+        Row{"ended", Progress::Running, ended, "Recorded ", StatusTone::Plain, "in memory"},
+        Row{"disk full", Progress::Running, full, "Not recorded: disk full", StatusTone::Fault,
+            "No space left on device"},
+        Row{"no file", Progress::Running, none, "Not recorded", StatusTone::Fault, "Permission denied"}}) {
+    SCOPED_TRACE(row.name);
+    Snapshot snapshot = link(row.progress);
+    snapshot.source.recording = row.recording;
+    const StatusFact fact = recordingFact(snapshot);
+    EXPECT_TRUE(says(fact.text.toStdString(), row.text)) << fact.text.toStdString();
+    EXPECT_EQ(fact.tone, row.tone);
+    EXPECT_TRUE(says(fact.story.toStdString(), row.story)) << fact.story.toStdString();
+    EXPECT_EQ(says(notice(snapshot), "kept in memory only"), row.tone == StatusTone::Fault);
+  }
+}
+
+TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
+  Snapshot snapshot = file(kTruck);
+  snapshot.source.read.isOpenEnded = true;
+  EXPECT_TRUE(says(notice(snapshot), "was not ended"));
+  EXPECT_EQ(completenessFact(snapshot).tone, StatusTone::Fine);
+  snapshot.source.read.cutBytes = 37;
+  EXPECT_TRUE(says(notice(snapshot), "last 37 bytes")) << notice(snapshot);
+  EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
+  snapshot.source.read = {.newerParts = 2};
+  EXPECT_TRUE(says(notice(snapshot), "newer version")) << notice(snapshot);
+}
+
 TEST(SourceFact, NamesTheLinkItsRateAndItsState) {
   SourceStatus source = link(Progress::Running).source;
   EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – connected");
@@ -258,7 +305,7 @@ TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {
   EXPECT_EQ(notice(snapshot), "truck.log cannot be read: cannot be opened: No such file or directory");
   snapshot.source.error = ReadError{.kind = ReadError::Kind::UnknownFormat};
   EXPECT_EQ(notice(snapshot),
-            "truck.log cannot be read: not a log of a known format. Deckpipe reads: candump.");
+            "truck.log cannot be read: not a log of a known format. Deckpipe reads: Deckpipe, candump.");
 }
 
 TEST(ClockNotice, IsForAClockThatGoesBackAndNotForTheUsualSmallSteps) {

@@ -49,7 +49,7 @@ Outcome outcomeOf(const Result<ReadSummary, ReadError>& result, const FrameStore
 Outcome readText(const std::string& text, const ReadOptions& options = {}) {
   FrameStore store;
   UnkeptList unkept;
-  const auto result = readLog(BytesInMemory(text), store, unkept, options);
+  const auto result = readLog(BytesInMemory(text), {store, unkept}, options);
   return outcomeOf(result, store, unkept);
 }
 
@@ -213,7 +213,7 @@ TEST(CandumpReader, BoundsTheReportOfAHostileText) {
   for (int i = 0; i < 50'000; ++i) text += "x\n";
   FrameStore store;
   UnkeptList unkept;
-  ASSERT_TRUE(readLog(BytesInMemory(text), store, unkept));
+  ASSERT_TRUE(readLog(BytesInMemory(text), {store, unkept}));
   EXPECT_EQ(unkept.content().places().size(), UnkeptPlaces::kMaxPlaces);
   EXPECT_EQ(unkept.content().count(Unkept::Layout), 50'000u);
 }
@@ -271,7 +271,7 @@ TEST(CandumpReader, StopsWhenToldAndKeepsWhatWasPublished) {
     options.threads = threads;
     int calls = 0;
     options.onProgress = [&calls](const ReadProgress&) { return ++calls < 3; };
-    const auto result = readLog(BytesInMemory(text), store, unkept, options);
+    const auto result = readLog(BytesInMemory(text), {store, unkept}, options);
     ASSERT_TRUE(result);
     EXPECT_TRUE(result.value().cancelled);
     EXPECT_EQ(calls, 3);
@@ -284,7 +284,7 @@ TEST(CandumpReader, StopsWhenToldAndKeepsWhatWasPublished) {
 TEST(CandumpReader, SaysThatTheStoreIsFull) {
   FrameStore store({.memoryBytes = 0, .spillFolder = "/nonexistent"});
   UnkeptList unkept;
-  const auto result = readLog(BytesInMemory(usualText(10)), store, unkept);
+  const auto result = readLog(BytesInMemory(usualText(10)), {store, unkept});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ReadError::Kind::StoreFull);
   LogStream stream(store, unkept);
@@ -296,7 +296,7 @@ TEST(CandumpReader, SaysWhyAFileCannotBeOpened) {
   FrameStore store;
   UnkeptList unkept;
   for (const char* path : {"/nonexistent/file.log", "/tmp"}) {
-    const auto result = openLog(path, store, unkept);
+    const auto result = openLog(path, {store, unkept});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().kind, ReadError::Kind::CannotOpen);
     EXPECT_FALSE(result.error().detail.empty());
@@ -313,7 +313,7 @@ TEST(CandumpReader, ReportsAFileThatShrinksWhileItIsRead) {
     std::filesystem::resize_file(path, 100'000);
     return true;
   };
-  const auto result = openLog(path, store, unkept, options);
+  const auto result = openLog(path, {store, unkept}, options);
   std::filesystem::remove(path);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ReadError::Kind::CannotRead);
@@ -371,7 +371,7 @@ TEST(CandumpReader, ReadsLogsOfOthers) {
     UnkeptList unkept;
     ReadOptions options;
     options.threads = 2;
-    ASSERT_TRUE(openLog(folder / log.name, store, unkept, options));
+    ASSERT_TRUE(openLog(folder / log.name, {store, unkept}, options));
     EXPECT_EQ(store.count(), log.frames);
   }
 }
@@ -385,7 +385,7 @@ TEST(CandumpReader, RefusesLogsOfOtherFormats) {
     SCOPED_TRACE(name);
     FrameStore store;
     UnkeptList unkept;
-    const auto result = openLog(entry.path(), store, unkept);
+    const auto result = openLog(entry.path(), {store, unkept});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().kind, ReadError::Kind::UnknownFormat);
   }

@@ -60,7 +60,7 @@ TEST(CandumpWriter, WritesNamesThatAreReadBackAsOneName) {
       frame.stamp = stamp;
       FrameStore store;
       UnkeptList unkept;
-      ASSERT_TRUE(readLog(BytesInMemory(written(frame, name)), store, unkept));
+      ASSERT_TRUE(readLog(BytesInMemory(written(frame, name)), {store, unkept}));
       ASSERT_EQ(store.count(), 1u) << name;
       EXPECT_EQ(store.channelName(0), expected);
     }
@@ -110,7 +110,7 @@ TEST(CandumpWriter, LogsItWroteAreReadBackFrameForFrame) {
   UnkeptList unkept;
   ReadOptions options;
   options.threads = 2;
-  const auto result = readLog(BytesInMemory(text), copy, unkept, options);
+  const auto result = readLog(BytesInMemory(text), {copy, unkept}, options);
   ASSERT_TRUE(result);
   EXPECT_EQ(unkept.content().unreadable(), 0u);
   ASSERT_EQ(copy.count(), n);

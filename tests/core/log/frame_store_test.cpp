@@ -145,6 +145,36 @@ TEST(FrameStore, TimesAndLookUpsAgreeWithAPlainScan) {
   EXPECT_EQ(store.firstAtOrAfter(kNotYet), 0u);
 }
 
+TEST(FrameStore, RestoredFromFramesAndOffsetsHasTheSameTimesAndMarks) {
+  FrameStore store;
+  std::int64_t now = kSecond;
+  for (int i = 0; i < 100; ++i) {
+    now += kSecond;
+    const Frame frame = i % 7 == 0 ? Frame{} : stamped(i < 50 ? now / 3 : now / 5, i % 2 ? 1 : 0);
+    ASSERT_TRUE(store.append({&frame, 1}, Arrival{.now = Instant{now}, .reached = Instant{now - kSecond}}));
+  }
+  ASSERT_FALSE(jumps(store).empty());
+  std::vector<ClockOffset> offsets;
+  for (std::uint8_t channel = 0; channel < 2; ++channel) {
+    const auto* list = store.offsets(channel);
+    ASSERT_NE(list, nullptr);
+    for (std::size_t i = 0; i < list->size(); ++i) offsets.push_back((*list)[i]);
+  }
+  EXPECT_EQ(store.offsets(2), nullptr);
+  std::ranges::sort(offsets, {}, &ClockOffset::frame);
+
+  FrameStore restored;
+  std::span<const ClockOffset> rest(offsets);
+  for (std::uint64_t i = 0; i < 100;) {  // in pieces
+    const std::uint64_t to = std::min<std::uint64_t>(i + 30, 100);
+    ASSERT_TRUE(restored.restore(store.run(i).first(to - i), rest));
+    while (!rest.empty() && rest.front().frame < to) rest = rest.subspan(1);
+    i = to;
+  }
+  EXPECT_EQ(times(restored), times(store));
+  EXPECT_EQ(jumps(restored), jumps(store));
+}
+
 TEST(FrameStore, LookUpsAgreeWithTheTimesOfALiveLogThatJumps) {
   std::mt19937_64 random(11);
   FrameStore store;

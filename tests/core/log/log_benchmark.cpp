@@ -146,7 +146,8 @@ void openCandump(benchmark::State& state) {
       if (first == 0) first = secondsNow();
       return true;
     };
-    if (!openLog(path, *store, unkept, options) || store->count() != kFrames) state.SkipWithError("not read");
+    if (!openLog(path, {*store, unkept}, options) || store->count() != kFrames)
+      state.SkipWithError("not read");
     const double seconds = secondsNow() - start;
     state.SetIterationTime(seconds);
     best = std::min(best, seconds);
@@ -163,7 +164,7 @@ const FrameStore& filledStore() {
   static const std::unique_ptr<FrameStore> store = [] {
     auto filled = std::make_unique<FrameStore>();
     UnkeptList unkept;
-    if (!openLog(logFile(), *filled, unkept)) std::abort();
+    if (!openLog(logFile(), {*filled, unkept})) std::abort();
     return filled;
   }();
   return *store;

@@ -74,7 +74,7 @@ struct Reading {
 TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
   const std::string text = tinyLog(5'000);
   Reading whole;
-  whole.result = readLog(BytesInMemory(text), whole.store, whole.unkept, {}, kFormats);
+  whole.result = readLog(BytesInMemory(text), {whole.store, whole.unkept}, {}, kFormats);
   ASSERT_TRUE(whole.result);
   ASSERT_EQ(whole.store.count(), 5'000u);
   EXPECT_EQ(whole.store[1].stamp, 101);
@@ -85,7 +85,7 @@ TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
   options.threads = 2;
   options.blockBytes = 100;
   Reading blocks;
-  blocks.result = readLog(BytesInMemory(text), blocks.store, blocks.unkept, options, kFormats);
+  blocks.result = readLog(BytesInMemory(text), {blocks.store, blocks.unkept}, options, kFormats);
   ASSERT_TRUE(blocks.result);
   EXPECT_EQ(blocks.result.value(), whole.result.value());
   EXPECT_EQ(blocks.written(kTiny), whole.written(kTiny));
@@ -93,7 +93,7 @@ TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
   const std::string path = testing::TempDir() + "/format-" + std::to_string(::getpid()) + ".any";
   std::ofstream(path) << text;
   Reading file;
-  file.result = openLog(path, file.store, file.unkept, {}, kFormats);
+  file.result = openLog(path, {file.store, file.unkept}, {}, kFormats);
   std::filesystem::remove(path);
   ASSERT_TRUE(file.result);
   EXPECT_EQ(file.written(kTiny), whole.written(kTiny));
@@ -117,7 +117,7 @@ TEST(LogFormats, ContentDecidesNotTheOrderOrTheName) {
        {std::span<const LogFormat>(kFormats), std::span<const LogFormat>(kReversed)}) {
     for (const std::string& text : {candump, tiny}) {
       Reading reading;
-      ASSERT_TRUE(readLog(BytesInMemory(text), reading.store, reading.unkept, {}, formats));
+      ASSERT_TRUE(readLog(BytesInMemory(text), {reading.store, reading.unkept}, {}, formats));
       EXPECT_EQ(reading.store.count(), 1u);
       EXPECT_EQ(reading.unkept.content().unreadable(), 1u);
       Reading pipe;
@@ -131,19 +131,18 @@ TEST(LogFormats, ContentDecidesNotTheOrderOrTheName) {
 
 TEST(LogFormats, WhatNoneKnowsIsOneErrorThatNamesNone) {
   Reading reading;
-  reading.result = readLog(BytesInMemory("rubbish\n"), reading.store, reading.unkept, {}, kFormats);
+  reading.result = readLog(BytesInMemory("rubbish\n"), {reading.store, reading.unkept}, {}, kFormats);
   ASSERT_FALSE(reading.result);
   EXPECT_EQ(reading.result.error(), ReadError{ReadError::Kind::UnknownFormat});
 }
 
 TEST(LogFormats, AnErrorNamesTheFormatThatTheContentSeemedToBe) {
   LogFormat broken = kTiny;
-  broken.read = [](const LogBytes&, FrameStore&, UnkeptList&,
-                   const ReadOptions&) -> Result<ReadSummary, ReadError> {
+  broken.read = [](const LogBytes&, const LogTarget&, const ReadOptions&) -> Result<ReadSummary, ReadError> {
     return Failure{ReadError{ReadError::Kind::CannotRead, "no luck"}};
   };
   Reading reading;
-  reading.result = readLog(BytesInMemory(tinyLog(3)), reading.store, reading.unkept, {}, {&broken, 1});
+  reading.result = readLog(BytesInMemory(tinyLog(3)), {reading.store, reading.unkept}, {}, {&broken, 1});
   ASSERT_FALSE(reading.result);
   EXPECT_EQ(reading.result.error(), (ReadError{ReadError::Kind::CannotRead, "no luck", "tiny"}));
 }

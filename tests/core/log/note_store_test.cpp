@@ -35,6 +35,15 @@ TEST(NoteStore, KeepsNotesInTheOrderOfTheirFramesAndOfArrivalAtOneFrame) {
   EXPECT_EQ(notes.count(), 5u);
 }
 
+TEST(NoteStore, TellsNotesAsTheyWereAppended) {
+  NoteStore notes;
+  for (const std::uint64_t frame : {5u, 9u, 5u, 0u}) notes.append(mark(frame, std::to_string(notes.count())));
+  EXPECT_EQ(texts(notes.appendedAfter(0)), (std::vector<std::string>{"0", "1", "2", "3"}));
+  EXPECT_EQ(texts(notes.appendedAfter(2)), (std::vector<std::string>{"2", "3"}));
+  EXPECT_TRUE(notes.appendedAfter(4).empty());
+  EXPECT_TRUE(notes.appendedAfter(9).empty());
+}
+
 TEST(NoteStore, KeepsEveryFieldOfEveryKind) {
   NoteStore notes;
   std::vector<Note> expected;

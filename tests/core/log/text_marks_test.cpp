@@ -63,7 +63,7 @@ TEST(TextMarks, EveryFrameIsReadFromAFile) {
         ReadOptions options;
         options.threads = threads;
         options.blockBytes = block;
-        ASSERT_TRUE(readLog(BytesInMemory(row.bytes), store, unkept, options));
+        ASSERT_TRUE(readLog(BytesInMemory(row.bytes), {store, unkept}, options));
         expectTwoFrames(store, unkept);
       }
     }
@@ -91,7 +91,7 @@ TEST(TextMarks, AMarkAloneIsAnEmptyLog) {
   for (const std::string bytes : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"}) {
     FrameStore store;
     UnkeptList unkept;
-    EXPECT_TRUE(readLog(BytesInMemory(bytes), store, unkept));
+    EXPECT_TRUE(readLog(BytesInMemory(bytes), {store, unkept}));
     LogStream stream(store, unkept);
     stream.feed(bytes);
     EXPECT_TRUE(stream.finish());
@@ -103,7 +103,7 @@ TEST(TextMarks, ASecondMarkIsText) {
   const std::string bytes = "\xEF\xBB\xBF\xFE\xFF" + kTwoLines;
   FrameStore file, pipe;
   UnkeptList ofFile, ofPipe;
-  ASSERT_TRUE(readLog(BytesInMemory(bytes), file, ofFile));
+  ASSERT_TRUE(readLog(BytesInMemory(bytes), {file, ofFile}));
   LogStream stream(pipe, ofPipe);
   stream.feed(bytes);
   ASSERT_TRUE(stream.finish());
@@ -116,7 +116,7 @@ TEST(TextMarks, HalfACharacterAtTheEndIsNone) {
   const std::string bytes = wide(kTwoLines, true) + "(";
   FrameStore store;
   UnkeptList unkept;
-  ASSERT_TRUE(readLog(BytesInMemory(bytes), store, unkept));
+  ASSERT_TRUE(readLog(BytesInMemory(bytes), {store, unkept}));
   expectTwoFrames(store, unkept);
 }
 

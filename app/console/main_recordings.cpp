@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main window's recordings: the page, what it is asked for, and the notice at the start.
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "log/journal_reader.h"
+#include "log_filters.h"
+#include "main_window.h"
+#include "panel/recordings_page.h"
+#include "recordings_list.h"
+
+namespace deckpipe {
+
+void MainWindow::connectRecordings() {
+  const RecordingsPage* page = m_recordings->page();
+  connect(page, &RecordingsPage::closeRequested, this, [this] { showExtra(nullptr); });
+  connect(page, &RecordingsPage::openRequested, this, &MainWindow::openLog);
+  connect(page, &RecordingsPage::saveRequested, this, &MainWindow::saveRecordingByHand);
+  connect(page, &RecordingsPage::deleteRequested, this, &MainWindow::deleteRecordingByHand);
+  if (m_session.recordingFolder().isEmpty()) return;
+  // Of the start alone: what is recorded from now on is said on the status strip.
+  connect(
+      m_recordings, &RecordingsList::changed, this,
+      [this](const std::vector<Recording>& recordings) {
+        m_unsavedNotice = m_extra == m_recordings->page() ? Notice{} : unsavedNotice(recordings);
+        showSnapshot();
+      },
+      Qt::SingleShotConnection);
+  m_recordings->read();
+}
+
+void MainWindow::showRecordings() {
+  m_unsavedNotice = {};
+  if (!m_session.recordingFolder().isEmpty()) m_recordings->read();
+  showExtra(m_recordings->page());
+  showSnapshot();
+}
+
+void MainWindow::saveRecordingByHand(const QString& path) {
+  QFileDialog* dialog = fileDialog(tr("Save a copy of the recording"), {filterOf(kJournalFormat)});
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(suffixOf(filterOf(kJournalFormat)));
+  dialog->selectFile(QFileInfo(path).fileName());
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, path](const QString& as) { m_recordings->saveCopy(path, as); });
+  dialog->open();
+}
+
+void MainWindow::deleteRecordingByHand(const QString& path) {
+  auto* question = new QMessageBox(
+      QMessageBox::Warning, tr("Delete a recording"),
+      tr("Delete %1? It cannot be brought back.").arg(QFileInfo(path).fileName()), QMessageBox::Cancel, this);
+  question->setObjectName(QStringLiteral("deleteQuestion"));
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  const QPushButton* yes = question->addButton(tr("Delete"), QMessageBox::DestructiveRole);
+  connect(yes, &QPushButton::clicked, this, [this, path] { m_recordings->remove(path); });
+  question->open();
+}
+
+}  // namespace deckpipe

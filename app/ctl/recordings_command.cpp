@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl recordings: what the console recorded on this machine.
+#include "session/recordings.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "arguments.h"
+#include "command.h"
+#include "output.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+QString stateOf(const Recording& recording) {
+  if (!recording.isReadable) return QStringLiteral("unreadable");
+  if (recording.isGrowing) return QStringLiteral("growing");
+  if (recording.isSaved) return QStringLiteral("saved");
+  return recording.isSimulated ? QStringLiteral("simulated") : QStringLiteral("unsaved");
+}
+
+double secondsOf(Duration length) { return static_cast<double>(length.count()) / 1e9; }
+
+QByteArray lineOf(const Recording& recording) {
+  QString line =
+      QStringLiteral("%1  %2  %3 s  %4 frames  %5")
+          .arg(recording.begin.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")), stateOf(recording))
+          .arg(secondsOf(recording.length), 0, 'f', 1)
+          .arg(recording.frames)
+          .arg(recording.pins.isEmpty() ? QStringLiteral("-") : recording.pins.join(QLatin1Char(' ')));
+  if (!recording.isWhole && !recording.isGrowing) line += QStringLiteral("  not whole");
+  return (line + QStringLiteral("\n  ") + recording.path).toUtf8() + '\n';
+}
+
+QByteArray jsonOf(const Recording& recording) {
+  return QJsonDocument(QJsonObject{
+                           {QStringLiteral("path"), recording.path},
+                           {QStringLiteral("begin"), recording.begin.toUTC().toString(Qt::ISODateWithMs)},
+                           {QStringLiteral("state"), stateOf(recording)},
+                           {QStringLiteral("whole"), recording.isWhole},
+                           {QStringLiteral("simulated"), recording.isSimulated},
+                           {QStringLiteral("length_s"), secondsOf(recording.length)},
+                           {QStringLiteral("frames"), static_cast<qint64>(recording.frames)},
+                           {QStringLiteral("bytes"), static_cast<qint64>(recording.bytes)},
+                           {QStringLiteral("pins"), QJsonArray::fromStringList(recording.pins)},
+                       })
+             .toJson(QJsonDocument::Compact) +
+         '\n';
+}
+
+}  // namespace
+
+int recordingsCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral(
+      "Lists what the console recorded on this machine, the newest first.\n"
+      "Each is growing, unsaved, saved, simulated or unreadable; info and decode read them all."));
+  const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object a line."));
+  const QCommandLineOption folder(QStringLiteral("folder"),
+                                  QStringLiteral("Look there, not in %1.").arg(recordingsFolder()),
+                                  QStringLiteral("FOLDER"));
+  parser.addOptions({json, folder});
+  if (const auto status = parse(parser, arguments)) return *status;
+  if (!parser.positionalArguments().isEmpty())
+    return badUsage(QStringLiteral("recordings: no argument is wanted"));
+
+  Output output;
+  const QString where = parser.isSet(folder) ? parser.value(folder) : recordingsFolder();
+  for (const Recording& recording : recordingsIn(where)) {
+    const QByteArray line = parser.isSet(json) ? jsonOf(recording) : lineOf(recording);
+    output.text().append(line.constData(), static_cast<std::size_t>(line.size()));
+  }
+  return output.flush() ? kDone : kNotWhole;
+}
+
+}  // namespace deckpipe::ctl

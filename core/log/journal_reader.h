@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a journal (journal_bytes.h), as a format of the table in log_format.h: its frames with the log times
+// that they had, its channels and its notes. One that is still being written is read as far as it is whole
+// now.
+#pragma once
+
+#include "log/log_format.h"
+
+namespace deckpipe {
+
+Sniff sniffJournal(std::string_view head, bool isWhole);
+Result<ReadSummary, ReadError> readJournal(const LogBytes& bytes, const LogTarget& target,
+                                           const ReadOptions& options);
+
+inline constexpr LogFormat kJournalFormat{.name = "Deckpipe",
+                                          .patterns = "*.deckpipe",
+                                          .sniff = sniffJournal,
+                                          .read = readJournal,
+                                          .stream = nullptr,
+                                          .write = nullptr};
+
+}  // namespace deckpipe

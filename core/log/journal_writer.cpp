@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "log/journal_writer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace deckpipe {
+
+void JournalWriter::timeCame(Instant now) {
+  if (m_isEnded || (m_fault && now < m_retryAt)) return;
+  m_fault = write();
+  if (!m_fault && m_written.bytes != m_safe.bytes && now >= m_syncAt) {
+    m_fault = sync();
+    m_syncAt = now + kSync;
+  }
+  if (m_fault) m_retryAt = now + kRetry;
+}
+
+void JournalWriter::end() {
+  if (std::exchange(m_isEnded, true)) return;
+  m_fault = write();
+  if (m_fault || m_file == nullptr) return;
+  m_buffer.clear();
+  appendEndBlock(m_buffer);
+  m_fault = m_file->append(m_written.bytes, m_buffer);
+  if (m_fault) return;
+  m_written.bytes += m_buffer.size();
+  m_fault = sync();
+}
+
+JournalStatus JournalWriter::status() const {
+  return {m_file != nullptr ? m_file->path() : std::string(), m_written.frames, m_written.bytes, m_fault,
+          m_isEnded};
+}
+
+JournalFault JournalWriter::write() {
+  if (m_file == nullptr) {
+    if (m_frames.count() == 0) return {};
+    if (JournalFault fault = create()) return fault;
+  }
+  // Notes first: the frame of each note that is taken here is below the count that is asked for after it, or
+  // is the next one.
+  const std::vector<Note> newNotes = m_notes.appendedAfter(m_written.notes);
+  const std::uint64_t count = m_frames.count();
+  std::span<const Note> notes(newNotes);
+  for (bool isMore = true; isMore;) {
+    Place place = m_written;
+    m_buffer.clear();
+    if (place.bytes == 0) appendJournalHead(m_buffer, m_head);
+    isMore = collect(place, count, notes);
+    if (m_buffer.empty()) break;
+    place.bytes += m_buffer.size();
+    if (JournalFault fault = m_file->append(m_written.bytes, m_buffer)) return fault;
+    m_written = place;
+  }
+  return {};
+}
+
+JournalFault JournalWriter::create() {
+  MadeJournalFile made = m_makeFile();
+  if (!made) return made.error();
+  m_file = std::move(made.value());
+  m_head = m_makeHead();
+  return {};
+}
+
+bool JournalWriter::collect(Place& place, std::uint64_t count, std::span<const Note>& notes) {
+  for (const std::size_t channels = m_frames.channelCount(); place.channels < channels; ++place.channels) {
+    const auto index = static_cast<std::uint8_t>(place.channels);
+    appendChannelBlock(m_buffer, index, m_frames.channelName(index));
+  }
+  std::span<const Frame> frames = m_frames.run(place.frames);
+  frames = frames.first(std::min<std::uint64_t>({frames.size(), kMostJournalFrames, count - place.frames}));
+  // In the order in which they came, so that those before the same frame keep theirs.
+  const auto isLater = [end = place.frames + frames.size()](const Note& note) { return note.frame > end; };
+  const auto n = static_cast<std::size_t>(std::ranges::find_if(notes, isLater) - notes.begin());
+  appendNoteBlocks(m_buffer, notes.first(n));
+  notes = notes.subspan(n);
+  place.notes += n;
+  collectOffsets(place, frames);
+  appendFrameBlock(m_buffer, place.frames, frames);
+  place.frames += frames.size();
+  return place.frames < count;
+}
+
+// Those of each channel are in order; those of all are put in order.
+void JournalWriter::collectOffsets(Place& place, std::span<const Frame> frames) {
+  m_offsets.clear();
+  const std::uint64_t end = place.frames + frames.size();
+  for (std::size_t channel = 0; channel < place.offsets.size(); ++channel) {
+    const auto index = static_cast<std::uint8_t>(channel);
+    const StableList<ClockOffset>* list = m_frames.offsets(index);
+    if (list == nullptr) continue;
+    std::size_t& next = place.offsets[channel];
+    for (; next < list->size() && (*list)[next].frame < end; ++next)
+      m_offsets.push_back({index, (*list)[next]});
+  }
+  std::ranges::sort(m_offsets, {}, [](const ChannelOffset& o) { return o.offset.frame; });
+  appendClockBlocks(m_buffer, m_offsets);
+}
+
+// What was not on the disk before may be lost, for the system forgets it after a fault: it is written again.
+JournalFault JournalWriter::sync() {
+  JournalFault fault = m_file->sync();
+  (fault ? m_written : m_safe) = fault ? m_safe : m_written;
+  return fault;
+}
+
+}  // namespace deckpipe

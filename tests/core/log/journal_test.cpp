@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a journal gives back: everything as it was, and of a file that was cut or damaged everything before
+// the damage, and nothing else.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "log/log_stream.h"
+#include "support/journals.h"
+
+namespace deckpipe {
+namespace {
+
+using test::journalOf;
+using test::Recording;
+using test::told;
+
+void expectSame(const Recording& read, const Recording& written) {
+  EXPECT_EQ(told(read.frames), told(written.frames));
+  EXPECT_EQ(read.notes.all(), written.notes.all());
+  ASSERT_EQ(read.frames.channelCount(), written.frames.channelCount());
+  EXPECT_EQ(read.frames.jumps().size(), written.frames.jumps().size());
+  for (std::uint64_t i = 0; i < read.frames.jumps().size(); ++i)
+    EXPECT_EQ(read.frames.jumps()[i], written.frames.jumps()[i]);
+}
+
+// Part of what was written, from the first frame on; notes not beyond its last frame.
+void expectBeginning(const Recording& read, const Recording& written, const std::string& what) {
+  const std::vector<std::string> all = told(written.frames), part = told(read.frames);
+  ASSERT_LE(part.size(), all.size()) << what;
+  EXPECT_TRUE(std::equal(part.begin(), part.end(), all.begin())) << what;
+  const std::vector<Note> notes = read.notes.all(), allNotes = written.notes.all();
+  ASSERT_LE(notes.size(), allNotes.size()) << what;
+  EXPECT_TRUE(std::equal(notes.begin(), notes.end(), allNotes.begin())) << what;
+  EXPECT_TRUE(notes.empty() || notes.back().frame <= read.frames.count()) << what;
+}
+
+TEST(Journal, BringsBackFramesNotesAndLogTimesOfTwoLiveChannels) {
+  Recording written;
+  written.fill();
+  ASSERT_GE(written.frames.jumps().size(), 1u);
+  ASSERT_TRUE(written.frames.offsets(0) && written.frames.offsets(1));
+  Recording read;
+  read.read(journalOf(written));
+  ASSERT_TRUE(read.result);
+  EXPECT_EQ(read.result.value(), (ReadSummary{.frames = written.frames.count()}));
+  expectSame(read, written);
+}
+
+TEST(Journal, BringsBackTheLogTimesOfAFile) {
+  Recording written;
+  ASSERT_TRUE(readLog(BytesInMemory("(100.0) can0 123#11\n(5000.0) can0 123#12\n(100.1) can0 123#13\n"
+                                    "(3.0) can0 123#14\n(3.5) can0 123#15\n(3.6) can1 123#16\n"),
+                      written.target()));
+  Recording read;
+  read.read(journalOf(written));
+  expectSame(read, written);
+}
+
+TEST(Journal, IsWrittenInAnyPieces) {
+  Recording written;
+  test::FakeDisk disk;
+  JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
+  for (int i = 0; i < 20; ++i) {
+    writer.timeCame({i * 250'000'000});
+    written.fill();
+    if (i == 10) written.notes.append({.frame = 3, .value = note::Mark{"later, at an earlier place"}});
+  }
+  writer.end();
+  Recording read;
+  read.read(disk.bytes);
+  ASSERT_TRUE(read.result);
+  EXPECT_FALSE(read.result.value().isOpenEnded);
+  expectSame(read, written);
+}
+
+TEST(Journal, OfManyFramesHasManyBlocksAndReportsProgress) {
+  Recording written;
+  std::vector<Frame> frames(3 * kMostJournalFrames + 5, test::frame("123", "00"));
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].stamp = static_cast<std::int64_t>(i) * 1'000'000;
+  written.frames.channel("can0");
+  ASSERT_TRUE(written.frames.append(frames));
+  const JournalBytes bytes = journalOf(written);
+  Recording read;
+  std::uint64_t last = 0;
+  read.read(bytes, {.onProgress = [&](const ReadProgress& progress) {
+              EXPECT_GE(progress.frames, last);
+              last = progress.frames;
+              EXPECT_EQ(progress.bytesTotal, bytes.size());
+              return true;
+            }});
+  EXPECT_EQ(last, frames.size());
+  expectSame(read, written);
+
+  Recording part;
+  part.read(bytes, {.onProgress = [](const ReadProgress& progress) { return progress.frames == 0; }});
+  ASSERT_TRUE(part.result);
+  EXPECT_TRUE(part.result.value().cancelled);
+  EXPECT_EQ(part.frames.count(), kMostJournalFrames);
+}
+
+TEST(Journal, PutsEachNoteBeforeItsFrameAsTheLogGrows) {
+  struct Watch {
+    std::uint64_t frame;
+    std::size_t notes;
+  };
+  Recording written;
+  written.fill();
+  Recording read;
+  std::vector<Watch> seen;
+  // Each block of frames is cut where a note stands; the last progress sees all of it.
+  read.read(journalOf(written), {.onProgress = [&](const ReadProgress&) {
+              seen.push_back({read.frames.count(), read.notes.count()});
+              return true;
+            }});
+  for (const Watch& watch : seen) {
+    const auto due = written.notes.between(0, watch.frame);
+    EXPECT_GE(watch.notes, due.size());
+  }
+}
+
+// The blocks of a journal, by where they begin.
+std::vector<std::size_t> blocksOf(const JournalBytes& bytes) {
+  std::vector<std::size_t> begins;
+  for (std::size_t at = JournalHead::kBytes; at < bytes.size();) {
+    begins.push_back(at);
+    at += kJournalBlockHead + journalBlockHead(std::span(bytes).subspan(at)).length;
+  }
+  return begins;
+}
+
+TEST(Journal, CutAtAnyByteKeepsEverythingBeforeThatBlock) {
+  Recording written;
+  test::FakeDisk disk;
+  JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
+  for (int i = 0; i < 3; ++i) {
+    written.fill();
+    writer.timeCame({i * 250'000'000});
+  }
+  writer.end();
+  const std::vector<std::size_t> blocks = blocksOf(disk.bytes);
+  ASSERT_GT(blocks.size(), 8u);
+  std::uint64_t frames = 0;
+  for (std::size_t size = kJournalMagic.size(); size <= disk.bytes.size(); ++size) {
+    const std::string what = "cut at " + std::to_string(size);
+    Recording read;
+    read.read(std::span(disk.bytes).first(size));
+    ASSERT_TRUE(read.result) << what;
+    expectBeginning(read, written, what);
+    EXPECT_GE(read.frames.count(), frames) << what << ": more bytes, no less frames";
+    frames = read.frames.count();
+    // Where the last whole block ends.
+    std::size_t whole = size < JournalHead::kBytes ? 0 : JournalHead::kBytes;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const std::size_t end = i + 1 < blocks.size() ? blocks[i + 1] : disk.bytes.size();
+      if (end <= size) whole = end;
+    }
+    const ReadSummary& summary = read.result.value();
+    EXPECT_EQ(summary.cutBytes, size - whole) << what;
+    EXPECT_EQ(summary.isOpenEnded, size < disk.bytes.size()) << what;
+  }
+  EXPECT_EQ(frames, written.frames.count());
+}
+
+TEST(Journal, LosesNothingBeforeAByteThatIsWrong) {
+  Recording written;
+  test::FakeDisk disk;
+  JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
+  for (int i = 0; i < 3; ++i) {
+    written.fill();
+    writer.timeCame({i * 250'000'000});
+  }
+  writer.end();
+  const std::vector<std::size_t> blocks = blocksOf(disk.bytes);
+  std::mt19937 random(1);
+  for (std::size_t at = JournalHead::kBytes; at < disk.bytes.size(); ++at) {
+    JournalBytes bytes = disk.bytes;
+    bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ (1u << random() % 8));
+    const std::string what = "byte " + std::to_string(at);
+    Recording read;
+    read.read(bytes);
+    ASSERT_TRUE(read.result) << what;
+    expectBeginning(read, written, what);
+    const std::size_t block = *std::prev(std::upper_bound(blocks.begin(), blocks.end(), at));
+    EXPECT_EQ(read.result.value().cutBytes, disk.bytes.size() - block) << what;
+  }
+}
+
+TEST(Journal, TakesZeroesBehindItsEndForNoBlock) {
+  Recording written;
+  written.fill();
+  JournalBytes bytes = journalOf(written, false);
+  bytes.resize(bytes.size() + 5'000);
+  Recording read;
+  read.read(bytes);
+  ASSERT_TRUE(read.result);
+  EXPECT_EQ(read.result.value().cutBytes, 5'000u);
+  expectSame(read, written);
+}
+
+TEST(Journal, ReadsFramesWhereOnlyTheHeadIsDamaged) {
+  Recording written;
+  written.fill();
+  JournalBytes bytes = journalOf(written);
+  bytes[20] ^= 1;
+  JournalHead head{.begin = 7};
+  ASSERT_TRUE(takeJournalHead(bytes, head));
+  EXPECT_EQ(head, JournalHead{}) << "nothing of it counts";
+  Recording read;
+  read.read(bytes);
+  expectSame(read, written);
+}
+
+TEST(Journal, OfANewerVersionIsRefusedByName) {
+  JournalBytes bytes;
+  appendJournalHead(bytes, {.major = JournalHead::kMajor + 1});
+  Recording read;
+  read.read(bytes);
+  ASSERT_FALSE(read.result);
+  EXPECT_EQ(read.result.error(), (ReadError{ReadError::Kind::NewerVersion, "2", "Deckpipe"}));
+}
+
+// Changes type or version of a block, with the CRC that belongs to it.
+JournalBytes withBlock(JournalBytes bytes, std::size_t at, std::size_t byte, std::uint8_t value) {
+  bytes[at + byte] = value;
+  const std::uint32_t length = journalBlockHead(std::span(bytes).subspan(at)).length;
+  const std::uint32_t crc = journalBlockCrc(std::span(bytes).subspan(at, kJournalBlockHead + length));
+  std::memcpy(bytes.data() + at + 8, &crc, sizeof crc);
+  return bytes;
+}
+
+TEST(Journal, SkipsAndCountsWhatANewerMinorVersionAdded) {
+  Recording written;
+  written.fill();
+  const JournalBytes bytes = journalOf(written);
+  const std::vector<std::size_t> blocks = blocksOf(bytes);
+  const auto notes = std::ranges::find_if(blocks, [&](std::size_t at) {
+    return journalBlockHead(std::span(bytes).subspan(at)).type ==
+           static_cast<std::uint16_t>(JournalBlock::Notes);
+  });
+  ASSERT_NE(notes, blocks.end());
+  for (const std::size_t byte : {0u, 2u}) {  // the type, its version
+    Recording read;
+    read.read(withBlock(bytes, *notes, byte, 77));
+    ASSERT_TRUE(read.result);
+    EXPECT_EQ(told(read.frames), told(written.frames));
+    EXPECT_EQ(read.notes.count(), 0u);
+    EXPECT_EQ(read.result.value().newerParts, 1u);
+  }
+  // A kind of note.
+  Recording read;
+  read.read(withBlock(bytes, *notes, kJournalBlockHead + 2, 250));
+  EXPECT_EQ(read.notes.count() + 1, written.notes.count());
+  EXPECT_EQ(read.result.value().newerParts, 1u);
+}
+
+TEST(Journal, LeavesOutNotesOfFramesThatWereNotWritten) {
+  Recording written;
+  written.fill();
+  JournalBytes bytes = journalOf(written, false);
+  const std::vector<Note> beyond{{.frame = written.frames.count() + 5, .value = note::Mark{"of nothing"}}};
+  appendNoteBlocks(bytes, beyond);
+  Recording read;
+  read.read(bytes);
+  expectSame(read, written);
+}
+
+TEST(Journal, IsKnownByItsFirstBytes) {
+  Recording written;
+  written.fill();
+  const JournalBytes bytes = journalOf(written);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  EXPECT_EQ(kJournalFormat.sniff(text, true), Sniff::Yes);
+  EXPECT_EQ(kJournalFormat.sniff(text.substr(0, 5), false), Sniff::Open);
+  EXPECT_EQ(kJournalFormat.sniff(text.substr(0, 5), true), Sniff::No);
+  EXPECT_EQ(kJournalFormat.sniff("(1.0) can0 123#11\n", false), Sniff::No);
+  LogStream stream(written.frames, written.unkept);
+  EXPECT_FALSE(stream.feed(text));
+  EXPECT_EQ(stream.finish().error(), (ReadError{ReadError::Kind::NoPipe, {}, "Deckpipe"}));
+}
+
+}  // namespace
+}  // namespace deckpipe
