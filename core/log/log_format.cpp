@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "log/candump.h"
+#include "log/foreign_formats.h"
 #include "log/text_marks.h"
 
 namespace deckpipe {
@@ -34,7 +35,8 @@ Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, FrameStore& stor
   const auto format = std::ranges::find_if(formats, [&](const LogFormat& candidate) {
     return candidate.sniff(head, size == bytes.size()) == Sniff::Yes;
   });
-  if (format == formats.end()) return Failure{ReadError{ReadError::Kind::UnknownFormat}};
+  if (format == formats.end())
+    return Failure{ReadError{ReadError::Kind::UnknownFormat, {}, std::string(foreignFormat(head))}};
   auto result = format->read(bytes, store, unkept, options);
   if (result) return result;
   ReadError error = result.error();
