@@ -21,7 +21,7 @@ constexpr KeyTable<kCommands, Word> kWords{{{Ask::ZeroAxes, {"zero-axes", "zero 
 
 }  // namespace
 
-int commandCommand(const QStringList& arguments) {
+ExitStatus commandCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Sends one command to one device, once, and waits for its acknowledgement; for a reset, up to 10 s "

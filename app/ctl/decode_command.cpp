@@ -17,13 +17,12 @@ namespace {
 class Decoder {
  public:
   Decoder(const FrameStore& frames, DecodeFormat format, std::vector<ChannelAddress> drives)
-      : m_frames(frames), m_times(frames), m_format(format), m_drives(std::move(drives)) {
-    m_output.text() += decodeHeader(format);
-  }
+      : m_frames(frames), m_times(frames), m_format(format), m_drives(std::move(drives)) {}
 
   // Everything that has come since the last call, and out with it. False where standard output takes no more.
   bool decodeNew() {
     const std::uint64_t count = m_frames.count();
+    if (m_next == 0 && count > 0) m_output.text() += decodeHeader(m_format);
     while (m_next < count) {
       for (const Frame& frame : m_frames.run(m_next)) {
         if (m_next == count) break;
@@ -59,11 +58,11 @@ class Decoder {
 
 }  // namespace
 
-int decodeCommand(const QStringList& arguments) {
+ExitStatus decodeCommand(const QStringList& arguments) {
   QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral(
-      "Decodes every frame of a log, one line each, to standard output.\n"
-      "What cannot be read is said on standard error with its line; the exit status is then 1."));
+  parser.setApplicationDescription(
+      QStringLiteral("Decodes every frame of a log, one line each, to standard output.\n"
+                     "What cannot be read is said on standard error with its line."));
   parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
   const QCommandLineOption format(QStringLiteral("format"), QStringLiteral("jsonl (default), csv or text."),
                                   QStringLiteral("FORMAT"), QStringLiteral("jsonl"));
@@ -97,7 +96,7 @@ int decodeCommand(const QStringList& arguments) {
   LogInput input(parser.positionalArguments().first().toStdString());
   Decoder decoder(input.frames, wanted, std::move(drives));
   bool written = true;
-  const int status = input.read([&] { return written = decoder.decodeNew(); });
+  const ExitStatus status = input.read([&] { return written = decoder.decodeNew(); });
   return written ? status : kNotWhole;
 }
 

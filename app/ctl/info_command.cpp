@@ -8,7 +8,7 @@
 
 namespace deckpipe::ctl {
 
-int infoCommand(const QStringList& arguments) {
+ExitStatus infoCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Says what is in a log: frames, span, frames by identifier, lines that cannot be read."));
@@ -22,11 +22,11 @@ int infoCommand(const QStringList& arguments) {
 
   LogInput input(parser.positionalArguments().first().toStdString());
   InfoReport report(input.frames, parser.isSet(devices));
-  const int status = input.read([&] {
+  const ExitStatus status = input.read([&] {
     report.countNew();
     return true;
   });
-  if (status == kBadUsage) return status;
+  if (status == kCannotRead || status == kNothingRead) return status;
   Output output;
   const UnkeptPlaces unkept = input.unkept.content();
   output.text() = parser.isSet(json) ? report.json(input.name(), unkept) : report.text(input.name(), unkept);

@@ -35,7 +35,7 @@ void LiveRun::say(const QString& message) const {
   std::fprintf(stderr, "deckpipectl: %s\n", qPrintable(message));
 }
 
-int LiveRun::run() {
+ExitStatus LiveRun::run() {
   // Before the session starts its threads.
   onStopSignals([this] { stop(); });
   m_session.setClaim(m_settings.claim);
@@ -58,11 +58,11 @@ int LiveRun::run() {
 
 void LiveRun::stop() {
   if (m_isOver) return;
-  const std::optional<int> status = m_isReady ? onStop() : kNotWhole;
+  const std::optional<ExitStatus> status = m_isReady ? onStop() : kNotWhole;
   if (status) finish(*status);
 }
 
-void LiveRun::finish(int status) {
+void LiveRun::finish(ExitStatus status) {
   if (m_isOver) return;
   m_isOver = true;
   m_status = m_output.flush() ? status : kNotWhole;

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "bus_follower.h"
+#include "exit_status.h"
 #include "live_options.h"
 #include "output.h"
 #include "session/session.h"
@@ -23,14 +24,14 @@ class LiveRun : public QObject {
   // At most 30 times a second from then on, after the follower.
   std::function<void()> onTick = [] {};
   // Ctrl+C: how it ends, or nothing where it will soon end by itself.
-  std::function<std::optional<int>()> onStop;
+  std::function<std::optional<ExitStatus>()> onStop;
   // Whether a link that went down may come back.
   bool outlivesLink = false;
 
   // Until finish(); the exit status.
-  int run();
+  ExitStatus run();
   // What is in the output goes out first.
-  void finish(int status);
+  void finish(ExitStatus status);
 
   Session& session() { return m_session; }
   const Snapshot& snapshot() const { return m_session.snapshot(); }
@@ -60,7 +61,7 @@ class LiveRun : public QObject {
   bool m_saidCannotTell = false;
   std::uint64_t m_unlockSerial = 0;
   std::uint64_t m_unconfirmed = 0, m_notTaken = 0;  // as said last
-  int m_status = 0;
+  ExitStatus m_status = kDone;
 };
 
 }  // namespace deckpipe::ctl

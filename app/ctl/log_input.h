@@ -7,7 +7,10 @@
 #include <functional>
 #include <string>
 
+#include "base/result.h"
+#include "exit_status.h"
 #include "log/frame_store.h"
+#include "log/reading.h"
 #include "log/unkept.h"
 
 namespace deckpipe::ctl {
@@ -25,14 +28,17 @@ struct LogInput {
   // What a person calls it in messages.
   std::string name() const { return path == "-" ? "standard input" : path; }
   // Reads all of it, calling `more` whenever the store has grown and once at the end; false from it stops the
-  // reading. What could not be read is said on standard error. Returns the exit status.
-  int read(const std::function<bool()>& more);
+  // reading. What could not be read is said on standard error. After kCannotRead and
+  // kNothingRead the store holds no frame.
+  ExitStatus read(const std::function<bool()>& more);
 
  private:
-  int readFile(const std::function<bool()>& more);
+  ExitStatus readFile(const std::function<bool()>& more);
   // Whatever is no regular file: standard input, a pipe.
-  int readStream(int descriptor, const std::function<bool()>& more);
-  int sayUnkept() const;
+  ExitStatus readStream(int descriptor, const std::function<bool()>& more);
+  // Says what came of it.
+  ExitStatus ended(const Result<ReadSummary, ReadError>& outcome) const;
+  void sayUnkept(const UnkeptPlaces& content) const;
 };
 
 }  // namespace deckpipe::ctl

@@ -8,14 +8,13 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "output.h"
 
 namespace {
 
 struct Command {
   const char* name;
   const char* summary;
-  int (*run)(const QStringList&);
+  deckpipe::ctl::ExitStatus (*run)(const QStringList&);
 };
 
 constexpr Command kCommands[] = {
@@ -40,8 +39,8 @@ std::string helpText() {
   }
   return text +
          "\nNothing is sent on an interface without --unlock; simulate wants --moves-monitors.\n"
-         "'deckpipectl COMMAND --help' tells the arguments of one. Exit status: 0 done, 1 not everything "
-         "could be\nread, written, answered or done, 2 unusable arguments.\n";
+         "'deckpipectl COMMAND --help' tells the arguments of one.\n\n" +
+         deckpipe::ctl::exitStatusHelp();
 }
 
 }  // namespace
@@ -58,16 +57,9 @@ int main(int argc, char** argv) {
   QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
   QStringList arguments = QCoreApplication::arguments();
   const QString name = arguments.value(1);
-  if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help")) {
-    deckpipe::ctl::Output output;
-    output.text() = helpText();
-    return output.flush() ? deckpipe::ctl::kDone : deckpipe::ctl::kNotWhole;
-  }
-  if (name == QLatin1String("--version")) {
-    deckpipe::ctl::Output output;
-    output.text() = "deckpipectl " DECKPIPE_VERSION "\n";
-    return output.flush() ? deckpipe::ctl::kDone : deckpipe::ctl::kNotWhole;
-  }
+  if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help"))
+    return deckpipe::ctl::print(helpText());
+  if (name == QLatin1String("--version")) return deckpipe::ctl::printVersion(QStringLiteral("deckpipectl"));
   if (name.isEmpty()) return deckpipe::ctl::badUsage(QStringLiteral("a command is wanted"));
   for (const Command& command : kCommands) {
     if (name != QLatin1String(command.name)) continue;

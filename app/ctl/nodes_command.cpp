@@ -9,7 +9,7 @@
 
 namespace deckpipe::ctl {
 
-int nodesCommand(const QStringList& arguments) {
+ExitStatus nodesCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Listens for a while, then writes a line for everyone on the bus. With --unlock it claims an address\n"

@@ -203,7 +203,7 @@ void PipeTalk::sayEnd(const PipeStatus& pipe) {
 }
 
 // After the packet in flight; a second time at once.
-std::optional<int> PipeTalk::stop() {
+std::optional<ExitStatus> PipeTalk::stop() {
   if (m_phase == Phase::Listening) return status().skipped == 0 ? kDone : kNotWhole;
   if (m_phase == Phase::Sending && !sendsFile() && status().sent >= m_handed) return kDone;
   if (m_isStopping || m_phase == Phase::Finding) return kNotWhole;

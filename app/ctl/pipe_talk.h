@@ -48,7 +48,7 @@ class PipeTalk {
   void act(wish::PipeAction::What what);
   void sayProgress(const PipeStatus& pipe);
   void sayEnd(const PipeStatus& pipe);
-  std::optional<int> stop();
+  std::optional<ExitStatus> stop();
   void fail(const QString& why, const PipeStatus& pipe);
   PipeStatus status() const;
   bool sendsFile() const { return m_plan.content != nullptr; }

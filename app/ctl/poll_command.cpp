@@ -44,7 +44,7 @@ class Poll {
   }
 
  private:
-  int status() const { return m_asker.allAnswered() ? kDone : kNotWhole; }
+  ExitStatus status() const { return m_asker.allAnswered() ? kDone : kNotWhole; }
 
   void tick() {
     if (m_rounds == 0) {
@@ -88,7 +88,7 @@ class Poll {
 
 }  // namespace
 
-int pollCommand(const QStringList& arguments) {
+ExitStatus pollCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Asks devices for faults, versions and settings, which changes nothing in them. One line an answer:\n"

@@ -46,7 +46,7 @@ bool simulateInto(simulator::StandardBench& bench, double seconds, const LogForm
   return write(text);
 }
 
-int writeLog(simulator::StandardBench& bench, double seconds, const QString& path) {
+ExitStatus writeLog(simulator::StandardBench& bench, double seconds, const QString& path) {
   const LogFormat& format = formatToWrite(path.toStdString());
   if (path == QLatin1String("-")) {
     Output output;
@@ -74,8 +74,8 @@ int writeLog(simulator::StandardBench& bench, double seconds, const QString& pat
   return kNotWhole;
 }
 
-int runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool movesMonitors) {
-  int status = kDone;
+ExitStatus runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool movesMonitors) {
+  ExitStatus status = kDone;
   QObject::connect(&runner, &BenchRunner::busReady, [&](const QString& interfaceName) {
     std::fprintf(stderr,
                  "deckpipectl: the bench twin is on %s and drives every monitor there; Ctrl+C ends it\n",
@@ -105,7 +105,7 @@ int runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool moves
 
 }  // namespace
 
-int simulateCommand(const QStringList& arguments) {
+ExitStatus simulateCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose\n"
@@ -151,11 +151,7 @@ int simulateCommand(const QStringList& arguments) {
   if (!parser.positionalArguments().isEmpty())
     return badUsage(QStringLiteral("simulate: takes options only"));
 
-  if (parser.values(misbehave).contains(QLatin1String("help"))) {
-    Output output;
-    output.text() += misbehaveTable().toStdString();
-    return output.flush() ? kDone : kNotWhole;
-  }
+  if (parser.values(misbehave).contains(QLatin1String("help"))) return print(misbehaveTable().toStdString());
 
   bool monitorsOk = false, seedOk = false, secondsOk = false, rateOk = false;
   const quint64 seedValue = parser.value(seed).toULongLong(&seedOk);

@@ -9,7 +9,7 @@
 
 namespace deckpipe::ctl {
 
-int watchCommand(const QStringList& arguments) {
+ExitStatus watchCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Writes a line for every change on a bus until Ctrl+C: event, t (seconds since 1970), channel, and by\n"

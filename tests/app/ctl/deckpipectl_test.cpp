@@ -121,15 +121,85 @@ TEST(Decode, SaysUnreadableLinesWithNumberAndReasonAndGoesOn) {
 
 TEST(Decode, SaysOfWhatIsNoLogWhichFormatsAreRead) {
   const Outcome r = run(decode(), "no log\n");
-  EXPECT_EQ(r.status, 1);
+  EXPECT_EQ(r.status, 3);
   EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: candump")) << r.err.constData();
 }
 
-TEST(Decode, CountsCanFdFramesOnStandardErrorWithoutFailing) {
+TEST(Decode, CountsSkippedCanFdFramesOnStandardError) {
   const Outcome r = run(decode(), kPosition + "(1.0) can0 123##0112233\n");
-  EXPECT_EQ(r.status, 0);
+  EXPECT_EQ(r.status, 1);
   EXPECT_EQ(r.lines().size(), 1);
   EXPECT_TRUE(r.err.contains("1 not kept")) << r.err.constData();
+}
+
+struct ReadCase {
+  const char* name;
+  QByteArray content;
+  int status;
+  const char* said;       // on standard error; empty: nothing is said at all
+  bool hasReport = true;  // of info
+};
+class ReadStatus : public testing::TestWithParam<ReadCase> {
+ protected:
+  static void expect(const Outcome& r, bool hasOutput) {
+    EXPECT_EQ(r.status, GetParam().status) << r.err.constData();
+    if (*GetParam().said == '\0') {
+      EXPECT_TRUE(r.err.isEmpty()) << r.err.constData();
+    } else {
+      EXPECT_EQ(r.err.count(GetParam().said), 1) << r.err.constData();
+      EXPECT_EQ(r.err.count('\n'), 1) << "told once: " << r.err.constData();
+    }
+    if (!hasOutput) {
+      EXPECT_TRUE(r.out.isEmpty()) << r.out.constData();
+    }
+  }
+};
+TEST_P(ReadStatus, IsTheSameOfFileAndPipeAndOfInfoAndDecode) {
+  QTemporaryDir dir;
+  QFile file(dir.filePath(QStringLiteral("a log")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(GetParam().content);
+  file.close();
+  expect(run(decode(), GetParam().content), true);
+  expect(run({QStringLiteral("decode"), file.fileName()}), true);
+  expect(run(words("info -"), GetParam().content), GetParam().hasReport);
+  expect(run({QStringLiteral("info"), QStringLiteral("--json"), file.fileName()}), GetParam().hasReport);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Contract, ReadStatus,
+    testing::Values(
+        ReadCase{"Whole", kPosition, 0, ""},
+        ReadCase{"RecorderLostFrames", kPosition + "DROPCOUNT: dropped 3 CAN frames\n", 0, "recorder lost"},
+        ReadCase{"ALineNotRead", kPosition + "nonsense\n", 1, ":2: "},
+        ReadCase{"AFrameSkipped", kPosition + "(1.0) can0 123##0112233\n", 1, "1 not kept"},
+        ReadCase{"OnlySkippedFrames", "(1.0) can0 123##0112233\n", 1, "1 not kept"},
+        ReadCase{"NoLog", "no log\n", 3, "not a log of a known format", false},
+        ReadCase{"OfAnotherProgram", "date Fri Apr 27 08:24:13 2018\nbase hex  timestamps absolute\n", 3,
+                 "seems to be Vector ASC", false},
+        ReadCase{"Empty", "", 4, "it is empty", false},
+        ReadCase{"BlankLines", "\n \n\n", 4, "it holds no frame", false},
+        ReadCase{"OnlyComments", "# nothing yet\n", 4, "it holds no frame", false}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(ReadStatusOfAFile, ThatIsNotThereIsThree) {
+  for (const char* command :
+       {"decode /nonexistent/x.log", "info /nonexistent/x.log", "decode /", "info --json /",
+        "pipe --interface x --address 80 --unlock --file /nonexistent"}) {
+    const Outcome r = run(words(command));
+    EXPECT_EQ(r.status, 3) << command;
+    EXPECT_TRUE(r.out.isEmpty()) << command;
+    EXPECT_EQ(r.err.count('\n'), 1) << r.err.constData();
+  }
+}
+
+TEST(ReadStatusOfAFile, ToSendThatIsEmptyIsFour) {
+  const Outcome r = run(words("pipe --interface x --address 80 --unlock --file /dev/null"));
+  EXPECT_EQ(r.status, 4);
+  EXPECT_TRUE(r.err.contains("/dev/null: it is empty")) << r.err.constData();
+}
+
+TEST(ReadStatusOfAFile, ThatIsNoneWritesNoCsvHeader) {
+  EXPECT_TRUE(run(decode(words("--format csv")), "no log\n").out.isEmpty());
 }
 
 struct UsageCase {
@@ -153,7 +223,6 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{"DriveNotHex", words("decode --drive zz -")},
         UsageCase{"DriveGlobal", words("decode --drive FF -")},
         UsageCase{"DriveEmptyChannel", words("decode --drive :21 -")},
-        UsageCase{"AbsentFile", words("decode /nonexistent/x.log")},
         UsageCase{"SimulateNowhere", words("simulate")},
         UsageCase{"SimulateNegative", words("simulate --log - --seconds -3")},
         UsageCase{"SimulateNoSuchFault", words("simulate --log - --misbehave monitor:dances")},
@@ -183,8 +252,7 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{"CommandNoSuch", words("command explode --interface x --address 80 --unlock --yes")},
         UsageCase{"PipeLocked", words("pipe --interface x --address 80")},
         UsageCase{"PipeLineEnd", words("pipe --interface x --address 80 --unlock --line-end x")},
-        UsageCase{"PipeMissingAck", words("pipe --interface x --address 80 --unlock --on-missing-ack x")},
-        UsageCase{"PipeNoSuchFile", words("pipe --interface x --address 80 --unlock --file /nonexistent")}),
+        UsageCase{"PipeMissingAck", words("pipe --interface x --address 80 --unlock --on-missing-ack x")}),
     [](const auto& row) { return std::string(row.param.name); });
 
 constexpr const char* kCommands[] = {"decode", "info", "simulate", "nodes",
@@ -196,12 +264,23 @@ TEST(Help, IsOnStandardOutputWithStatusZeroAndNamesTheSubcommand) {
     const Outcome r = run({QLatin1String(command), QStringLiteral("--help")});
     EXPECT_EQ(r.status, 0) << command;
     EXPECT_TRUE(r.out.startsWith("Usage: deckpipectl " + QByteArray(command) + " ")) << r.out.constData();
+    for (const char* status : {"  0  ", "  1  ", "  2  ", "  3  ", "  4  "})
+      EXPECT_TRUE(r.out.contains(status)) << command << status;
+  }
+}
+
+TEST(Version, NamesTheSubcommand) {
+  EXPECT_TRUE(run(words("--version")).out.startsWith("deckpipectl "));
+  for (const char* command : kCommands) {
+    const Outcome r = run({QLatin1String(command), QStringLiteral("--version")});
+    EXPECT_EQ(r.status, 0) << command;
+    EXPECT_TRUE(r.out.startsWith("deckpipectl " + QByteArray(command) + " ")) << r.out.constData();
   }
 }
 
 TEST(Help, SaysWhenItCannotBeWritten) {
   if (!QFile::exists(QStringLiteral("/dev/full"))) GTEST_SKIP() << "no /dev/full";
-  for (const char* arguments : {"--help", "--version", "poll --help"}) {
+  for (const char* arguments : {"--help", "--version", "poll --help", "poll --version"}) {
     QProcess process;
     process.setStandardOutputFile(QStringLiteral("/dev/full"));
     process.start(QStringLiteral(DECKPIPECTL), words(arguments));
