@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl: the headless half of Deckpipe.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <QCoreApplication>
 #include <QLoggingCategory>
 #include <clocale>
@@ -43,9 +46,20 @@ std::string helpText() {
          deckpipe::ctl::exitStatusHelp();
 }
 
+// A descriptor that was closed before the program began would be given to the next file that is opened, and
+// what is written to standard output would go there. These take the place of closed ones, so that reading and
+// writing them fails with the system's reason.
+void occupyClosedStreams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+    if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupyClosedStreams();
   // A reader of ours that has enough closes its pipe; that ends us, and is no failure to talk about.
   std::signal(SIGPIPE, SIG_DFL);
   QCoreApplication application(argc, argv);

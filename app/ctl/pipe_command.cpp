@@ -52,8 +52,9 @@ ExitStatus pipeCommand(const QStringList& arguments) {
       QStringLiteral("TEXT"));
   const QCommandLineOption lineEnd(
       QStringLiteral("line-end"),
-      QStringLiteral("What a line feed of standard input becomes, and what ends the line of --before: "
-                     "cr (default), lf, crlf or none."),
+      QStringLiteral(
+          "What a line end (LF or CR LF) of standard input becomes, and what ends the line of --before: "
+          "cr (default), lf, crlf or none."),
       QStringLiteral("END"), QStringLiteral("cr"));
   const QCommandLineOption idle(
       QStringLiteral("idle"),
