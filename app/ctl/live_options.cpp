@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "arguments.h"
+#include "link/plugins.h"
 #include "protocol/address_use.h"
 #include "protocol/name.h"
 
@@ -94,7 +95,7 @@ std::optional<LiveSettings> LiveOptions::read(const QString& command, bool sends
     settings.drives.push_back(*drive);
   }
   settings.unlock = m_parser.isSet(m_unlock);
-  if (settings.link.interfaceName.isEmpty()) return bad(QStringLiteral("an --interface is wanted"));
+  if (const auto trouble = pluginTrouble(settings.link)) return bad(*trouble);
   if (sends && !settings.unlock)
     return bad(QStringLiteral("this sends, and sending is locked; --unlock is the word for it"));
   return settings;
@@ -138,6 +139,14 @@ std::optional<DeviceName> DeviceOptions::read(const QString& command) const {
     if (!name.address) return bad(QStringLiteral("--address wants an address in hex, 00 to FD"));
   }
   return name;
+}
+
+std::optional<QString> pluginTrouble(const LinkSettings& link) {
+  if (const QStringList plugins = installedPlugins(); !plugins.contains(link.plugin))
+    return QStringLiteral("no such plugin: '%1'; installed are %2")
+        .arg(link.plugin, plugins.join(QStringLiteral(", ")));
+  if (link.interfaceName.isEmpty()) return QStringLiteral("an --interface is wanted");
+  return {};
 }
 
 std::optional<double> parseSeconds(const QString& text) {

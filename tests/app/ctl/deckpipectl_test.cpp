@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <csignal>
 
 #include "run_ctl.h"
 
@@ -317,16 +318,33 @@ TEST(OwnAddress, BelowThemIsWarnedOfAndTaken) {
 }
 
 TEST(Rule20Simulate, OnWhatMayBeARealBusDoesNothingWithoutTheWord) {
-  for (const char* where :
-       {"--plugin socketcan --interface can0", "--plugin socketcan --interface vcan-by-name",
-        "--plugin socketcan --interface lo", "--plugin peakcan --interface usb0"}) {
-    const Outcome r = run(words("simulate") + words(where));
+  const Outcome r = run(words("simulate --plugin peakcan --interface usb0"));
+  if (r.err.contains("no such plugin")) GTEST_SKIP() << "no plugin of an adapter";
+  EXPECT_EQ(r.status, 2);
+  EXPECT_TRUE(r.err.contains("--moves-monitors is the word for it")) << r.err.constData();
+}
+
+TEST(Rule20Simulate, LooksForTheInterfaceBeforeItAsksForTheWord) {
+  for (const char* where : {"nosuch0", "vcan-by-name", "lo", "nosuch0 --moves-monitors"}) {
+    const Outcome r = run(words("simulate --plugin socketcan --interface") + words(where));
     EXPECT_EQ(r.status, 2) << where;
-    EXPECT_TRUE(r.err.contains("--moves-monitors is the word for it")) << r.err.constData();
+    EXPECT_TRUE(r.err.contains("no such CAN interface: '")) << r.err.constData();
   }
-  const Outcome r = run(words("simulate --plugin socketcan --interface nosuch0 --moves-monitors"));
-  EXPECT_EQ(r.status, 1) << "with it, the interface is opened";
-  EXPECT_TRUE(r.err.contains("nosuch0: ")) << r.err.constData();
+}
+
+TEST(Plugin, ThatIsNotThereIsAnUnusableArgument) {
+  for (const char* plugin : {"nosuch", ""}) {
+    for (const char* command :
+         {"nodes", "watch", "poll --unlock --all", "command reset --unlock --address 80",
+          "pipe --unlock --address 80", "simulate"}) {
+      const Outcome r =
+          run(words(command) + QStringList{QStringLiteral("--plugin"), QLatin1String(plugin),
+                                           QStringLiteral("--interface"), QStringLiteral("can0")});
+      EXPECT_EQ(r.status, 2) << command;
+      EXPECT_TRUE(r.err.contains("no such plugin: '" + QByteArray(plugin) + "'; installed are "))
+          << r.err.constData();
+    }
+  }
 }
 
 TEST(Output, EndsQuietlyWhenItsReaderGoesAway) {
@@ -379,6 +397,37 @@ TEST(Simulate, WritesTheSameLogForTheSameSeedAndInfoKnowsItsDevices) {
   for (const QJsonValue& device : object[QStringLiteral("devices")].toArray())
     pins += device[QStringLiteral("pin")].toString();
   EXPECT_TRUE(pins.contains(QStringLiteral("1032AE100801035"))) << info.out.constData();
+}
+
+TEST(Simulate, SaysHowManyFramesItWroteWhenItIsStopped) {
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), words("simulate --log - --seconds 1000000"));
+  ASSERT_TRUE(process.waitForReadyRead(60'000));
+  ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+  ASSERT_TRUE(process.waitForFinished(60'000));
+  const Outcome r = deckpipe::test::outcomeOf(process);
+  EXPECT_EQ(r.status, 1);
+  const QByteArray frames = QByteArray::number(r.out.count('\n'));
+  EXPECT_TRUE(r.err.contains("stopped; " + frames + " frames were written to standard output"))
+      << r.err.constData();
+}
+
+TEST(Streams, ThatAreClosedAreSaidToBe) {
+  const auto shell = [](const char* command) {
+    QProcess process;
+    process.start(
+        QStringLiteral("/bin/sh"),
+        {QStringLiteral("-c"), QStringLiteral(DECKPIPECTL) + QLatin1Char(' ') + QLatin1String(command)});
+    EXPECT_TRUE(process.waitForFinished(60'000));
+    return deckpipe::test::outcomeOf(process);
+  };
+  const Outcome input = shell("decode - <&-");
+  EXPECT_EQ(input.status, 3);
+  EXPECT_TRUE(input.err.contains("standard input: cannot be read further: Bad file descriptor"))
+      << input.err.constData();
+  const Outcome output = shell("--version >&-");
+  EXPECT_EQ(output.status, 1);
+  EXPECT_TRUE(output.err.contains("standard output: Bad file descriptor")) << output.err.constData();
 }
 
 TEST(Simulate, MisbehavesFromTheTimeItWasAskedFor) {
