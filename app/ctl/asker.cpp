@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "asker.h"
 
+#include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "ask_words.h"
 #include "bus/j1939.h"
-#include "json_line.h"
 #include "report/decode_lines.h"
 #include "service/ask_rules.h"
 
@@ -125,6 +126,7 @@ void Asker::tick() {
 
 void Asker::frameCame(const Frame& frame, const Classified& what) {
   if (!frame.isExtended() || frame.isError() || frame.length == 0) return;
+  if ((frame.flags & Frame::kSent) != 0) return echoCame(frame, what);
   const J1939Id id = J1939Id::of(frame.identifier());
   if (id.pgn != pgn::kProprietaryA || id.destination != m_run.ownAddress()) return;
   const Answer answer = answerIn(frame, what);
@@ -143,6 +145,48 @@ void Asker::frameCame(const Frame& frame, const Classified& what) {
                 m_run.snapshot().view.document->frames.channelName(frame.channel), what);
   m_run.output().text() +=
       JsonLine().add("pin", asked->device.pin).add("ask", askWord(answer.ask)).addAllOf(decoded).text();
+}
+
+void Asker::echoCame(const Frame& frame, const Classified& what) {
+  if ((frame.flags & Frame::kConfirmed) == 0 || !what.isDecoded()) return;
+  const J1939Id id = J1939Id::of(frame.identifier());
+  for (Open& at : m_open) {
+    const DeviceServices* now = m_run.services().find(at.device);
+    const Address address = now != nullptr ? now->address : at.address;
+    if (ruleOf(at.ask).request == what.message && id.destination == address) at.isOnBus = true;
+  }
+}
+
+std::optional<ExitStatus> Asker::interrupted(ExitStatus idle) {
+  if (m_open.empty()) return idle;
+  if (std::exchange(m_isStopping, true)) {
+    stop();
+    return kNotWhole;
+  }
+  QTimer::singleShot(kStopPatience, &m_run, [this] {
+    stop();
+    m_run.finish(kNotWhole);
+  });
+  return {};
+}
+
+void Asker::stop() {
+  for (const Open& at : m_open) {
+    JsonLine line = endOf(at, "stopped");
+    const RequestStatus* status = statusOf(at);
+    const bool isUnsent = std::ranges::find(m_wait, at.device) != m_wait.end() ||
+                          (status != nullptr && status->progress == RequestStatus::Progress::Queued);
+    if (at.isOnBus || isUnsent) {
+      line.add("on_bus", at.isOnBus);
+    } else {
+      line.add("on_bus", Value());  // handed over, and no echo came: nobody can tell
+    }
+    m_run.output().text() += line.text();
+  }
+  m_unanswered += m_open.size();
+  m_open.clear();
+  m_wait.clear();
+  m_serial = 0;
 }
 
 void Asker::noteCame(const Note& note) {
@@ -165,11 +209,16 @@ void Asker::noteCame(const Note& note) {
   m_open.erase(open);
 }
 
-void Asker::endLine(const Open& at, std::string_view end, std::string_view reason) {
+JsonLine Asker::endOf(const Open& at, std::string_view end) const {
   JsonLine line;
   const DeviceServices* now = m_run.services().find(at.device);
   line.add("pin", at.device.pin).add("address", now != nullptr ? now->address : at.address);
   line.add("ask", askWord(at.ask)).add("end", end);
+  return line;
+}
+
+void Asker::endLine(const Open& at, std::string_view end, std::string_view reason) {
+  JsonLine line = endOf(at, end);
   if (!reason.empty()) line.add("reason", reason);
   const RequestStatus* status = statusOf(at);
   if (status != nullptr && status->tries > 0) {
