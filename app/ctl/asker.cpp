@@ -52,12 +52,14 @@ Asker::Asker(LiveRun& run, bool saysAnswered) : m_run(run), m_saysAnswered(saysA
 
 void Asker::begin(const std::vector<DeviceServices>& devices, AskSet asks, NotTaken notTaken) {
   m_asks = asks;
-  m_asked.clear();
+  const std::vector<Open> before = std::exchange(m_asked, {});
   m_wait.clear();
   for (const DeviceServices& device : devices) {
     bool takesAny = false;
     forEachAsk(asks, [&](Ask ask) {
-      const Open at{device.device, device.address, ask, 0};
+      Open at{device.device, device.address, ask};
+      const auto known = std::ranges::find(before, at.device, &Open::device);
+      at.holder = known != before.end() ? known->holder : book().holder(at.address);
       if (!device.takes.has(ask)) {
         if (notTaken == NotTaken::IsAFailure) {
           ++m_unanswered;
@@ -93,11 +95,21 @@ void Asker::sendNext() {
   if (m_serial == 0) refused(Refusal::NoLink);
 }
 
+const AddressBook& Asker::book() const { return m_run.follower().state().channel(m_run.channel()).book; }
+
+// Another node holds the address of a device that is nowhere else.
+bool Asker::isTaken(const Open& at) const {
+  const DeviceServices* now = m_run.services().find(at.device);
+  const bool isElsewhere = now != nullptr && now->address != at.address && now->address != kNullAddress;
+  const Name holder = book().holder(at.address);
+  return !isElsewhere && !holder.isNull() && holder != at.holder;
+}
+
 void Asker::refused(Refusal refusal) {
   const auto ended =
       std::ranges::stable_partition(m_open, [this](const Open& at) { return at.device != m_handed; });
   m_unanswered += ended.size();
-  for (const Open& at : ended) endLine(at, "refused", refusalWord(refusal));
+  for (const Open& at : ended) endLine(at, "refused", isTaken(at) ? "address_taken" : refusalWord(refusal));
   m_open.erase(ended.begin(), ended.end());
   sendNext();
 }

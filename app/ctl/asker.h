@@ -35,6 +35,7 @@ class Asker {
     Address address;
     Ask ask;
     unsigned heard = 0;    // bit n: the rule's n-th answer came
+    Name holder{};         // of the address, when the device was first asked
     bool isOnBus = false;  // our request came back as an echo
   };
   void stop();
@@ -45,6 +46,8 @@ class Asker {
   JsonLine endOf(const Open& at, std::string_view end) const;
   void endLine(const Open& at, std::string_view end, std::string_view reason = {});
   void refused(Refusal refusal);
+  bool isTaken(const Open& at) const;
+  const AddressBook& book() const;
   const RequestStatus* statusOf(const Open& at) const;
   void giveUpWaiting();
 

@@ -3,8 +3,10 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <csignal>
 
+#include "bus/j1939.h"
 #include "run_ctl.h"
 #include "session/bench_runner.h"
 #include "simulator/crc32.h"
@@ -232,6 +234,66 @@ TEST_F(Live, ADeviceThatIsNotThereIsSaid) {
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.out.isEmpty());
   EXPECT_TRUE(r.err.contains("1032AE999999999 is not heard")) << r.err.constData();
+}
+
+// A foreign node with the lowest of all NAMEs, at an address of the twin's.
+class AddressTaken : public Live {
+ protected:
+  void take(Address address) {
+    Frame claim;
+    claim.id = J1939Id{6, pgn::kAddressClaimed, address, kGlobalAddress}.frameId();
+    claim.data = {1};
+    claim.length = 8;
+    m_claim = claim;
+    QObject::connect(&m_again, &QTimer::timeout, &m_again, [this] { m_witnessLink->write(m_claim); });
+    m_witnessLink->write(m_claim);
+    m_again.start(100);
+  }
+  Frame m_claim;
+  QTimer m_again;
+};
+
+TEST_F(AddressTaken, CommandSaysWhoHoldsIt) {
+  take(Address{0x80});
+  const Outcome r = run("command setup-mode --unlock --yes --address 80");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.out.isEmpty()) << r.out.constData();
+  EXPECT_TRUE(r.err.contains("address 80 is held by NAME 0000000000000001")) << r.err.constData();
+}
+
+TEST_F(AddressTaken, PollOfWhoIsThereNoMoreSaysSo) {
+  const Address address = m_status.devices[2].address;  // the one without a PIN
+  QProcess process;
+  start(process, "poll --unlock --kinds fault --every 0.5 --count 8",
+        {QStringLiteral("--address"), QString::number(address.value, 16)});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return process.bytesAvailable() > 0; }, kPatience));
+  take(address);
+  const Outcome r = end(process);
+  EXPECT_EQ(r.status, 1);
+  ASSERT_FALSE(r.lines().empty());
+  EXPECT_EQ(text(r.objects().last(), "end"), QStringLiteral("refused"));
+  EXPECT_EQ(text(r.objects().last(), "reason"), QStringLiteral("address_taken"));
+}
+
+TEST_F(AddressTaken, NodesCountsTheFramesOfWhoHoldsIt) {
+  QProcess process;
+  start(process, "nodes --unlock --seconds 4");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return anyFrom(0xF9); }, kPatience));
+  m_witness.frames.clear();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return anyFrom(0x80); }, kPatience));  // which it hears too
+  take(Address{0x80});
+  const Outcome r = end(process);
+  int frames = 0;
+  for (const QJsonObject& node : r.objects()) {
+    if (node[QLatin1String("address")].toInt() == 0x80) frames = node[QLatin1String("frames")].toInt();
+  }
+  const auto taken = std::ranges::find_if(
+      m_witness.frames, [this](const Frame& f) { return f.id == m_claim.id && f.data == m_claim.data; });
+  const auto since = std::count_if(taken, m_witness.frames.end(), [](const Frame& f) {
+    return f.isExtended() && (f.identifier() & 0xFF) == 0x80;
+  });
+  EXPECT_GT(frames, 0) << r.out.constData();
+  EXPECT_LE(frames, since) << "those before are the monitor's";
 }
 
 TEST_F(Live, CommandWithoutYesNamesTheDeviceAndSendsNone) {
