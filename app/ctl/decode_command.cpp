@@ -70,7 +70,8 @@ ExitStatus decodeCommand(const QStringList& arguments) {
       QStringLiteral("drive"),
       QStringLiteral("A Copley drive is at this address (hex), on all channels or on one."),
       QStringLiteral("[CHANNEL:]ADDR"));
-  parser.addOptions({format, drive});
+  const QCommandLineOption deltas = deltasOption();
+  parser.addOptions({format, drive, deltas});
   if (const auto status = parse(parser, arguments)) return *status;
 
   DecodeFormat wanted;
@@ -93,7 +94,7 @@ ExitStatus decodeCommand(const QStringList& arguments) {
   }
   if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("decode: one FILE is wanted"));
 
-  LogInput input(parser.positionalArguments().first().toStdString());
+  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
   Decoder decoder(input.frames, wanted, std::move(drives));
   bool written = true;
   const ExitStatus status = input.read([&] { return written = decoder.decodeNew(); });

@@ -16,11 +16,12 @@ ExitStatus infoCommand(const QStringList& arguments) {
   const QCommandLineOption devices(QStringLiteral("devices"),
                                    QStringLiteral("Add what is known of every device at the end."));
   const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object instead of text."));
-  parser.addOptions({devices, json});
+  const QCommandLineOption deltas = deltasOption();
+  parser.addOptions({devices, json, deltas});
   if (const auto status = parse(parser, arguments)) return *status;
   if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("info: one FILE is wanted"));
 
-  LogInput input(parser.positionalArguments().first().toStdString());
+  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
   InfoReport report(input.frames, parser.isSet(devices));
   const ExitStatus status = input.read([&] {
     report.countNew();

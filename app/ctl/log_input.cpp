@@ -14,6 +14,7 @@
 #include <optional>
 #include <thread>
 
+#include "log/delta_times.h"
 #include "log/log_stream.h"
 
 namespace deckpipe::ctl {
@@ -44,6 +45,10 @@ QString logArgumentHelp() {
            QString::fromStdString(formatNames(LogUse::ReadFromPipe)));
 }
 
+QCommandLineOption deltasOption() {
+  return {QStringLiteral("deltas"), QStringLiteral("The times are differences (candump -t d): add them up.")};
+}
+
 ExitStatus LogInput::read(const std::function<bool()>& more) {
   if (path == "-") return readStream(STDIN_FILENO, more);
   struct stat facts {};
@@ -68,6 +73,7 @@ ExitStatus LogInput::readFile(const std::function<bool()>& more) {
   std::thread reader([&] {
     ReadOptions options;
     options.threads = 2;
+    options.addsUpTimes = addsUpTimes;
     options.onProgress = [&](const ReadProgress&) {
       publish();
       return wanted.load();
@@ -87,7 +93,9 @@ ExitStatus LogInput::readFile(const std::function<bool()>& more) {
 }
 
 ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& more) {
-  LogStream stream(frames, unkept);
+  ReadOptions options;
+  options.addsUpTimes = addsUpTimes;
+  LogStream stream(frames, unkept, logFormats(), options);
   std::array<char, 64 * 1024> buffer;
   std::string failure;
   for (;;) {
@@ -106,6 +114,8 @@ ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& mor
 ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const {
   const UnkeptPlaces content = unkept.content();
   sayUnkept(content);
+  if (!addsUpTimes && hasDeltaTimes(frames))
+    complain(name(), "its times look like differences (candump -t d), not times; --deltas adds them up");
   if (!outcome) {
     complain(name(), textOf(outcome.error()));
     return frames.count() > 0 ? kNotWhole : kCannotRead;

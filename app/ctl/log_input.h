@@ -3,6 +3,7 @@
 // store; whoever wants them is called as they come, on the calling thread.
 #pragma once
 
+#include <QCommandLineOption>
 #include <QString>
 #include <functional>
 #include <string>
@@ -18,10 +19,14 @@ namespace deckpipe::ctl {
 // The sentence of --help that says which files and pipes can be read.
 QString logArgumentHelp();
 
+// --deltas
+QCommandLineOption deltasOption();
+
 struct LogInput {
-  explicit LogInput(std::string filePath) : path(std::move(filePath)) {}
+  LogInput(std::string filePath, bool areDeltas) : path(std::move(filePath)), addsUpTimes(areDeltas) {}
 
   std::string path;  // "-" is standard input
+  bool addsUpTimes;  // --deltas was given
   FrameStore frames;
   UnkeptList unkept;
 

@@ -11,7 +11,7 @@
 //     DLC; -S bytes reversed and joined by '`'; -i bytes in binary; -c colours; -e lines about an error frame
 //   <0x18eeff01> [8] 05 a0 be 1c 00 a0 a0 c0                    canutils 4, with or without an interface
 //   interface = can0, family = 29, type = 3, proto = 1          … whose first line names it
-// Deltas (-t d) cannot be told from times; such a log reads as one with a time near 0 throughout.
+// Deltas (-t d) look like times near 0: delta_times.h.
 // This is the whole definition; CandumpParser has a faster way for the first form and must agree with it.
 #pragma once
 

@@ -23,7 +23,10 @@ class BlockReading {
  public:
   BlockReading(const LogBytes& bytes, MakeTextParser makeParser, FrameStore& store, UnkeptList& unkept,
                const ReadOptions& options)
-      : m_bytes(bytes), m_makeParser(makeParser), m_options(options), m_appender(store, unkept) {}
+      : m_bytes(bytes),
+        m_makeParser(makeParser),
+        m_options(options),
+        m_appender(store, unkept, options.addsUpTimes) {}
 
   Result<ReadSummary, ReadError> run() {
     std::thread second;

@@ -470,6 +470,21 @@ TEST(Simulate, ListsEveryMisbehaviourOnRequest) {
     EXPECT_TRUE(r.out.contains(part)) << part;
 }
 
+TEST(Info, OffersToAddUpTheDifferencesOfCandump) {
+  const QByteArray log =
+      " (000.000000)  can0  123   [1]  11\n (000.100200)  can0  123   [1]  11\n"
+      " (000.099800)  can0  123   [1]  11\n (000.100000)  can0  123   [1]  11\n";
+  const Outcome asTheyAre = run(words("info --json -"), log);
+  EXPECT_EQ(asTheyAre.status, 0);
+  EXPECT_TRUE(asTheyAre.err.contains("--deltas adds them up")) << asTheyAre.err.constData();
+  const Outcome added = run(words("info --json --deltas -"), log);
+  EXPECT_EQ(added.status, 0);
+  EXPECT_TRUE(added.err.isEmpty()) << added.err.constData();
+  EXPECT_EQ(added.objects()[0][QLatin1String("span")].toDouble(), 0.3);
+  EXPECT_EQ(added.objects()[0][QLatin1String("time_jumps")].toInt(), 0);
+  EXPECT_TRUE(run(decode({QStringLiteral("--deltas")}), log).lines().last().startsWith("{\"t\":0.300000,"));
+}
+
 TEST(Info, CountsFramesByIdentifierAndUnreadableLines) {
   const Outcome r = run({QStringLiteral("info"), QStringLiteral("--json"), QStringLiteral("-")},
                         kPosition + kPosition + "(1.0) can0 nonsense\n");

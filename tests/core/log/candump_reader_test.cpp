@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <ostream>
 #include <random>
 
+#include "log/delta_times.h"
 #include "log/log_stream.h"
 #include "log/text_parser.h"
 
@@ -114,6 +116,50 @@ TEST(CandumpReader, ReportsUnreadableLinesByTheirNumberAndGoesOn) {
   EXPECT_EQ(outcome.unkept,
             (std::vector<UnkeptPlace>{
                 {4, Unkept::Layout}, {6, Unkept::CanFd}, {7, Unkept::Data}, {108, Unkept::Identifier}}));
+}
+
+TEST(DeltaTimes, AreToldFromTimes) {
+  struct Row {
+    const char* name;
+    std::vector<const char*> times;
+    bool areDeltas;
+  };
+  for (const Row& row : std::vector<Row>{
+           {"periodic", {"000.000000", "000.100200", "000.099700", "000.100100", "000.099800"}, true},
+           {"few, with a little jitter", {"0.0", "0.1002", "0.0998", "0.1000"}, true},
+           {"the same each time", {"0.0", "0.1", "0.1", "0.1"}, true},
+           {"from 0 on (-t z)", {"000.000000", "000.100200", "000.199900", "000.300000"}, false},
+           {"times of day", {"1700000000.0", "1700000000.0", "1700000000.0"}, false},
+           {"two buses out of order, from 0 on", {"0.0", "0.100001", "0.1", "0.2", "0.3"}, false},
+           {"all 0", {"0.0", "0.0", "0.0"}, false},
+           {"too few", {"0.0", "0.1"}, false},
+           {"an uptime", {"5.0", "5.0", "5.0", "5.0"}, false}}) {
+    std::string text;
+    for (const char* time : row.times) text += "(" + std::string(time) + ") can0 123#11\n";
+    FrameStore store;
+    UnkeptList unkept;
+    ASSERT_TRUE(readLog(BytesInMemory(text), store, unkept));
+    EXPECT_EQ(hasDeltaTimes(store), row.areDeltas) << row.name;
+  }
+}
+
+TEST(DeltaTimes, AreAddedUpAlikeOfFileAndPipe) {
+  const std::string text =
+      "(0.0) can0 123#11\n(0.1002) can1 123#11\nrubbish\n(0.0997) can0 123#11\n(0.1001) can0 123#11\n";
+  ReadOptions options;
+  options.addsUpTimes = true;
+  options.blockBytes = 8;
+  const Outcome file = readText(text, options);
+  ASSERT_EQ(file.frames.size(), 4u);
+  EXPECT_EQ(file.frames[1].stamp, 100'200'000);
+  EXPECT_EQ(file.frames[3].stamp, 300'000'000);
+  EXPECT_TRUE(
+      std::ranges::none_of(file.frames, [](const Frame& f) { return (f.flags & Frame::kTimeJump) != 0; }));
+  FrameStore store;
+  UnkeptList unkept;
+  LogStream stream(store, unkept, logFormats(), options);
+  for (const char c : text) stream.feed({&c, 1});
+  EXPECT_EQ(outcomeOf(stream.finish(), store, unkept), file);
 }
 
 TEST(CandumpReader, ReadsALastLineWithoutLineFeed) {
