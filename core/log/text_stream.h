@@ -25,6 +25,7 @@ class TextStream final : public StreamReader {
 
  private:
   void take(std::size_t size);
+  void skip();
 
   std::unique_ptr<TextParser> m_parser;
   TextAppender m_appender;

@@ -118,6 +118,43 @@ TEST(CandumpReader, ReportsUnreadableLinesByTheirNumberAndGoesOn) {
                 {4, Unkept::Layout}, {6, Unkept::CanFd}, {7, Unkept::Data}, {108, Unkept::Identifier}}));
 }
 
+TEST(CandumpReader, TakesALoneCarriageReturnForALineEnd) {
+  const std::string usual = usualText(3000);
+  const Outcome expected = readEveryWay(usual);
+  std::string lone = usual, pairs, mixed;
+  std::ranges::replace(lone, '\n', '\r');
+  for (int i = 0; const char c : usual) {
+    pairs += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    static constexpr const char* kEnds[] = {"\r", "\n", "\r\n"};
+    mixed += c == '\n' ? std::string(kEnds[i++ % 3]) : std::string(1, c);
+  }
+  EXPECT_EQ(readEveryWay(lone), expected);
+  EXPECT_EQ(readEveryWay(pairs), expected);
+  EXPECT_EQ(readEveryWay(mixed), expected);
+}
+
+TEST(CandumpReader, CountsLinesByWhateverEndsThem) {
+  const Outcome outcome =
+      readEveryWay("(1.0) can0 123#11\r\r\nrubbish\r(2.0) can0 123#22\n\rrubbish\r\n(3.0) can0 123#33\r");
+  EXPECT_EQ(outcome.frames.size(), 3u);
+  EXPECT_EQ(outcome.lines, 7u);
+  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{3, Unkept::Layout}, {6, Unkept::Layout}}));
+}
+
+TEST(CandumpReader, SkipsATooLongLineUpToItsCarriageReturn) {
+  for (const std::size_t length :
+       {kMaxTextLine - 1, kMaxTextLine, kMaxTextLine + 1, kMaxTextLine + 2, std::size_t{70'000}}) {
+    for (const char* end : {"\r", "\n", "\r\n", "\r\r\n"}) {
+      SCOPED_TRACE(length);
+      const std::string text =
+          usualLine(0) + std::string(length, 'x') + end + usualLine(1) + std::string(length, 'y') + end;
+      const Outcome outcome = readEveryWay(text);
+      EXPECT_EQ(outcome.frames.size(), 2u);
+      EXPECT_EQ(outcome.unkept.size(), 2u);
+    }
+  }
+}
+
 TEST(DeltaTimes, AreToldFromTimes) {
   struct Row {
     const char* name;
