@@ -120,7 +120,8 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const 
     complain(name(), textOf(outcome.error()));
     return frames.count() > 0 ? kNotWhole : kCannotRead;
   }
-  if (content.unreadable() > 0 || content.skipped() > 0) return kNotWhole;
+  if (content.unreadable() > 0 || content.skipped() > 0 || content.count(Unkept::Fraction) > 0)
+    return kNotWhole;
   if (frames.count() > 0 || outcome.value().cancelled) return kDone;
   complain(name(), outcome.value().lines == 0 ? "it is empty" : "it holds no frame");
   return kNothingRead;

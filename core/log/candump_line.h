@@ -4,7 +4,7 @@
 //   SavvyCAN (1700000000.123456) can0 18EFFF80#011D940371000041 T      … -x, asc2log: sent (T) or received
 //   (R)
 //     data with or without '.' between bytes; #R, #R8 remote; 20000004#… error; ##0… CAN FD; _E a raw DLC
-//     the stamp with 0 to 9 decimals, or left out
+//     the stamp with 0 to 9 decimals, or left out; with more its second counts alone
 //   (1700000000.123456)  can0  RX - -  18EFFF80   [8]  01 1D 94 03 71 00 00 41   '....q..A'   candump's
 //   screen
 //     the stamp absent or a date (-t A, taken as UTC); "remote request"; ERRORFRAME; [08] CAN FD; {E} a raw

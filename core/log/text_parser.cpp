@@ -76,6 +76,7 @@ void TextParser::readOther(std::string_view text, TextBlock& block) {
     m_unnamedUsed = true;
     block.channels.emplace_back(kUnnamedChannel, std::string());
   }
+  if (line.isFractionLost) block.unkept.add(block.lines, Unkept::Fraction);
   Frame& frame = block.frames[block.count++];
   frame = line.frame;
   frame.channel = static_cast<std::uint8_t>(number);

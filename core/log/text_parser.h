@@ -41,6 +41,7 @@ struct TextLine {
   Unkept reason = Unkept::Layout;
   Frame frame{};
   std::string_view interface {};
+  bool isFractionLost = false;  // of a frame: its time is good to the second only
 };
 
 // Channels are numbered by the parser; the number stands in a frame's channel (low byte) and spare (high

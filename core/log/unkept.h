@@ -19,6 +19,7 @@ enum class Unkept : std::uint8_t {
   CanFd,
   CanXl,
   RecorderDropped,  // the recording says itself that it lost frames here
+  Fraction,         // of a frame's time; the frame is kept, with its second
   // Unreadable.
   Layout,
   Binary,

@@ -171,6 +171,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         ReadCase{"Whole", kPosition, 0, ""},
         ReadCase{"RecorderLostFrames", kPosition + "DROPCOUNT: dropped 3 CAN frames\n", 0, "recorder lost"},
+        ReadCase{"AFractionNotRead", "(1700000000.4011223344) can0 123#11\n", 1, "1 not kept: fraction"},
         ReadCase{"LinesEndInCr", "(1.0) can0 123#11\r(2.0) can0 123#22\r", 0, ""},
         ReadCase{"ALineNotRead", kPosition + "nonsense\n", 1, ":2: "},
         ReadCase{"AFrameSkipped", kPosition + "(1.0) can0 123##0112233\n", 1, "1 not kept"},

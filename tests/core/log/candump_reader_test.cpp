@@ -155,6 +155,15 @@ TEST(CandumpReader, SkipsATooLongLineUpToItsCarriageReturn) {
   }
 }
 
+// 32-bit boards whose time has 64 bits print such stamps.
+TEST(CandumpReader, KeepsTheSecondOfATimeWithMoreThanNineDecimals) {
+  const Outcome outcome = readEveryWay("(1700000000.4011223344) can0 123#11\n(1700000001.5) can0 123#22\n");
+  ASSERT_EQ(outcome.frames.size(), 2u);
+  EXPECT_EQ(outcome.frames[0].stamp, 1'700'000'000'000'000'000);
+  EXPECT_EQ(outcome.frames[1].stamp, 1'700'000'001'500'000'000);
+  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{1, Unkept::Fraction}}));
+}
+
 TEST(DeltaTimes, AreToldFromTimes) {
   struct Row {
     const char* name;
