@@ -29,15 +29,20 @@ int main(int argc, char** argv) {
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments += QString::fromLocal8Bit(argv[i]);
   argc = 1;
+  QCoreApplication::setOrganizationName(QStringLiteral("Deckpipe"));
+  QCoreApplication::setApplicationName(QStringLiteral("deckpipe"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(DECKPIPE_VERSION));
+  deckpipe::Options options;
+  {
+    // --help and --version need no display.
+    QCoreApplication withoutDisplay(argc, argv);
+    deckpipe::installLanguage(withoutDisplay);
+    if (const auto status = deckpipe::parseOptions(arguments, options)) return *status;
+  }
   QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("Deckpipe"));
-  QApplication::setApplicationName(QStringLiteral("deckpipe"));
-  QApplication::setApplicationVersion(QStringLiteral(DECKPIPE_VERSION));
   deckpipe::installLanguage(application);
   // Qt tells on standard error what its adapters do; what matters of it comes back as reasons.
   QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
-  deckpipe::Options options;
-  if (const auto status = deckpipe::parseOptions(arguments, options)) return *status;
 
   deckpipe::Session session;
   session.setRecordingFolder(deckpipe::recordingsFolder());

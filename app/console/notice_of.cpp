@@ -35,6 +35,7 @@ QString reasonText(Unkept reason) {
     case Unkept::CanFd: return NoticeText::tr("CAN FD frame, not held");
     case Unkept::CanXl: return NoticeText::tr("CAN XL frame, not held");
     case Unkept::RecorderDropped: return NoticeText::tr("the recorder lost frames here");
+    case Unkept::Fraction: return NoticeText::tr("fraction of a time, as it has more than nine digits");
     case Unkept::Layout: return NoticeText::tr("not a line of a known form");
     case Unkept::Binary: return NoticeText::tr("control characters");
     case Unkept::LineTooLong: return NoticeText::tr("line too long");

@@ -11,6 +11,13 @@ namespace {
 
 constexpr int kBadUsage = 2;
 
+// Status 1 if standard output does not take it.
+int print(const QString& message) {
+  if (std::fputs(qPrintable(message), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
+  std::perror("deckpipe: standard output");
+  return 1;
+}
+
 int say(const QString& message) {
   std::fprintf(stderr, "deckpipe: %s\nTry 'deckpipe --help'.\n", qPrintable(message));
   return kBadUsage;
@@ -48,14 +55,8 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
                                  QStringLiteral("SECONDS"), QStringLiteral("5"));
   parser.addOptions({help, version, demo, plugin, interfaceName, bitRate, theme, density, grab, after});
   if (!parser.parse(arguments)) return say(parser.errorText());
-  if (parser.isSet(help)) {
-    std::fputs(qPrintable(parser.helpText()), stdout);
-    return 0;
-  }
-  if (parser.isSet(version)) {
-    std::puts("deckpipe " DECKPIPE_VERSION);
-    return 0;
-  }
+  if (parser.isSet(help)) return print(parser.helpText());
+  if (parser.isSet(version)) return print(QStringLiteral("deckpipe " DECKPIPE_VERSION "\n"));
 
   const QStringList logs = parser.positionalArguments();
   if (logs.size() > 1) return say(text("one log at a time"));

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <cstdio>
 
-#include "command.h"
 #include "output.h"
 
 namespace deckpipe::ctl {
@@ -22,10 +21,11 @@ QString addressText(Address address) {
   return QString::number(address.value, 16).toUpper().rightJustified(2, QLatin1Char('0'));
 }
 
-std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments) {
+std::optional<ExitStatus> parse(QCommandLineParser& parser, const QStringList& arguments) {
   const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
                                 QStringLiteral("Show this help."));
-  parser.addOption(help);
+  const QCommandLineOption version(QStringLiteral("version"), QStringLiteral("Show the version."));
+  parser.addOptions({help, version});
   if (!parser.parse(arguments)) return badUsage(parser.errorText());
   if (parser.isSet(help)) {
     // Qt names the program alone in the usage line.
@@ -33,14 +33,30 @@ std::optional<int> parse(QCommandLineParser& parser, const QStringList& argument
     const QString program = QCoreApplication::arguments().constFirst();
     if (const qsizetype at = text.indexOf(program); at >= 0)
       text.replace(at, program.size(), arguments.constFirst());
-    Output output;
-    output.text() = text.toStdString();
-    return output.flush() ? kDone : kNotWhole;
+    return print(text.toStdString() + '\n' + exitStatusHelp());
   }
+  if (parser.isSet(version)) return printVersion(arguments.constFirst());
   return {};
 }
 
-int badUsage(const QString& message) {
+ExitStatus print(const std::string& text) {
+  Output output;
+  output.text() = text;
+  return output.flush() ? kDone : kNotWhole;
+}
+
+ExitStatus printVersion(const QString& program) {
+  return print(program.toStdString() + " " DECKPIPE_VERSION "\n");
+}
+
+std::string exitStatusHelp() {
+  std::string text = "Exit status:\n";
+  for (const ExitStatus status : kAllOf<ExitStatus>)
+    text += "  " + std::to_string(status) + "  " + kExitMeanings[status] + '\n';
+  return text;
+}
+
+ExitStatus badUsage(const QString& message) {
   std::fprintf(stderr, "deckpipectl: %s\nTry 'deckpipectl --help'.\n", qPrintable(message));
   return kBadUsage;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "exit_status.h"
 
 namespace deckpipe::ctl {
 
@@ -22,10 +23,18 @@ std::optional<ChannelAddress> parseChannelAddress(const QString& text);
 QString addressText(Address address);
 
 // Parses what main() hands over, the first argument being "deckpipectl SUBCOMMAND"; where that fails, or
-// where help was asked for, says so and returns the exit status.
-std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments);
+// where help or the version was asked for, says so and returns the exit status.
+std::optional<ExitStatus> parse(QCommandLineParser& parser, const QStringList& arguments);
+
+// Writes a text that was asked for to standard output.
+ExitStatus print(const std::string& text);
+// "deckpipectl decode 0.1.0"
+ExitStatus printVersion(const QString& program);
+
+// The paragraph of every --help that lists the exit statuses.
+std::string exitStatusHelp();
 
 // "deckpipectl: …" on standard error; returns kBadUsage, for `return badUsage(…)`.
-int badUsage(const QString& message);
+ExitStatus badUsage(const QString& message);
 
 }  // namespace deckpipe::ctl

@@ -49,4 +49,24 @@ constexpr std::string_view refusalWord(Refusal refusal) {
   return "none";
 }
 
+// For people: a sentence's end.
+constexpr const char* refusalSentence(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::None: break;
+    case Refusal::Locked: return "sending is locked";
+    case Refusal::NoLink: return "the link is not up";
+    case Refusal::NoAddress: return "there is no address of our own";
+    case Refusal::NoDevice: return "there is no such device, or it has no address now";
+    case Refusal::NotTaken: return "a device of this type does not take it";
+    case Refusal::Busy: return "the same is under way already";
+    case Refusal::TooMuch: return "more characters wait than may";
+    case Refusal::NotLive: return "the view is not at the live edge";
+    case Refusal::LogFull: return "there is no room to record what would be sent";
+    case Refusal::NotHeard: return "the device was not heard for 1 s";
+    case Refusal::Contested: return "two nodes claim the address of the device";
+    case Refusal::ListenOnly: return "the adapter is in listen-only mode";
+  }
+  return "it was refused";
+}
+
 }  // namespace deckpipe::ctl

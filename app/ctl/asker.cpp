@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "asker.h"
 
+#include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "ask_words.h"
 #include "bus/j1939.h"
-#include "json_line.h"
 #include "report/decode_lines.h"
 #include "service/ask_rules.h"
 
@@ -35,13 +36,6 @@ Answer answerIn(const Frame& frame, const Classified& what) {
 // For a command to reach the bus.
 constexpr Duration kBusPatience = 2s;
 
-template <typename F>
-void forEachAsk(AskSet asks, F&& f) {
-  for (const Ask ask : kAllOf<Ask>) {
-    if (asks.has(ask)) f(ask);
-  }
-}
-
 }  // namespace
 
 Asker::Asker(LiveRun& run, bool saysAnswered) : m_run(run), m_saysAnswered(saysAnswered) {
@@ -51,12 +45,14 @@ Asker::Asker(LiveRun& run, bool saysAnswered) : m_run(run), m_saysAnswered(saysA
 
 void Asker::begin(const std::vector<DeviceServices>& devices, AskSet asks, NotTaken notTaken) {
   m_asks = asks;
-  m_asked.clear();
+  const std::vector<Open> before = std::exchange(m_asked, {});
   m_wait.clear();
   for (const DeviceServices& device : devices) {
     bool takesAny = false;
-    forEachAsk(asks, [&](Ask ask) {
-      const Open at{device.device, device.address, ask, 0};
+    asks.forEach([&](Ask ask) {
+      Open at{device.device, device.address, ask};
+      const auto known = std::ranges::find(before, at.device, &Open::device);
+      at.holder = known != before.end() ? known->holder : book().holder(at.address);
       if (!device.takes.has(ask)) {
         if (notTaken == NotTaken::IsAFailure) {
           ++m_unanswered;
@@ -92,11 +88,21 @@ void Asker::sendNext() {
   if (m_serial == 0) refused(Refusal::NoLink);
 }
 
+const AddressBook& Asker::book() const { return m_run.follower().state().channel(m_run.channel()).book; }
+
+// Another node holds the address of a device that is nowhere else.
+bool Asker::isTaken(const Open& at) const {
+  const DeviceServices* now = m_run.services().find(at.device);
+  const bool isElsewhere = now != nullptr && now->address != at.address && now->address != kNullAddress;
+  const Name holder = book().holder(at.address);
+  return !isElsewhere && !holder.isNull() && holder != at.holder;
+}
+
 void Asker::refused(Refusal refusal) {
   const auto ended =
       std::ranges::stable_partition(m_open, [this](const Open& at) { return at.device != m_handed; });
   m_unanswered += ended.size();
-  for (const Open& at : ended) endLine(at, "refused", refusalWord(refusal));
+  for (const Open& at : ended) endLine(at, "refused", isTaken(at) ? "address_taken" : refusalWord(refusal));
   m_open.erase(ended.begin(), ended.end());
   sendNext();
 }
@@ -125,6 +131,7 @@ void Asker::tick() {
 
 void Asker::frameCame(const Frame& frame, const Classified& what) {
   if (!frame.isExtended() || frame.isError() || frame.length == 0) return;
+  if ((frame.flags & Frame::kSent) != 0) return echoCame(frame, what);
   const J1939Id id = J1939Id::of(frame.identifier());
   if (id.pgn != pgn::kProprietaryA || id.destination != m_run.ownAddress()) return;
   const Answer answer = answerIn(frame, what);
@@ -143,6 +150,48 @@ void Asker::frameCame(const Frame& frame, const Classified& what) {
                 m_run.snapshot().view.document->frames.channelName(frame.channel), what);
   m_run.output().text() +=
       JsonLine().add("pin", asked->device.pin).add("ask", askWord(answer.ask)).addAllOf(decoded).text();
+}
+
+void Asker::echoCame(const Frame& frame, const Classified& what) {
+  if ((frame.flags & Frame::kConfirmed) == 0 || !what.isDecoded()) return;
+  const J1939Id id = J1939Id::of(frame.identifier());
+  for (Open& at : m_open) {
+    const DeviceServices* now = m_run.services().find(at.device);
+    const Address address = now != nullptr ? now->address : at.address;
+    if (ruleOf(at.ask).request == what.message && id.destination == address) at.isOnBus = true;
+  }
+}
+
+std::optional<ExitStatus> Asker::interrupted(ExitStatus idle) {
+  if (m_open.empty()) return idle;
+  if (std::exchange(m_isStopping, true)) {
+    stop();
+    return kNotWhole;
+  }
+  QTimer::singleShot(kStopPatience, &m_run, [this] {
+    stop();
+    m_run.finish(kNotWhole);
+  });
+  return {};
+}
+
+void Asker::stop() {
+  for (const Open& at : m_open) {
+    JsonLine line = endOf(at, "stopped");
+    const RequestStatus* status = statusOf(at);
+    const bool isUnsent = std::ranges::find(m_wait, at.device) != m_wait.end() ||
+                          (status != nullptr && status->progress == RequestStatus::Progress::Queued);
+    if (at.isOnBus || isUnsent) {
+      line.add("on_bus", at.isOnBus);
+    } else {
+      line.add("on_bus", Value());  // handed over, and no echo came: nobody can tell
+    }
+    m_run.output().text() += line.text();
+  }
+  m_unanswered += m_open.size();
+  m_open.clear();
+  m_wait.clear();
+  m_serial = 0;
 }
 
 void Asker::noteCame(const Note& note) {
@@ -165,11 +214,16 @@ void Asker::noteCame(const Note& note) {
   m_open.erase(open);
 }
 
-void Asker::endLine(const Open& at, std::string_view end, std::string_view reason) {
+JsonLine Asker::endOf(const Open& at, std::string_view end) const {
   JsonLine line;
   const DeviceServices* now = m_run.services().find(at.device);
   line.add("pin", at.device.pin).add("address", now != nullptr ? now->address : at.address);
   line.add("ask", askWord(at.ask)).add("end", end);
+  return line;
+}
+
+void Asker::endLine(const Open& at, std::string_view end, std::string_view reason) {
+  JsonLine line = endOf(at, end);
   if (!reason.empty()) line.add("reason", reason);
   const RequestStatus* status = statusOf(at);
   if (status != nullptr && status->tries > 0) {

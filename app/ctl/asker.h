@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "json_line.h"
 #include "live_run.h"
 
 namespace deckpipe::ctl {
@@ -14,10 +15,16 @@ class Asker {
   // `saysAnswered`: an end line for what was answered too; commands have no answer worth a line.
   Asker(LiveRun& run, bool saysAnswered);
 
+  static constexpr std::chrono::milliseconds kStopPatience{150};
+
   enum class NotTaken : std::uint8_t { IsLeftOut, IsAFailure };
   // Everything of these once; the last round must be over.
   void begin(const std::vector<DeviceServices>& devices, AskSet asks, NotTaken notTaken);
   void tick();
+  // Ctrl+C. What is open gets kStopPatience more and then a line that says whether it is on the bus, since its
+  // answer is not awaited any more. The run ends after that, or with `idle` if nothing is open.
+  std::optional<ExitStatus> interrupted(ExitStatus idle);
+  bool isStopping() const { return m_isStopping; }
   bool isOver() const { return m_open.empty(); }
   // Of all rounds; there must have been something.
   bool allAnswered() const { return m_unanswered == 0 && m_hasAsked; }
@@ -27,13 +34,20 @@ class Asker {
     DeviceKey device;
     Address address;
     Ask ask;
-    unsigned heard = 0;  // bit n: the rule's n-th answer came
+    unsigned heard = 0;    // bit n: the rule's n-th answer came
+    Name holder{};         // of the address, when the device was first asked
+    bool isOnBus = false;  // our request came back as an echo
   };
+  void stop();
   void sendNext();
   void frameCame(const Frame& frame, const Classified& what);
+  void echoCame(const Frame& frame, const Classified& what);
   void noteCame(const Note& note);
+  JsonLine endOf(const Open& at, std::string_view end) const;
   void endLine(const Open& at, std::string_view end, std::string_view reason = {});
   void refused(Refusal refusal);
+  bool isTaken(const Open& at) const;
+  const AddressBook& book() const;
   const RequestStatus* statusOf(const Open& at) const;
   void giveUpWaiting();
 
@@ -49,6 +63,7 @@ class Asker {
   std::uint32_t m_askedBefore = 0;
   std::uint64_t m_unanswered = 0;
   bool m_hasAsked = false;
+  bool m_isStopping = false;
 };
 
 }  // namespace deckpipe::ctl

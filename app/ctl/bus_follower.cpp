@@ -19,6 +19,10 @@ void BusFollower::follow(const LogView& view) {
     for (; next < notes.size() && notes[next].frame <= m_next; ++next) {
       m_state.apply(notes[next]);
       ++m_notesTaken;
+      if (const auto* down = std::get_if<note::LinkDown>(&notes[next].value)) {
+        ++m_linkDowns;
+        m_linkDownReason = down->words.isEmpty() ? kLinkFaultKeys[down->fault] : down->words.str();
+      }
       onNote(notes[next]);
       onChange();
     }

@@ -4,21 +4,18 @@
 
 #include <QStringList>
 
+#include "exit_status.h"
+
 namespace deckpipe::ctl {
 
-// Exit statuses that scripts can trust.
-inline constexpr int kDone = 0;
-inline constexpr int kNotWhole = 1;  // something could not be read, written, answered or done
-inline constexpr int kBadUsage = 2;  // unusable arguments
-
-int decodeCommand(const QStringList& arguments);
-int infoCommand(const QStringList& arguments);
-int recordingsCommand(const QStringList& arguments);
-int simulateCommand(const QStringList& arguments);
-int nodesCommand(const QStringList& arguments);
-int watchCommand(const QStringList& arguments);
-int pollCommand(const QStringList& arguments);
-int pipeCommand(const QStringList& arguments);
-int commandCommand(const QStringList& arguments);
+ExitStatus decodeCommand(const QStringList& arguments);
+ExitStatus infoCommand(const QStringList& arguments);
+ExitStatus recordingsCommand(const QStringList& arguments);
+ExitStatus simulateCommand(const QStringList& arguments);
+ExitStatus nodesCommand(const QStringList& arguments);
+ExitStatus watchCommand(const QStringList& arguments);
+ExitStatus pollCommand(const QStringList& arguments);
+ExitStatus pipeCommand(const QStringList& arguments);
+ExitStatus commandCommand(const QStringList& arguments);
 
 }  // namespace deckpipe::ctl

@@ -21,15 +21,14 @@ constexpr KeyTable<kCommands, Word> kWords{{{Ask::ZeroAxes, {"zero-axes", "zero 
 
 }  // namespace
 
-int commandCommand(const QStringList& arguments) {
+ExitStatus commandCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
-      "Sends one command to one device, once, and waits for its acknowledgement; for a reset, up to 10 s "
-      "for\n"
-      "its announcing itself anew. Without --yes it names the device and does nothing (status 2). One line:\n"
-      "pin, address, ask (zero_axes, reset, setup_mode), end (answered, no_answer, …; not_on_bus_yet: it\n"
-      "may still go out), tries, latency_ms.\n"
-      "Exit status 0 only if it was acknowledged or seen."));
+      "Sends one command to one device, once, and waits for its acknowledgement; for a reset, up to 10 s\n"
+      "for its announcing itself anew. Without --yes it names the device and does nothing (status 2). One\n"
+      "line: pin, address, ask (zero_axes, reset, setup_mode), end (answered, no_answer, …; not_on_bus_yet:\n"
+      "it may still go out; stopped by Ctrl+C, with on_bus: true, false, or null if the adapter cannot\n"
+      "tell), tries, latency_ms. Status 0 only if it was acknowledged or seen."));
   parser.addPositionalArgument(QStringLiteral("COMMAND"), QStringLiteral("zero-axes, reset or setup-mode."));
   const LiveOptions live(parser);
   const DeviceOptions device(parser, false);
@@ -51,6 +50,7 @@ int commandCommand(const QStringList& arguments) {
   Asker asker(run, true);
   bool isAsking = false;
   run.onReady = [&] { finder.begin(); };
+  run.onStop = [&] { return asker.interrupted(kNotWhole); };
   run.onTick = [&] {
     if (isAsking) {
       asker.tick();

@@ -21,13 +21,12 @@ class Decoder {
         m_notes(input.notes),
         m_times(input.frames),
         m_format(format),
-        m_drives(std::move(drives)) {
-    m_output.text() += decodeHeader(format);
-  }
+        m_drives(std::move(drives)) {}
 
   // Everything that has come since the last call, and out with it. False where standard output takes no more.
   bool decodeNew() {
     const std::uint64_t count = m_frames.count();
+    if (m_next == 0 && count > 0) m_output.text() += decodeHeader(m_format);
     const std::vector<Note> notes = m_notes.between(m_next, count);
     auto note = notes.begin();
     while (m_next < count) {
@@ -70,11 +69,11 @@ class Decoder {
 
 }  // namespace
 
-int decodeCommand(const QStringList& arguments) {
+ExitStatus decodeCommand(const QStringList& arguments) {
   QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral(
-      "Decodes every frame of a log, one line each, to standard output.\n"
-      "What cannot be read is said on standard error with its line; the exit status is then 1."));
+  parser.setApplicationDescription(
+      QStringLiteral("Decodes every frame of a log, one line each, to standard output.\n"
+                     "What cannot be read is said on standard error with its line."));
   parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
   const QCommandLineOption format(QStringLiteral("format"), QStringLiteral("jsonl (default), csv or text."),
                                   QStringLiteral("FORMAT"), QStringLiteral("jsonl"));
@@ -82,7 +81,8 @@ int decodeCommand(const QStringList& arguments) {
       QStringLiteral("drive"),
       QStringLiteral("A Copley drive is at this address (hex), on all channels or on one."),
       QStringLiteral("[CHANNEL:]ADDR"));
-  parser.addOptions({format, drive});
+  const QCommandLineOption deltas = deltasOption();
+  parser.addOptions({format, drive, deltas});
   if (const auto status = parse(parser, arguments)) return *status;
 
   DecodeFormat wanted;
@@ -105,10 +105,10 @@ int decodeCommand(const QStringList& arguments) {
   }
   if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("decode: one FILE is wanted"));
 
-  LogInput input(parser.positionalArguments().first().toStdString());
+  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
   Decoder decoder(input, wanted, std::move(drives));
   bool written = true;
-  const int status = input.read([&] { return written = decoder.decodeNew(); });
+  const ExitStatus status = input.read([&] { return written = decoder.decodeNew(); });
   return written ? status : kNotWhole;
 }
 

@@ -46,11 +46,29 @@ bool DeviceFinder::hasFound() {
       m_name.pin || (m_name.address && !found.empty() && found[0].device.kind == DeviceKey::Kind::Pin);
   m_hasFound = !found.empty() && (isCertain || heardEveryone);
   if (!m_hasFound && m_since.elapsed() >= kPatience) {
-    m_run.say(m_name.pin || m_name.address ? QStringLiteral("%1 is not heard on this bus").arg(m_name.text())
-                                           : QStringLiteral("no device is heard on this bus"));
+    m_run.say(whyNotFound());
     m_run.finish(kNotWhole);
   }
   return m_hasFound;
+}
+
+QString DeviceFinder::whyNotFound() const {
+  const State& state = m_run.follower().state();
+  const AddressBook& book = state.channel(m_run.channel()).book;
+  if (m_name.address && !book.holder(*m_name.address).isNull())
+    return QStringLiteral("%1 is held by %2, which takes nothing of this")
+        .arg(m_name.text(), nameText(book.holder(*m_name.address)));
+  if (m_name.address && book.isHeard(*m_name.address))
+    return m_name.text() + QStringLiteral(" is not known to be a device that takes this");
+  const Device* device = m_name.pin ? state.devices().byPin(m_run.channel(), *m_name.pin) : nullptr;
+  if (device != nullptr && device->address == kNullAddress)
+    return m_name.text() + QStringLiteral(" has no address any more: another node took it");
+  return m_name.pin || m_name.address ? m_name.text() + QStringLiteral(" is not heard on this bus")
+                                      : QStringLiteral("no device is heard on this bus");
+}
+
+QString nameText(Name name) {
+  return QStringLiteral("NAME %1").arg(name.value, 16, 16, QLatin1Char('0')).toUpper();
 }
 
 QString deviceText(const DeviceServices& device) {

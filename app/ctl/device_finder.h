@@ -23,6 +23,7 @@ class DeviceFinder {
 
  private:
   void ask();
+  QString whyNotFound() const;
 
   LiveRun& m_run;
   DeviceName m_name;
@@ -30,6 +31,9 @@ class DeviceFinder {
   qint64 m_asked = 0;  // ms since then
   bool m_hasFound = false;
 };
+
+// "NAME 90004200280A1C0B"
+QString nameText(Name name);
 
 // "1032AE100801035 (6032 Universal II) at address 80"
 QString deviceText(const DeviceServices& device);

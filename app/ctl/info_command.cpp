@@ -8,7 +8,7 @@
 
 namespace deckpipe::ctl {
 
-int infoCommand(const QStringList& arguments) {
+ExitStatus infoCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Says what is in a log: frames, span, frames by identifier, lines that cannot be read."));
@@ -16,17 +16,18 @@ int infoCommand(const QStringList& arguments) {
   const QCommandLineOption devices(QStringLiteral("devices"),
                                    QStringLiteral("Add what is known of every device at the end."));
   const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object instead of text."));
-  parser.addOptions({devices, json});
+  const QCommandLineOption deltas = deltasOption();
+  parser.addOptions({devices, json, deltas});
   if (const auto status = parse(parser, arguments)) return *status;
   if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("info: one FILE is wanted"));
 
-  LogInput input(parser.positionalArguments().first().toStdString());
+  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
   InfoReport report(input.frames, input.notes, parser.isSet(devices));
-  const int status = input.read([&] {
+  const ExitStatus status = input.read([&] {
     report.countNew();
     return true;
   });
-  if (status == kBadUsage) return status;
+  if (status == kCannotRead || status == kNothingRead) return status;
   Output output;
   const UnkeptPlaces unkept = input.unkept.content();
   output.text() = parser.isSet(json) ? report.json(input.name(), unkept) : report.text(input.name(), unkept);

@@ -177,8 +177,8 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
   }
   if (m_withDevices) {
     if (m_state.untrackedFrames() != 0) {
-      out += "  " + std::to_string(m_state.untrackedFrames()) +
-             " frames on channels beyond the fourth, not followed\n";
+      out += "  " + std::to_string(m_state.untrackedFrames()) + " frames on channels beyond the first " +
+             std::to_string(kMaxChannels) + ", not followed\n";
     }
     if (m_state.devices().untracked() != 0) out += "  more devices than can be followed\n";
     out += "devices\n";

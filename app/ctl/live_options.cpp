@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "arguments.h"
+#include "link/plugins.h"
 #include "protocol/address_use.h"
 #include "protocol/name.h"
 
@@ -27,6 +28,16 @@ std::optional<Address> parseAddress(const QString& text) {
   return Address{static_cast<std::uint8_t>(value)};
 }
 
+// addressUse() in words.
+QString ownAddressRule() {
+  const auto next = [](Address a, int by) { return addressText({static_cast<std::uint8_t>(a.value + by)}); };
+  return QStringLiteral(
+             "%1 to %2 can be had; %3 to %4 are joysticks' addresses, which monitors obey, and %5 to %6 are "
+             "monitors' own: both are refused; others below %5 belong to devices and are had with a warning")
+      .arg(next(kLastDynamic, 1), next(kNullAddress, -1), addressText(kFirstJoystick),
+           addressText(kLastJoystick), addressText(kFirstDynamic), addressText(kLastDynamic));
+}
+
 }  // namespace
 
 LiveOptions::LiveOptions(QCommandLineParser& parser)
@@ -43,9 +54,9 @@ LiveOptions::LiveOptions(QCommandLineParser& parser)
                  QStringLiteral("Identity number of our NAME, 0 to 2097151; by default this machine's own."),
                  QStringLiteral("N")),
       m_ownAddress(QStringLiteral("own-address"),
-                   QStringLiteral("Address to claim if it is free, in hex; F9 by default. Joysticks' (33 to "
-                                  "38) and monitors' (80 to F7) are refused."),
-                   QStringLiteral("HEX"), QStringLiteral("F9")),
+                   QStringLiteral("Address to claim if it is free, in hex; %1 by default. %2.")
+                       .arg(addressText(ClaimSettings{}.preferred), ownAddressRule()),
+                   QStringLiteral("HEX"), addressText(ClaimSettings{}.preferred)),
       m_drive(
           QStringLiteral("drive"),
           QStringLiteral("A Copley drive is at this address, in hex; it is never asked what Akron's are."),
@@ -71,13 +82,11 @@ std::optional<LiveSettings> LiveOptions::read(const QString& command, bool sends
       return bad(QStringLiteral("--identity wants a number from 0 to %1").arg(kLargestIdentity));
   }
   const auto preferred = parseAddress(m_parser.value(m_ownAddress));
-  if (!preferred) return bad(QStringLiteral("--own-address wants an address in hex, 00 to FD"));
-  switch (addressUse(*preferred)) {
+  const AddressUse use = preferred ? addressUse(*preferred) : AddressUse::Refused;
+  switch (use) {
     case AddressUse::Refused:
-      return bad(QStringLiteral(
-                     "--own-address %1 is refused: 33 to 38 are joysticks' addresses, which monitors obey, "
-                     "and 80 to F7 are monitors' own; F8 to FD can be had")
-                     .arg(addressText(*preferred)));
+      return bad(QStringLiteral("--own-address %1 is refused: %2")
+                     .arg(m_parser.value(m_ownAddress), ownAddressRule()));
     case AddressUse::Warn:
       std::fprintf(
           stderr,
@@ -94,7 +103,7 @@ std::optional<LiveSettings> LiveOptions::read(const QString& command, bool sends
     settings.drives.push_back(*drive);
   }
   settings.unlock = m_parser.isSet(m_unlock);
-  if (settings.link.interfaceName.isEmpty()) return bad(QStringLiteral("an --interface is wanted"));
+  if (const auto trouble = pluginTrouble(settings.link)) return bad(*trouble);
   if (sends && !settings.unlock)
     return bad(QStringLiteral("this sends, and sending is locked; --unlock is the word for it"));
   return settings;
@@ -138,6 +147,14 @@ std::optional<DeviceName> DeviceOptions::read(const QString& command) const {
     if (!name.address) return bad(QStringLiteral("--address wants an address in hex, 00 to FD"));
   }
   return name;
+}
+
+std::optional<QString> pluginTrouble(const LinkSettings& link) {
+  if (const QStringList plugins = installedPlugins(); !plugins.contains(link.plugin))
+    return QStringLiteral("no such plugin: '%1'; installed are %2")
+        .arg(link.plugin, plugins.join(QStringLiteral(", ")));
+  if (link.interfaceName.isEmpty()) return QStringLiteral("an --interface is wanted");
+  return {};
 }
 
 std::optional<double> parseSeconds(const QString& text) {

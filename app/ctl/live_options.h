@@ -52,6 +52,10 @@ class DeviceOptions {
   bool m_withAll;
 };
 
+// Why there cannot be a link of these settings, as the end of a sentence; nothing if there may be one. It
+// opens nothing, and it does not look for the interface.
+std::optional<QString> pluginTrouble(const LinkSettings& link);
+
 // A number of seconds above 0; nothing where it is none.
 std::optional<double> parseSeconds(const QString& text);
 

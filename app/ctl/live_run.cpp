@@ -2,12 +2,14 @@
 #include "live_run.h"
 
 #include <QCoreApplication>
+#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <utility>
 
+#include "ask_words.h"
 #include "base/overload.h"
-#include "command.h"
+#include "link/plugins.h"
 #include "signals.h"
 
 namespace deckpipe::ctl {
@@ -35,7 +37,7 @@ void LiveRun::say(const QString& message) const {
   std::fprintf(stderr, "deckpipectl: %s\n", qPrintable(message));
 }
 
-int LiveRun::run() {
+ExitStatus LiveRun::run() {
   // Before the session starts its threads.
   onStopSignals([this] { stop(); });
   m_session.setClaim(m_settings.claim);
@@ -58,11 +60,11 @@ int LiveRun::run() {
 
 void LiveRun::stop() {
   if (m_isOver) return;
-  const std::optional<int> status = m_isReady ? onStop() : kNotWhole;
+  const std::optional<ExitStatus> status = m_isReady ? onStop() : kNotWhole;
   if (status) finish(*status);
 }
 
-void LiveRun::finish(int status) {
+void LiveRun::finish(ExitStatus status) {
   if (m_isOver) return;
   m_isOver = true;
   m_status = m_output.flush() ? status : kNotWhole;
@@ -72,13 +74,53 @@ void LiveRun::finish(int status) {
 bool LiveRun::isLinkUp() {
   const SourceStatus& source = snapshot().source;
   using Progress = SourceStatus::Progress;
-  if (source.progress == Progress::Running) return true;
-  const bool isLost = source.progress == Progress::Lost;
-  if (source.progress == Progress::Failed || (isLost && !outlivesLink)) {
+  if (source.progress == Progress::Failed) {
     say(m_settings.link.interfaceName + QStringLiteral(": ") + reasonOf(source.error));
     finish(kNotWhole);
+  } else if (m_follower.linkDowns() != m_linkDowns) {
+    m_linkDowns = m_follower.linkDowns();
+    // Of a link that is back already only the note tells.
+    const auto* error = std::get_if<LinkError>(&source.error);
+    linkWentDown(error != nullptr && !error->detail.empty()
+                     ? QString::fromStdString(error->detail)
+                     : QString::fromStdString(m_follower.linkDownReason()));
   }
-  return false;
+  if (m_isOver || source.progress != Progress::Running) return false;
+  if (std::exchange(m_isWaiting, false)) say(m_settings.link.interfaceName + QStringLiteral(": is back"));
+  return true;
+}
+
+void LiveRun::linkWentDown(const QString& reason) {
+  const QString why = m_settings.link.interfaceName + QStringLiteral(": ") +
+                      (reason.isEmpty() ? QStringLiteral("the link went down") : reason);
+  if (!outlivesLink || !isSocketCan(m_settings.link.plugin)) {
+    say(why);
+    return finish(kNotWhole);
+  }
+  m_isWaiting = true;
+  const bool wasUnlocked = std::exchange(m_settings.unlock, false);
+  if (wasUnlocked) m_session.want(wish::Lock{});
+  say(why + (wasUnlocked ? QStringLiteral("; waiting for it; sending is locked from now on.")
+                         : QStringLiteral("; waiting for it.")));
+}
+
+void LiveRun::unlock() {
+  m_unlockSerial = m_session.want(wish::Unlock{});
+  if (m_unlockSerial == 0) return unlockRefused(snapshot().notSent);
+  if (!m_wantsAddress) return;
+  QTimer::singleShot(kAddressPatience, this, [this] {
+    if (m_isReady || m_isOver) return;
+    say(QStringLiteral("no address after %1 s: our claim is not on the bus, or is contested again and again")
+            .arg(kAddressPatience.count()));
+    finish(kNotWhole);
+  });
+}
+
+void LiveRun::unlockRefused(Refusal why) {
+  m_unlockSerial = 0;
+  say(m_settings.link.interfaceName + QStringLiteral(": cannot send: ") +
+      QLatin1String(refusalSentence(why)));
+  if (m_wantsAddress) finish(kNotWhole);
 }
 
 bool LiveRun::hasAddress() {
@@ -108,15 +150,16 @@ void LiveRun::saySent() {
 
 void LiveRun::changed() {
   if (m_isOver) return;
+  // What the link's end did to requests is written before the end.
+  m_follower.follow(snapshot().view);
   const bool isUp = isLinkUp();
   if (m_isOver) return;
-  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true))
-    m_unlockSerial = m_session.want(wish::Unlock{});
-  if (m_unlockSerial != 0 && services().refusedSerial == m_unlockSerial) {
-    m_unlockSerial = 0;
-    say(m_settings.link.interfaceName + QStringLiteral(" is in listen-only mode: it cannot send"));
-    if (m_wantsAddress) return finish(kNotWhole);
-  }
+  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true)) unlock();
+  if (m_isOver) return;
+  if (m_unlockSerial != 0 && services().refusedSerial == m_unlockSerial) unlockRefused(services().refusal);
+  if (m_isOver) return;
+  if (std::exchange(m_wasUnlocked, !services().locked) && services().locked && m_settings.unlock)
+    return unlockRefused(services().isListenOnly ? Refusal::ListenOnly : Refusal::Locked);
   saySent();
   const bool has = m_settings.unlock && hasAddress();
   if (m_isOver) return;
@@ -124,7 +167,6 @@ void LiveRun::changed() {
     m_isReady = true;
     onReady();
   }
-  m_follower.follow(snapshot().view);
   if (m_isReady && !m_isOver) onTick();
   if (!m_isOver && !m_output.flush()) finish(kNotWhole);
 }

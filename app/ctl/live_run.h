@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One subcommand's time on a live interface: it connects, with --unlock claims an address, and then calls the
 // subcommand until that, Ctrl+C or a lost link ends it. What stands in the way is said on standard error.
+//
+// 1. A link that goes down, for however short a time, ends the run with status 1 and the reason.
+// 2. Unless outlivesLink: then an interface of Linux is waited for, which comes back by itself. Other adapters
+//    do not, so there the run ends all the same. Sending is locked as soon as the link went down.
+// 3. Whoever wants an address and has none kAddressPatience after the link came up ends with status 1.
 #pragma once
 
 #include <QObject>
 #include <functional>
 
 #include "bus_follower.h"
+#include "exit_status.h"
 #include "live_options.h"
 #include "output.h"
 #include "session/session.h"
@@ -15,6 +21,8 @@ namespace deckpipe::ctl {
 
 class LiveRun : public QObject {
  public:
+  static constexpr std::chrono::seconds kAddressPatience{10};
+
   // `wantsAddress`: nothing can be done without one, so ready only then.
   LiveRun(const LiveSettings& settings, bool wantsAddress);
 
@@ -23,14 +31,14 @@ class LiveRun : public QObject {
   // At most 30 times a second from then on, after the follower.
   std::function<void()> onTick = [] {};
   // Ctrl+C: how it ends, or nothing where it will soon end by itself.
-  std::function<std::optional<int>()> onStop;
-  // Whether a link that went down may come back.
+  std::function<std::optional<ExitStatus>()> onStop;
+  // Whether it waits for an interface that went down.
   bool outlivesLink = false;
 
   // Until finish(); the exit status.
-  int run();
+  ExitStatus run();
   // What is in the output goes out first.
-  void finish(int status);
+  void finish(ExitStatus status);
 
   Session& session() { return m_session; }
   const Snapshot& snapshot() const { return m_session.snapshot(); }
@@ -47,6 +55,9 @@ class LiveRun : public QObject {
   void stop();
   // Whether it is there; what went wrong is said and, where that is the end, ends it.
   bool isLinkUp();
+  void linkWentDown(const QString& reason);
+  void unlock();
+  void unlockRefused(Refusal why);
   bool hasAddress();
   // What does not reach the bus, whenever that has become more.
   void saySent();
@@ -57,10 +68,11 @@ class LiveRun : public QObject {
   BusFollower m_follower;
   Output m_output;
   bool m_isReady = false, m_isOver = false, m_askedToUnlock = false, m_saidClaim = false;
-  bool m_saidCannotTell = false;
+  bool m_saidCannotTell = false, m_isWaiting = false, m_wasUnlocked = false;
+  unsigned m_linkDowns = 0;  // as seen last
   std::uint64_t m_unlockSerial = 0;
   std::uint64_t m_unconfirmed = 0, m_notTaken = 0;  // as said last
-  int m_status = 0;
+  ExitStatus m_status = kDone;
 };
 
 }  // namespace deckpipe::ctl

@@ -14,20 +14,27 @@
 #include <optional>
 #include <thread>
 
-#include "command.h"
+#include "log/delta_times.h"
 #include "log/log_stream.h"
 
 namespace deckpipe::ctl {
 namespace {
 
-int sayError(const std::string& name, const ReadError& error) {
-  std::string text = name + ": ";
-  if (!error.format.empty()) text += error.format + ": ";
+void complain(const std::string& name, const std::string& text) {
+  std::fprintf(stderr, "deckpipectl: %s: %s\n", name.c_str(), text.c_str());
+}
+
+std::string textOf(const ReadError& error) {
+  std::string text;
+  if (error.kind == ReadError::Kind::UnknownFormat) {
+    text = error.format.empty() ? std::string(readErrorText(error.kind))
+                                : "seems to be " + error.format + ", which cannot be read";
+    return text + (error.format.empty() ? ": " : "; formats that can: ") + formatNames(LogUse::Read);
+  }
+  if (!error.format.empty()) text = error.format + ": ";
   text += readErrorText(error.kind);
   if (!error.detail.empty()) text += ": " + error.detail;
-  if (error.kind == ReadError::Kind::UnknownFormat) text += ": " + formatNames(LogUse::Read);
-  std::fprintf(stderr, "deckpipectl: %s\n", text.c_str());
-  return error.kind == ReadError::Kind::CannotOpen ? kBadUsage : kNotWhole;
+  return text;
 }
 
 }  // namespace
@@ -38,22 +45,26 @@ QString logArgumentHelp() {
            QString::fromStdString(formatNames(LogUse::ReadFromPipe)));
 }
 
-int LogInput::read(const std::function<bool()>& more) {
+QCommandLineOption deltasOption() {
+  return {QStringLiteral("deltas"), QStringLiteral("The times are differences (candump -t d): add them up.")};
+}
+
+ExitStatus LogInput::read(const std::function<bool()>& more) {
   if (path == "-") return readStream(STDIN_FILENO, more);
   struct stat facts {};
   if (::stat(path.c_str(), &facts) != 0 || S_ISREG(facts.st_mode) || S_ISDIR(facts.st_mode))
     return readFile(more);
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return sayError(path, {ReadError::Kind::CannotOpen, std::strerror(errno)});
-  const int status = readStream(descriptor, more);
+  if (descriptor < 0) return ended(Failure{ReadError{ReadError::Kind::CannotOpen, std::strerror(errno)}});
+  const ExitStatus status = readStream(descriptor, more);
   ::close(descriptor);
   return status;
 }
 
-int LogInput::readFile(const std::function<bool()>& more) {
+ExitStatus LogInput::readFile(const std::function<bool()>& more) {
   std::atomic<unsigned> published = 0;  // grows whenever there is something new, the end included
   std::atomic<bool> wanted = true;
-  std::atomic<bool> ended = false;
+  std::atomic<bool> hasEnded = false;
   std::optional<Result<ReadSummary, ReadError>> outcome;
   const auto publish = [&] {
     published.fetch_add(1);
@@ -62,48 +73,45 @@ int LogInput::readFile(const std::function<bool()>& more) {
   std::thread reader([&] {
     ReadOptions options;
     options.threads = 2;
+    options.addsUpTimes = addsUpTimes;
     options.onProgress = [&](const ReadProgress&) {
       publish();
       return wanted.load();
     };
     outcome.emplace(openLog(path, {frames, unkept, &notes}, options));
-    ended = true;
+    hasEnded = true;
     publish();
   });
-  for (unsigned seen = 0; !ended;) {
+  for (unsigned seen = 0; !hasEnded;) {
     published.wait(seen);
     seen = published;
     if (wanted && !more()) wanted = false;
   }
   reader.join();
   if (wanted) more();
-  const int unkeptStatus = sayUnkept();
-  if (!*outcome) return sayError(name(), outcome->error());
-  return std::max(unkeptStatus, sayMissing(outcome->value()));
+  return ended(*outcome);
 }
 
-int LogInput::readStream(int descriptor, const std::function<bool()>& more) {
-  LogStream stream(frames, unkept);
+ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& more) {
+  ReadOptions options;
+  options.addsUpTimes = addsUpTimes;
+  LogStream stream(frames, unkept, logFormats(), options);
   std::array<char, 64 * 1024> buffer;
-  int status = kDone;
+  std::string failure;
   for (;;) {
     const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      std::fprintf(stderr, "deckpipectl: %s: %s\n", name().c_str(), std::strerror(errno));
-      status = kNotWhole;
-    }
+    if (got < 0) failure = std::strerror(errno);
     if (got <= 0) break;
     if (!stream.feed({buffer.data(), static_cast<std::size_t>(got)}) || !more()) break;
   }
-  const auto outcome = stream.finish();
+  auto outcome = stream.finish();
   more();
-  const int unkeptStatus = sayUnkept();
-  if (!outcome) return sayError(name(), outcome.error());
-  return std::max(status, unkeptStatus);
+  if (!failure.empty()) outcome = Failure{ReadError{ReadError::Kind::CannotRead, failure}};
+  return ended(outcome);
 }
 
-int LogInput::sayMissing(const ReadSummary& summary) const {
+bool LogInput::sayMissing(const ReadSummary& summary) const {
   if (summary.cutBytes > 0)
     std::fprintf(stderr, "%s: the last %" PRIu64 " bytes are not whole and were left out\n", name().c_str(),
                  summary.cutBytes);
@@ -113,11 +121,27 @@ int LogInput::sayMissing(const ReadSummary& summary) const {
   if (summary.isOpenEnded)
     std::fprintf(stderr, "%s: the recording was not ended: it still goes on, or its last second was lost\n",
                  name().c_str());
-  return summary.cutBytes == 0 && summary.newerParts == 0 ? kDone : kNotWhole;
+  return summary.cutBytes == 0 && summary.newerParts == 0;
 }
 
-int LogInput::sayUnkept() const {
+ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const {
   const UnkeptPlaces content = unkept.content();
+  sayUnkept(content);
+  if (!addsUpTimes && hasDeltaTimes(frames))
+    complain(name(), "its times look like differences (candump -t d), not times; --deltas adds them up");
+  if (!outcome) {
+    complain(name(), textOf(outcome.error()));
+    return frames.count() > 0 ? kNotWhole : kCannotRead;
+  }
+  const bool isWhole = sayMissing(outcome.value());
+  if (!isWhole || content.unreadable() > 0 || content.skipped() > 0 || content.count(Unkept::Fraction) > 0)
+    return kNotWhole;
+  if (frames.count() > 0 || outcome.value().cancelled) return kDone;
+  complain(name(), outcome.value().lines == 0 ? "it is empty" : "it holds no frame");
+  return kNothingRead;
+}
+
+void LogInput::sayUnkept(const UnkeptPlaces& content) const {
   EnumArray<Unkept, std::uint64_t> said;
   for (const UnkeptPlace& place : content.places()) {
     if (!isUnreadable(place.reason)) continue;
@@ -135,7 +159,6 @@ int LogInput::sayUnkept() const {
         isUnreadable(reason) ? "%s: %" PRIu64 " more lines: %.*s\n" : "%s: %" PRIu64 " not kept: %.*s\n",
         name().c_str(), rest, static_cast<int>(text.size()), text.data());
   }
-  return content.unreadable() == 0 ? kDone : kNotWhole;
 }
 
 }  // namespace deckpipe::ctl

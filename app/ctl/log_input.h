@@ -3,10 +3,13 @@
 // store; whoever wants them is called as they come, on the calling thread.
 #pragma once
 
+#include <QCommandLineOption>
 #include <QString>
 #include <functional>
 #include <string>
 
+#include "base/result.h"
+#include "exit_status.h"
 #include "log/frame_store.h"
 #include "log/note_store.h"
 #include "log/reading.h"
@@ -17,10 +20,14 @@ namespace deckpipe::ctl {
 // The sentence of --help that says which files and pipes can be read.
 QString logArgumentHelp();
 
+// --deltas
+QCommandLineOption deltasOption();
+
 struct LogInput {
-  explicit LogInput(std::string filePath) : path(std::move(filePath)) {}
+  LogInput(std::string filePath, bool areDeltas) : path(std::move(filePath)), addsUpTimes(areDeltas) {}
 
   std::string path;  // "-" is standard input
+  bool addsUpTimes;  // --deltas was given
   FrameStore frames;
   NoteStore notes;  // of a recording
   UnkeptList unkept;
@@ -28,16 +35,19 @@ struct LogInput {
   // What a person calls it in messages.
   std::string name() const { return path == "-" ? "standard input" : path; }
   // Reads all of it, calling `more` whenever the store has grown and once at the end; false from it stops the
-  // reading. What could not be read is said on standard error. Returns the exit status.
-  int read(const std::function<bool()>& more);
+  // reading. What could not be read is said on standard error. After kCannotRead and
+  // kNothingRead the store holds no frame.
+  ExitStatus read(const std::function<bool()>& more);
 
  private:
-  int readFile(const std::function<bool()>& more);
+  ExitStatus readFile(const std::function<bool()>& more);
   // Whatever is no regular file: standard input, a pipe.
-  int readStream(int descriptor, const std::function<bool()>& more);
-  int sayUnkept() const;
-  // Of a recording.
-  int sayMissing(const ReadSummary& summary) const;
+  ExitStatus readStream(int descriptor, const std::function<bool()>& more);
+  // Says what came of it.
+  ExitStatus ended(const Result<ReadSummary, ReadError>& outcome) const;
+  void sayUnkept(const UnkeptPlaces& content) const;
+  // Of a recording; false if something of it is missing.
+  bool sayMissing(const ReadSummary& summary) const;
 };
 
 }  // namespace deckpipe::ctl

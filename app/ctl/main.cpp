@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl: the headless half of Deckpipe.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <QCoreApplication>
 #include <QLoggingCategory>
 #include <clocale>
@@ -8,14 +11,13 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "output.h"
 
 namespace {
 
 struct Command {
   const char* name;
   const char* summary;
-  int (*run)(const QStringList&);
+  deckpipe::ctl::ExitStatus (*run)(const QStringList&);
 };
 
 constexpr Command kCommands[] = {
@@ -41,13 +43,24 @@ std::string helpText() {
   }
   return text +
          "\nNothing is sent on an interface without --unlock; simulate wants --moves-monitors.\n"
-         "'deckpipectl COMMAND --help' tells the arguments of one. Exit status: 0 done, 1 not everything "
-         "could be\nread, written, answered or done, 2 unusable arguments.\n";
+         "'deckpipectl COMMAND --help' tells the arguments of one.\n\n" +
+         deckpipe::ctl::exitStatusHelp();
+}
+
+// A descriptor that was closed before the program began would be given to the next file that is opened, and
+// what is written to standard output would go there. These take the place of closed ones, so that reading and
+// writing them fails with the system's reason.
+void occupyClosedStreams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+    if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupyClosedStreams();
   // A reader of ours that has enough closes its pipe; that ends us, and is no failure to talk about.
   std::signal(SIGPIPE, SIG_DFL);
   QCoreApplication application(argc, argv);
@@ -59,16 +72,9 @@ int main(int argc, char** argv) {
   QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
   QStringList arguments = QCoreApplication::arguments();
   const QString name = arguments.value(1);
-  if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help")) {
-    deckpipe::ctl::Output output;
-    output.text() = helpText();
-    return output.flush() ? deckpipe::ctl::kDone : deckpipe::ctl::kNotWhole;
-  }
-  if (name == QLatin1String("--version")) {
-    deckpipe::ctl::Output output;
-    output.text() = "deckpipectl " DECKPIPE_VERSION "\n";
-    return output.flush() ? deckpipe::ctl::kDone : deckpipe::ctl::kNotWhole;
-  }
+  if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help"))
+    return deckpipe::ctl::print(helpText());
+  if (name == QLatin1String("--version")) return deckpipe::ctl::printVersion(QStringLiteral("deckpipectl"));
   if (name.isEmpty()) return deckpipe::ctl::badUsage(QStringLiteral("a command is wanted"));
   for (const Command& command : kCommands) {
     if (name != QLatin1String(command.name)) continue;

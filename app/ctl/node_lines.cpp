@@ -15,8 +15,9 @@ namespace {
 
 struct Row {
   Address address = kNullAddress;
-  NodeId node{};                // 0: none
-  std::optional<Node> heard{};  // from the address; nothing: not on J1939, or without an address
+  NodeId node{};  // 0: none
+  std::optional<NodeCount>
+      heard{};  // from who holds the address; nothing: not on J1939, or without an address
   ClaimState claim = ClaimState::NoClaim;
   std::uint64_t name = 0;
   const Device* device = nullptr;  // null: nothing known but the address
@@ -50,14 +51,14 @@ const char* whatIsAt(const ChannelState& bus, Address address, bool sendsJoystic
   return "unknown";
 }
 
-std::vector<Row> rowsOf(const State& state, Channel channel) {
+std::vector<Row> rowsOf(const State& state, const NodeCounts& counts, Channel channel) {
   std::vector<Row> rows;
   const ChannelState& bus = state.channel(channel);
   for (unsigned a = 0; a < kNullAddress.value; ++a) {
     const Address address{static_cast<std::uint8_t>(a)};
     if (!bus.book.isHeard(address)) continue;
     Row row{.address = address,
-            .heard = bus.nodes[address],
+            .heard = counts.at(address, bus.book.lastHolder(address)),
             .claim = bus.book.claim(address, state.cursor().time),
             .name = bus.book.lastHolder(address).value,
             .device = state.devices().byAddress(channel, address)};
@@ -131,9 +132,10 @@ std::string textLine(const Row& row, Instant now) {
 
 }  // namespace
 
-std::string nodeLines(const State& state, Channel channel, std::string_view channelName, NodeFormat format) {
+std::string nodeLines(const State& state, const NodeCounts& counts, Channel channel,
+                      std::string_view channelName, NodeFormat format) {
   std::string out;
-  for (const Row& row : rowsOf(state, channel)) {
+  for (const Row& row : rowsOf(state, counts, channel)) {
     out += format == NodeFormat::Text ? textLine(row, state.cursor().time) : jsonLine(row, channelName);
   }
   return out;

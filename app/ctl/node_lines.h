@@ -5,12 +5,14 @@
 
 #include <string>
 
+#include "node_counts.h"
 #include "state/state.h"
 
 namespace deckpipe::ctl {
 
 enum class NodeFormat : std::uint8_t { JsonLines, Text };
 
-std::string nodeLines(const State& state, Channel channel, std::string_view channelName, NodeFormat format);
+std::string nodeLines(const State& state, const NodeCounts& counts, Channel channel,
+                      std::string_view channelName, NodeFormat format);
 
 }  // namespace deckpipe::ctl

@@ -9,7 +9,7 @@
 
 namespace deckpipe::ctl {
 
-int nodesCommand(const QStringList& arguments) {
+ExitStatus nodesCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Listens for a while, then writes a line for everyone on the bus. With --unlock it claims an address\n"
@@ -17,8 +17,9 @@ int nodesCommand(const QStringList& arguments) {
       "Keys: channel, address or node, what (own, akron, drive, joystick, foreign, canopen_node, unknown, "
       "or\n"
       "presumed: it speaks as Akron's do, and nothing else is known), sends_joystick, pin,\n"
-      "device_type, type_name, claim, name and its parts, part_number, frames, malformed, last_heard\n"
-      "(seconds since 1970)."));
+      "device_type, type_name, claim, name and its parts, part_number, frames and malformed (of who holds "
+      "the\n"
+      "address, since then), last_heard (seconds since 1970). An interface that is lost ends it with 1."));
   const LiveOptions live(parser);
   const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("Listen so long; 3 by default."),
                                    QStringLiteral("N"), QStringLiteral("3"));
@@ -36,10 +37,15 @@ int nodesCommand(const QStringList& arguments) {
   if (!settings) return kBadUsage;
 
   LiveRun run(*settings, false);
+  NodeCounts counts;
+  run.follower().onFrame = [&](const Frame& frame, const Classified& what) {
+    const State& state = run.follower().state();
+    counts.count(frame, state.cursor().time, what, state.channel(run.channel()).book);
+  };
   const auto tell = [&] {
     run.follower().follow(run.snapshot().view);
     run.output().text() +=
-        nodeLines(run.follower().state(), run.channel(), settings->link.interfaceName.toStdString(),
+        nodeLines(run.follower().state(), counts, run.channel(), settings->link.interfaceName.toStdString(),
                   asText ? NodeFormat::Text : NodeFormat::JsonLines);
     return kDone;
   };

@@ -25,9 +25,14 @@ std::optional<PipePlan::MissingAck> missingAckOf(const QString& word) {
   return {};
 }
 
+ExitStatus cannotRead(const QFile& file) {
+  std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(file.fileName()), qPrintable(file.errorString()));
+  return kCannotRead;
+}
+
 }  // namespace
 
-int pipeCommand(const QStringList& arguments) {
+ExitStatus pipeCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Sends standard input, or a file, to a device over its data pipe, and writes what the device says to\n"
@@ -47,8 +52,9 @@ int pipeCommand(const QStringList& arguments) {
       QStringLiteral("TEXT"));
   const QCommandLineOption lineEnd(
       QStringLiteral("line-end"),
-      QStringLiteral("What a line feed of standard input becomes, and what ends the line of --before: "
-                     "cr (default), lf, crlf or none."),
+      QStringLiteral(
+          "What a line end (LF or CR LF) of standard input becomes, and what ends the line of --before: "
+          "cr (default), lf, crlf or none."),
       QStringLiteral("END"), QStringLiteral("cr"));
   const QCommandLineOption idle(
       QStringLiteral("idle"),
@@ -82,13 +88,14 @@ int pipeCommand(const QStringList& arguments) {
   if (!settings) return kBadUsage;
   if (parser.isSet(file)) {
     QFile source(parser.value(file));
-    if (!source.open(QIODevice::ReadOnly)) {
-      std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(source.fileName()),
-                   qPrintable(source.errorString()));
-      return kBadUsage;
-    }
+    if (!source.open(QIODevice::ReadOnly)) return cannotRead(source);
     plan.fileName = parser.value(file).toStdString();
     plan.content = std::make_shared<const std::string>(source.readAll().toStdString());
+    if (source.error() != QFileDevice::NoError) return cannotRead(source);
+    if (plan.content->empty()) {
+      std::fprintf(stderr, "deckpipectl: %s: it is empty\n", qPrintable(source.fileName()));
+      return kNothingRead;
+    }
   }
 
   LiveRun run(*settings, true);

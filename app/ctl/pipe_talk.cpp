@@ -6,6 +6,8 @@
 #include <QSocketNotifier>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <utility>
 
 #include "ask_words.h"
 #include "bus/j1939.h"
@@ -49,8 +51,7 @@ void PipeTalk::tick() {
   if (m_run.services().claim.progress != ClaimStatus::Progress::Claimed)
     return fail(QStringLiteral("our address was lost to another node"), pipe);
   if (m_firstSerial != 0 && m_run.services().refusedSerial >= m_firstSerial) {
-    const std::string_view why = refusalWord(m_run.services().refusal);
-    return fail(QStringLiteral("refused: ") + QLatin1String(why.data(), static_cast<int>(why.size())), pipe);
+    return fail(QLatin1String(refusalSentence(m_run.services().refusal)), pipe);
   }
   talk(pipe);
 }
@@ -127,20 +128,32 @@ void PipeTalk::readInput() {
   char buffer[512];
   const ssize_t count = ::read(STDIN_FILENO, buffer, sizeof buffer);
   if (count < 0 && (errno == EINTR || errno == EAGAIN)) return;
-  if (count <= 0) {
+  if (count < 0)
+    return fail(QStringLiteral("standard input: %1. What to send was expected there; --file sends a file")
+                    .arg(QString::fromLocal8Bit(std::strerror(errno))),
+                status());
+  std::string bytes = withLineEnds({buffer, static_cast<std::size_t>(count)});
+  if (count == 0) {
+    if (std::exchange(m_endsInCr, false)) bytes = '\r';
     m_inputEnded = true;
     m_input.reset();
-    return;
   }
+  if (!bytes.empty()) write(std::move(bytes));
+}
+
+// A CR at the end is kept back until it is known whether an LF follows.
+std::string PipeTalk::withLineEnds(std::string_view input) {
   std::string bytes;
-  for (const char c : std::string_view(buffer, static_cast<std::size_t>(count))) {
+  for (const char c : input) {
+    const bool hadCr = std::exchange(m_endsInCr, c == '\r');
+    if (hadCr && c != '\n') bytes += '\r';
     if (c == '\n') {
       bytes += m_plan.lineEnd;
-    } else {
+    } else if (c != '\r') {
       bytes += c;
     }
   }
-  if (!bytes.empty()) write(std::move(bytes));
+  return bytes;
 }
 
 void PipeTalk::frameCame(const Frame& frame) {
@@ -203,7 +216,7 @@ void PipeTalk::sayEnd(const PipeStatus& pipe) {
 }
 
 // After the packet in flight; a second time at once.
-std::optional<int> PipeTalk::stop() {
+std::optional<ExitStatus> PipeTalk::stop() {
   if (m_phase == Phase::Listening) return status().skipped == 0 ? kDone : kNotWhole;
   if (m_phase == Phase::Sending && !sendsFile() && status().sent >= m_handed) return kDone;
   if (m_isStopping || m_phase == Phase::Finding) return kNotWhole;

@@ -18,7 +18,7 @@ struct PipePlan {
   enum class MissingAck : std::uint8_t { Stop, Skip, Resend };
 
   DeviceName whom;
-  std::string lineEnd = "\r";  // takes the place of each line feed of standard input
+  std::string lineEnd = "\r";  // takes the place of each LF and CR LF of standard input
   double idle = 1;             // s: over when the device said nothing for so long after everything was sent
   MissingAck missingAck = MissingAck::Stop;
   std::string before;    // sent first, as it is
@@ -43,12 +43,13 @@ class PipeTalk {
   void beginSending();
   void write(std::string bytes);
   void readInput();
+  std::string withLineEnds(std::string_view input);
   void frameCame(const Frame& frame);
   void ackMissing(const PipeStatus& pipe);
   void act(wish::PipeAction::What what);
   void sayProgress(const PipeStatus& pipe);
   void sayEnd(const PipeStatus& pipe);
-  std::optional<int> stop();
+  std::optional<ExitStatus> stop();
   void fail(const QString& why, const PipeStatus& pipe);
   PipeStatus status() const;
   bool sendsFile() const { return m_plan.content != nullptr; }
@@ -60,6 +61,7 @@ class PipeTalk {
   Address m_address;
   Phase m_phase = Phase::Finding;
   std::unique_ptr<QSocketNotifier> m_input;
+  bool m_endsInCr = false;  // the last input: an LF may follow
   bool m_inputEnded = false, m_isStopping = false;
   std::uint64_t m_handed = 0;       // characters handed to the pipe service, no file
   std::uint64_t m_firstSerial = 0;  // of our intents

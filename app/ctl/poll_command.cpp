@@ -37,14 +37,16 @@ class Poll {
       : m_run(run), m_plan(plan), m_finder(run, plan.whom), m_asker(run, false) {
     run.onReady = [this] { m_finder.begin(); };
     run.onTick = [this] { tick(); };
-    // What is asked again and again ends by it; everything else is cut short.
-    run.onStop = [this] { return m_plan.rounds == 0 && m_rounds > 0 ? status() : kNotWhole; };
+    // Between two rounds, what is asked until Ctrl+C ends well by it; everything else is cut short.
+    run.onStop = [this] {
+      return m_asker.interrupted(m_plan.rounds == 0 && m_rounds > 0 ? status() : kNotWhole);
+    };
     m_next.setSingleShot(true);
     QObject::connect(&m_next, &QTimer::timeout, [this] { beginRound(); });
   }
 
  private:
-  int status() const { return m_asker.allAnswered() ? kDone : kNotWhole; }
+  ExitStatus status() const { return m_asker.allAnswered() ? kDone : kNotWhole; }
 
   void tick() {
     if (m_rounds == 0) {
@@ -68,7 +70,7 @@ class Poll {
 
   void endRound() {
     m_isAsking = false;
-    if (m_rounds == m_plan.rounds) return m_run.finish(status());
+    if (m_rounds == m_plan.rounds || m_asker.isStopping()) return m_run.finish(status());
     const auto left = static_cast<qint64>(m_plan.every * 1000) - m_since.elapsed();
     m_next.start(std::chrono::milliseconds(std::max<qint64>(left, 0)));
   }
@@ -88,15 +90,18 @@ class Poll {
 
 }  // namespace
 
-int pollCommand(const QStringList& arguments) {
+ExitStatus pollCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Asks devices for faults, versions and settings, which changes nothing in them. One line an answer:\n"
       "pin, ask, and what 'deckpipectl decode' writes of the frame; one for what came to another end:\n"
-      "pin, address, ask, end (wrong_answer, no_answer, cancelled, link_lost, gone, answered_late, "
-      "not_on_bus,\n"
-      "not_taken, "
-      "refused with its reason), tries. Exit status 0 only if everything asked was answered in time."));
+      "pin, address, ask, end (wrong_answer, no_answer, cancelled, link_lost, gone, answered_late,\n"
+      "not_on_bus, not_taken, refused with its reason, stopped with on_bus: true, false, or null if the\n"
+      "adapter cannot tell), tries.\n"
+      "Status 0 only if everything asked was answered in time. With --every, Ctrl+C ends it by the same\n"
+      "rule, and what is open then counts as not answered. It ends with 1 when the interface is lost: "
+      "sending\n"
+      "is locked then, and is unlocked again only by --unlock."));
   const LiveOptions live(parser);
   const DeviceOptions device(parser, true);
   const QCommandLineOption kinds(

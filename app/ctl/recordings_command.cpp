@@ -51,7 +51,7 @@ QByteArray jsonOf(const Recording& recording) {
 
 }  // namespace
 
-int recordingsCommand(const QStringList& arguments) {
+ExitStatus recordingsCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Lists what the console recorded on this machine, the newest first.\n"

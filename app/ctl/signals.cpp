@@ -7,6 +7,11 @@
 #include <utility>
 
 namespace deckpipe::ctl {
+namespace {
+
+volatile std::sig_atomic_t g_wasStopped = 0;
+
+}  // namespace
 
 // A thread waits for them, as a handler may do next to nothing.
 void onStopSignals(std::function<void()> stop) {
@@ -21,5 +26,11 @@ void onStopSignals(std::function<void()> stop) {
       QMetaObject::invokeMethod(QCoreApplication::instance(), stop, Qt::QueuedConnection);
   }).detach();
 }
+
+void noteStopSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { g_wasStopped = 1; });
+}
+
+bool wasStopped() { return g_wasStopped != 0; }
 
 }  // namespace deckpipe::ctl

@@ -9,6 +9,8 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "link/plugins.h"
+#include "live_options.h"
 #include "log/log_format.h"
 #include "misbehave_option.h"
 #include "moves_monitors.h"
@@ -23,15 +25,16 @@ namespace {
 constexpr std::int64_t kLogStart = 1'700'000'000'000'000'000;
 constexpr int kMostLoad = static_cast<int>(simulator::Background::kMost * 100);
 
-// Hands over pieces of the log; false from `write` ends it.
+// Hands over pieces of the log; false from `write` ends it. So does a signal, after which the frames that were
+// made by then are the log.
 bool simulateInto(simulator::StandardBench& bench, double seconds, const LogFormat& format,
-                  const std::function<bool(const std::string&)>& write) {
+                  std::uint64_t& frames, const std::function<bool(const std::string&)>& write) {
   constexpr std::size_t kPiece = 1 << 20;
   const Instant end = Instant{} + Duration(std::llround(seconds * 1e9));
   std::string text;
   std::vector<simulator::DueFrame> due;
   bench.bench.powerOn({});
-  while (bench.bench.nextTime() <= end) {
+  while (bench.bench.nextTime() <= end && !wasStopped()) {
     bench.bench.timeCame(bench.bench.nextTime());
     due.clear();
     bench.bench.takeFrames(due);
@@ -39,6 +42,7 @@ bool simulateInto(simulator::StandardBench& bench, double seconds, const LogForm
       frame.frame.stamp = kLogStart + frame.time.ns;
       format.write(frame.frame, "can0", text);
     }
+    frames += due.size();
     if (text.size() < kPiece) continue;
     if (!write(text)) return false;
     text.clear();
@@ -46,17 +50,25 @@ bool simulateInto(simulator::StandardBench& bench, double seconds, const LogForm
   return write(text);
 }
 
-int writeLog(simulator::StandardBench& bench, double seconds, const QString& path) {
+ExitStatus written(const QString& path, std::uint64_t frames) {
+  if (!wasStopped()) return kDone;
+  std::fprintf(stderr, "deckpipectl: stopped; %llu frames were written to %s\n",
+               static_cast<unsigned long long>(frames),
+               path == QLatin1String("-") ? "standard output" : qPrintable(path));
+  return kNotWhole;
+}
+
+ExitStatus writeLog(simulator::StandardBench& bench, double seconds, const QString& path) {
   const LogFormat& format = formatToWrite(path.toStdString());
+  std::uint64_t frames = 0;
+  noteStopSignals();
   if (path == QLatin1String("-")) {
     Output output;
-    return simulateInto(bench, seconds, format,
-                        [&](const std::string& text) {
-                          output.text() += text;
-                          return output.flush();
-                        })
-               ? kDone
-               : kNotWhole;
+    const bool isWhole = simulateInto(bench, seconds, format, frames, [&](const std::string& text) {
+      output.text() += text;
+      return output.flush();
+    });
+    return isWhole ? written(path, frames) : kNotWhole;
   }
   // A regular file is replaced when all of it is there; a pipe or device is written to as it stands.
   const QFileInfo target(path);
@@ -67,34 +79,40 @@ int writeLog(simulator::StandardBench& bench, double seconds, const QString& pat
   const auto write = [&](const std::string& text) {
     return file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
   };
-  const bool written = file.open(QIODevice::WriteOnly) && simulateInto(bench, seconds, format, write) &&
+  const bool isWhole = file.open(QIODevice::WriteOnly) &&
+                       simulateInto(bench, seconds, format, frames, write) &&
                        (replaces ? whole.commit() : asItStands.flush());
-  if (written) return kDone;
+  if (isWhole) return written(path, frames);
   std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(path), qPrintable(file.errorString()));
   return kNotWhole;
 }
 
-int runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool movesMonitors) {
-  int status = kDone;
+ExitStatus runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool movesMonitors) {
+  ExitStatus status = kDone;
   QObject::connect(&runner, &BenchRunner::busReady, [&](const QString& interfaceName) {
     std::fprintf(stderr,
                  "deckpipectl: the bench twin is on %s and drives every monitor there; Ctrl+C ends it\n",
                  qPrintable(interfaceName));
   });
-  QObject::connect(&runner, &BenchRunner::failed, [&](const QString& reason) {
-    std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(settings.interfaceName), qPrintable(reason));
+  const auto say = [&](const QString& text) {
+    std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(settings.interfaceName), qPrintable(text));
+  };
+  const auto fail = [&](const QString& reason) {
+    say(reason);
     status = kNotWhole;
     QCoreApplication::quit();
+  };
+  QObject::connect(&runner, &BenchRunner::failed, fail);
+  QObject::connect(&runner, &BenchRunner::lost, [&](const QString& reason) {
+    if (!isSocketCan(settings.plugin)) return fail(reason);
+    say(reason + QStringLiteral(" Waiting for it."));
   });
   QObject::connect(&runner, &BenchRunner::wordMissing, [&] {
     status = badUsage(movesMonitorsMissing(QStringLiteral("simulate"), settings.interfaceName));
     QCoreApplication::quit();
   });
   QObject::connect(&runner, &BenchRunner::strangersHeard, [&](const std::vector<Stranger>& strangers) {
-    std::fprintf(stderr, "deckpipectl: %s: the twin stays off this bus: heard %s\n",
-                 qPrintable(settings.interfaceName), qPrintable(strangersText(strangers)));
-    status = kNotWhole;
-    QCoreApplication::quit();
+    fail(QStringLiteral("the twin stays off this bus: heard ") + strangersText(strangers));
   });
   onStopSignals([] { QCoreApplication::quit(); });
   QMetaObject::invokeMethod(
@@ -105,7 +123,7 @@ int runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool moves
 
 }  // namespace
 
-int simulateCommand(const QStringList& arguments) {
+ExitStatus simulateCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose\n"
@@ -151,11 +169,7 @@ int simulateCommand(const QStringList& arguments) {
   if (!parser.positionalArguments().isEmpty())
     return badUsage(QStringLiteral("simulate: takes options only"));
 
-  if (parser.values(misbehave).contains(QLatin1String("help"))) {
-    Output output;
-    output.text() += misbehaveTable().toStdString();
-    return output.flush() ? kDone : kNotWhole;
-  }
+  if (parser.values(misbehave).contains(QLatin1String("help"))) return print(misbehaveTable().toStdString());
 
   bool monitorsOk = false, seedOk = false, secondsOk = false, rateOk = false;
   const quint64 seedValue = parser.value(seed).toULongLong(&seedOk);
@@ -184,8 +198,18 @@ int simulateCommand(const QStringList& arguments) {
   }
 
   const LinkSettings link{parser.value(plugin), parser.value(interfaceName), rate, {}};
-  if (!toLog && !parser.isSet(moves) && !isSimulatedBus(link))
-    return badUsage(movesMonitorsMissing(QStringLiteral("simulate"), link.interfaceName));
+  if (!toLog) {
+    if (const auto trouble = pluginTrouble(link)) return badUsage(QStringLiteral("simulate: ") + *trouble);
+    std::optional<CanInterface> facts;
+    if (isSocketCan(link.plugin)) {
+      const auto read = readInterface(link.interfaceName.toStdString());
+      if (!read || !read.value().isCan)
+        return badUsage(QStringLiteral("simulate: no such CAN interface: '%1'").arg(link.interfaceName));
+      facts = read.value();
+    }
+    if (!parser.isSet(moves) && !isSimulatedBus(link, facts))
+      return badUsage(movesMonitorsMissing(QStringLiteral("simulate"), link.interfaceName));
+  }
 
   BenchRunner runner(seedValue, monitorCount);
   MisbehavePlan plan(monitorCount);

@@ -9,19 +9,20 @@
 
 namespace deckpipe::ctl {
 
-int watchCommand(const QStringList& arguments) {
+ExitStatus watchCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral(
       "Writes a line for every change on a bus until Ctrl+C: event, t (seconds since 1970), channel, and by\n"
-      "event: device_appeared, device_left, address_changed, address_lost (pin, address or node; "
-      "device_type,\n"
-      "type_name; previous), claimed, claim_lost (address, name), stale, fresh (message), link_up, "
-      "link_down\n"
-      "(reason), dropped (frames), still_waits (frames), own_address, locked, unlocked; value: pin and what "
-      "'deckpipectl decode'\n"
-      "writes of a frame that differs from the last of its kind, or is an answer. An interface that goes "
-      "down\n"
-      "is waited for. Listens only, unless --unlock has it claim an address and ask for NAMEs at first."));
+      "event: device_appeared, device_left, address_changed, address_lost (pin, address or node;\n"
+      "device_type, type_name; previous), claimed, claim_lost (address, name), stale, fresh (message),\n"
+      "link_up, link_down (reason), dropped (frames), still_waits (frames), own_address, locked, unlocked;\n"
+      "value: pin and what 'deckpipectl decode' writes of a frame that differs from the last of its kind, "
+      "or\n"
+      "is an answer.\n"
+      "An interface of Linux that goes down is waited for. Another adapter that is gone ends it with status\n"
+      "1. Listens only, unless --unlock has it claim an address and ask for NAMEs at first; a link that "
+      "went\n"
+      "down is locked, and stays so."));
   const LiveOptions live(parser);
   const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("End after so long."),
                                    QStringLiteral("N"));

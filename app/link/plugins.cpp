@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "link/plugins.h"
 
+#include <QCanBus>
 #include <QUrl>
 
 namespace deckpipe {
@@ -8,6 +9,11 @@ namespace deckpipe {
 std::mutex& serialBusMutex() {
   static std::mutex mutex;
   return mutex;
+}
+
+QStringList installedPlugins() {
+  const std::lock_guard lock(serialBusMutex());
+  return QCanBus::instance()->plugins();
 }
 
 bool isSocketCan(const QString& plugin) { return plugin == QLatin1String("socketcan"); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <mutex>
 
 namespace deckpipe {
@@ -12,6 +13,10 @@ namespace deckpipe {
 // listing, creating or opening; no callback may come with it held. A listing may hold it for long, so the bus
 // thread only tries to lock it.
 std::mutex& serialBusMutex();
+
+// The keys of all plugins that are installed, whether their maker's library is there or not. Waits for
+// serialBusMutex().
+QStringList installedPlugins();
 
 // The plugin for network interfaces of Linux.
 bool isSocketCan(const QString& plugin);

@@ -66,12 +66,14 @@ void BenchRunner::linkChanged(LinkState state, const std::string& reason) {
   m_listening->stop();
   if (state == LinkState::Closed && m_link != nullptr && m_link->status().fault != LinkFault::None) {
     Q_EMIT failed(QString::fromStdString(reason));
+  } else if (state == LinkState::Lost) {
+    Q_EMIT lost(QString::fromStdString(reason));
   }
 }
 
 // The interface may be another one each time it comes.
 void BenchRunner::busCame() {
-  if (m_isSimulated(m_link->settings())) return begin();
+  if (m_isSimulated(m_link->settings(), m_link->status().hardware)) return begin();
   if (!m_movesMonitors) {
     m_sending = Sending::Refused;
     Q_EMIT wordMissing();

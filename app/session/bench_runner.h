@@ -24,12 +24,11 @@ namespace deckpipe {
 class BenchRunner : public QObject, private PortListener {
   Q_OBJECT
  public:
-  // Whether an interface may be taken for a bus without real monitors; a test has an answer of its own.
-  using IsSimulated = std::function<bool(const LinkSettings&)>;
+  // isSimulatedBus(), or a test's own answer.
+  using IsSimulated = std::function<bool(const LinkSettings&, const std::optional<CanInterface>&)>;
 
-  explicit BenchRunner(
-      std::uint64_t seed = 1, unsigned monitors = 1,
-      IsSimulated isSimulated = [](const LinkSettings& link) { return isSimulatedBus(link); });
+  explicit BenchRunner(std::uint64_t seed = 1, unsigned monitors = 1,
+                       IsSimulated isSimulated = isSimulatedBus);
   ~BenchRunner() override;
 
   // For setting up before it starts: what misbehaves, and when (relative to power-on, time 0).
@@ -47,6 +46,8 @@ class BenchRunner : public QObject, private PortListener {
   void busReady(const QString& interfaceName);
   // It will not start, or its link went away for good.
   void failed(const QString& reason);
+  // Its bus went down after it was there. Only an interface of Linux comes back by itself.
+  void lost(const QString& reason);
   // It sends nothing from now on: real monitors may be there and nobody said that it may move them …
   void wordMissing();
   // … or these were heard.

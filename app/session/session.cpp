@@ -296,7 +296,7 @@ void Session::updateSource() {
     source.fraction = m_opening->fraction();
     const UnkeptPlaces unkept = m_document->unkept.content();
     source.unreadable = unkept.unreadable();
-    source.notKept = unkept.count(Unkept::CanFd) + unkept.count(Unkept::CanXl);
+    source.notKept = unkept.skipped();
     if (const auto* outcome = m_opening->outcome()) {
       source.fraction = 1;
       source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;

@@ -2,17 +2,15 @@
 #include "session/stranger_watch.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "bus/j1939.h"
 
 namespace deckpipe {
 
-bool isSimulatedBus(const LinkSettings& link, const ReadInterface& read) {
+bool isSimulatedBus(const LinkSettings& link, const std::optional<CanInterface>& facts) {
   if (link.plugin == QLatin1String("virtualcan")) return true;
   if (link.plugin != QLatin1String("socketcan")) return false;
-  const auto facts = read(link.interfaceName.toStdString());
-  return facts && facts.value().isCan && facts.value().kind == "vcan";
+  return facts && facts->isCan && facts->kind == "vcan";
 }
 
 void StrangerWatch::received(const Frame& frame, Instant now) {

@@ -9,8 +9,7 @@
 #pragma once
 
 #include <bitset>
-#include <functional>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "link/can_interface.h"
@@ -19,12 +18,10 @@
 
 namespace deckpipe {
 
-// How the kernel sees an interface; a test has an answer of its own.
-using ReadInterface = std::function<Result<CanInterface, std::string>(const std::string& name)>;
-
 // Whether no monitor can be there: Qt's virtualcan, or a vcan by the word of its driver. A name proves
-// nothing.
-bool isSimulatedBus(const LinkSettings& link, const ReadInterface& read = readInterface);
+// nothing. `facts`: what the kernel says of an interface of Linux (readInterface(), or LinkStatus::hardware
+// once a link is up); nothing if it is not known.
+bool isSimulatedBus(const LinkSettings& link, const std::optional<CanInterface>& facts);
 
 // Somebody on a bus whom a program that moves monitors must not meet.
 struct Stranger {

@@ -75,13 +75,15 @@ std::optional<std::int64_t> decimal(std::string_view digits) {
   return number;
 }
 
-// '.' and up to nine digits, or nothing.
-std::optional<std::int64_t> fraction(std::string_view text) {
+// '.' and digits, or nothing. More than nine are what 32-bit boards print whose time has 64 bits: nobody can
+// tell what they mean, so they are lost.
+std::optional<std::int64_t> fraction(std::string_view text, bool& isLost) {
   if (text.empty()) return 0;
   text.remove_prefix(1);
-  if (text.size() > 9) return {};
   auto number = decimal(text);
   if (!number) return {};
+  isLost = text.size() > 9;
+  if (isLost) return 0;
   for (std::size_t i = text.size(); i < 9; ++i) *number *= 10;
   return number;
 }
@@ -104,13 +106,13 @@ std::optional<std::int64_t> dateSeconds(std::string_view text) {
          number(14, 2) * 60 + number(17, 2);
 }
 
-// The inside of "(…)" into `stamp`; a reason where that is impossible.
-std::optional<Unkept> readStamp(std::string_view text, std::int64_t& stamp) {
+// The inside of "(…)" into the line; a reason where that is impossible.
+std::optional<Unkept> readStamp(std::string_view text, TextLine& line) {
   const bool negative = !text.empty() && text.front() == '-';
   if (negative) text.remove_prefix(1);
   const std::size_t dot = std::min(text.find('.'), text.size());
   const std::string_view whole = text.substr(0, dot);
-  const auto nanoseconds = fraction(text.substr(dot));
+  const auto nanoseconds = fraction(text.substr(dot), line.isFractionLost);
   auto seconds = decimal(whole);
   if (!seconds && !negative) seconds = dateSeconds(whole);
   if (!seconds || !nanoseconds) return Unkept::Time;
@@ -119,7 +121,7 @@ std::optional<Unkept> readStamp(std::string_view text, std::int64_t& stamp) {
       __builtin_add_overflow(time, *nanoseconds, &time)) {
     return Unkept::TimeRange;
   }
-  stamp = negative ? -time : time;
+  line.frame.stamp = negative ? -time : time;
   return {};
 }
 
@@ -309,7 +311,7 @@ TextLine readPlainLine(std::string_view text) {
   if (text.substr(0, 10) == "DROPCOUNT:") return unkept(Unkept::RecorderDropped);
   if (rest.starts('(')) {
     rest.upTo('(');
-    if (const auto reason = readStamp(rest.upTo(')'), line.frame.stamp)) return unkept(*reason);
+    if (const auto reason = readStamp(rest.upTo(')'), line)) return unkept(*reason);
     rest.skipSpaces();
   }
   line.kind = TextLine::Kind::Frame;

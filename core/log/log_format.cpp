@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "log/candump.h"
+#include "log/foreign_formats.h"
 #include "log/journal_reader.h"
 #include "log/text_marks.h"
 
@@ -35,7 +36,8 @@ Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, const LogTarget&
   const auto format = std::ranges::find_if(formats, [&](const LogFormat& candidate) {
     return candidate.sniff(head, size == bytes.size()) == Sniff::Yes;
   });
-  if (format == formats.end()) return Failure{ReadError{ReadError::Kind::UnknownFormat}};
+  if (format == formats.end())
+    return Failure{ReadError{ReadError::Kind::UnknownFormat, {}, std::string(foreignFormat(head))}};
   auto result = format->read(bytes, target, options);
   if (result) return result;
   ReadError error = result.error();

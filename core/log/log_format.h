@@ -47,7 +47,7 @@ struct LogFormat {
   Sniff (*sniff)(std::string_view head, bool isWhole);
   Result<ReadSummary, ReadError> (*read)(const LogBytes&, const LogTarget&, const ReadOptions&);
   // Null if it cannot be read from a pipe.
-  std::unique_ptr<StreamReader> (*stream)(FrameStore&, UnkeptList&);
+  std::unique_ptr<StreamReader> (*stream)(FrameStore&, UnkeptList&, const ReadOptions&);
   // Appends one frame to a log of this format. Null if it cannot be written.
   void (*write)(const Frame&, std::string_view channelName, std::string& out);
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "log/foreign_formats.h"
+
 namespace deckpipe {
 
 // As openLog() would: a format is taken once all before it have said no. So the outcome does not depend on
@@ -16,7 +18,7 @@ void LogStream::decide(bool isWhole) {
   if (format == m_formats.end()) m_sniff = Sniff::No;
   if (m_sniff != Sniff::Yes) return;
   m_format = &*format;
-  if (format->stream != nullptr) m_reader = format->stream(m_store, m_unkept);
+  if (format->stream != nullptr) m_reader = format->stream(m_store, m_unkept, m_options);
 }
 
 bool LogStream::feed(std::string_view bytes) { return feedPlain(m_unmarker.take(bytes)); }
@@ -39,7 +41,8 @@ Result<ReadSummary, ReadError> LogStream::finish() {
     decide(true);
     if (m_reader) m_reader->feed(std::exchange(m_head, {}));
   }
-  if (m_sniff != Sniff::Yes) return Failure{ReadError{ReadError::Kind::UnknownFormat}};
+  if (m_sniff != Sniff::Yes)
+    return Failure{ReadError{ReadError::Kind::UnknownFormat, {}, std::string(foreignFormat(m_head))}};
   ReadError error{ReadError::Kind::NoPipe};
   if (m_reader) {
     auto result = m_reader->finish();

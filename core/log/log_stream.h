@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/result.h"
 #include "log/log_format.h"
@@ -15,8 +16,10 @@ namespace deckpipe {
 
 class LogStream {
  public:
-  LogStream(FrameStore& store, UnkeptList& unkept, std::span<const LogFormat> formats = logFormats())
-      : m_store(store), m_unkept(unkept), m_formats(formats) {}
+  // Of the options a pipe knows addsUpTimes alone.
+  LogStream(FrameStore& store, UnkeptList& unkept, std::span<const LogFormat> formats = logFormats(),
+            ReadOptions options = {})
+      : m_store(store), m_unkept(unkept), m_formats(formats), m_options(std::move(options)) {}
 
   // False once it is clear that nothing more will be taken; finish() then says why. What is whole by then is
   // in the store when feed() returns.
@@ -31,6 +34,7 @@ class LogStream {
   FrameStore& m_store;
   UnkeptList& m_unkept;
   std::span<const LogFormat> m_formats;
+  ReadOptions m_options;
   Unmarker m_unmarker;
   Sniff m_sniff = Sniff::Open;
   std::string m_head;         // while it is open

@@ -23,6 +23,8 @@ struct ReadProgress {
 };
 
 struct ReadOptions {
+  // Of a text: its times are differences (candump -t d), each to the frame before, and are added up.
+  bool addsUpTimes = false;
   unsigned threads = 1;  // 1 or 2; the outcome is the same
   // Called after each block that was published, never twice at once but perhaps from a reader's own thread.
   // False ends the reading; what was published stays.

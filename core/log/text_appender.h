@@ -38,7 +38,8 @@ class ChannelMap {
 
 class TextAppender {
  public:
-  TextAppender(FrameStore& store, UnkeptList& unkept) : m_store(store), m_unkept(&unkept) {}
+  TextAppender(FrameStore& store, UnkeptList& unkept, bool addsUpTimes)
+      : m_store(store), m_unkept(&unkept), m_addsUpTimes(addsUpTimes) {}
   // Reports go there from now on.
   void reportTo(UnkeptList& unkept) { m_unkept = &unkept; }
 
@@ -52,6 +53,7 @@ class TextAppender {
     for (Frame& frame : frames) {
       frame.channel = channels[static_cast<LocalChannel>(frame.channel | frame.spare << 8)];
       frame.spare = 0;
+      if (m_addsUpTimes && frame.hasStamp()) frame.stamp = m_time = saturatedPlus(m_time, frame.stamp);
     }
     const std::uint64_t before = m_store.count();
     const bool fits = m_store.append(frames, Follows::More);
@@ -78,6 +80,8 @@ class TextAppender {
  private:
   FrameStore& m_store;
   UnkeptList* m_unkept;
+  bool m_addsUpTimes;
+  std::int64_t m_time = 0;  // ns; sum of the times so far
   std::string m_unnamedIs{kUnnamedInterface};
   std::uint64_t m_lines = 0;
   std::uint64_t m_frames = 0;

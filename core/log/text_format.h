@@ -30,8 +30,9 @@ constexpr LogFormat textFormat(std::string_view name, std::string_view patterns,
           [](const LogBytes& bytes, const LogTarget& target, const ReadOptions& options) {
             return readText(bytes, makeTextParser<Parser>, target.frames, target.unkept, options);
           },
-      .stream = [](FrameStore& store, UnkeptList& unkept) -> std::unique_ptr<StreamReader> {
-        return std::make_unique<TextStream>(std::make_unique<Parser>(), store, unkept);
+      .stream = [](FrameStore& store, UnkeptList& unkept,
+                   const ReadOptions& options) -> std::unique_ptr<StreamReader> {
+        return std::make_unique<TextStream>(std::make_unique<Parser>(), store, unkept, options);
       },
       .write = write,
   };

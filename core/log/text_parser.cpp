@@ -2,7 +2,8 @@
 #include "log/text_parser.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "log/line_ends.h"
 
 namespace deckpipe {
 namespace {
@@ -43,16 +44,17 @@ void TextParser::parse(const char* begin, const char* end, const char* readable,
 
     ++block.lines;
     const auto known = static_cast<std::size_t>(readable - p);
-    const auto* feed = static_cast<const char*>(std::memchr(p, '\n', std::min(known, kMaxTextLine + 1)));
-    if (!feed && known > kMaxTextLine) {
+    const char* const lineEnd = findLineEnd(p, p + std::min(known, kMaxTextLine + 1));
+    if (lineEnd == nullptr && known > kMaxTextLine) {
       block.unkept.add(block.lines, Unkept::LineTooLong);
-      feed = static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
-      p = feed ? feed + 1 : end;
+      const char* const skipped = findLineEnd(p, end);
+      p = skipped != nullptr ? skipped + 1 : end;
       continue;
     }
-    const char* lineEnd = feed ? feed : readable;
-    readOther({p, static_cast<std::size_t>(lineEnd - p)}, block);
-    p = feed ? feed + 1 : readable;
+    std::string_view line(p, static_cast<std::size_t>((lineEnd != nullptr ? lineEnd : readable) - p));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    readOther(line, block);
+    p = lineEnd != nullptr ? lineEnd + 1 : readable;
   }
 }
 
@@ -74,6 +76,7 @@ void TextParser::readOther(std::string_view text, TextBlock& block) {
     m_unnamedUsed = true;
     block.channels.emplace_back(kUnnamedChannel, std::string());
   }
+  if (line.isFractionLost) block.unkept.add(block.lines, Unkept::Fraction);
   Frame& frame = block.frames[block.count++];
   frame = line.frame;
   frame.channel = static_cast<std::uint8_t>(number);

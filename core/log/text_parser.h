@@ -41,6 +41,7 @@ struct TextLine {
   Unkept reason = Unkept::Layout;
   Frame frame{};
   std::string_view interface {};
+  bool isFractionLost = false;  // of a frame: its time is good to the second only
 };
 
 // Channels are numbered by the parser; the number stands in a frame's channel (low byte) and spare (high
@@ -71,7 +72,7 @@ class TextParser {
   void parse(const char* begin, const char* end, const char* readable, TextBlock& block);
 
  protected:
-  // `line` without its line feed. What `interface` views must live until the next call.
+  // `line` without its line end. What `interface` views must live until the next call.
   virtual TextLine readLine(std::string_view line) = 0;
 
   // For formats with a faster way through usual lines. Reads whole lines from `p` on into `to` and onwards,

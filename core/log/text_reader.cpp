@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <condition_variable>
-#include <cstring>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "log/line_ends.h"
 #include "log/text_appender.h"
 
 namespace deckpipe {
@@ -23,7 +23,10 @@ class BlockReading {
  public:
   BlockReading(const LogBytes& bytes, MakeTextParser makeParser, FrameStore& store, UnkeptList& unkept,
                const ReadOptions& options)
-      : m_bytes(bytes), m_makeParser(makeParser), m_options(options), m_appender(store, unkept) {}
+      : m_bytes(bytes),
+        m_makeParser(makeParser),
+        m_options(options),
+        m_appender(store, unkept, options.addsUpTimes) {}
 
   Result<ReadSummary, ReadError> run() {
     std::thread second;
@@ -88,8 +91,8 @@ class BlockReading {
     const char* const end = piece.data() + before + (to - from);
     const char* begin = piece.data();
     if (before > 0) {
-      const auto* feed = static_cast<const char*>(std::memchr(begin, '\n', to - from));
-      begin = feed ? feed + 1 : end;
+      const char* const lineEnd = findLineEnd(begin, end);
+      begin = lineEnd != nullptr ? lineEnd + 1 : end;
     }
     parser.parse(begin, end, piece.data() + piece.size(), block);
     return {};
@@ -123,10 +126,9 @@ Result<ReadSummary, ReadError> readText(const LogBytes& bytes, MakeTextParser ma
 }
 
 Sniff sniffText(TextParser& parser, std::string_view head, bool isWhole) {
-  // What follows the last line feed is judged if nothing more can come to it, or if it is too long for a
+  // What follows the last line end is judged if nothing more can come to it, or if it is too long for a
   // line.
-  const std::size_t feed = head.rfind('\n');
-  const std::size_t whole = feed == std::string_view::npos ? 0 : feed + 1;
+  const std::size_t whole = wholeLines(head);
   const std::size_t known = isWhole || head.size() - whole > kMaxTextLine ? head.size() : whole;
   const char* const begin = head.data();
   TextBlock block;

@@ -16,14 +16,16 @@ namespace deckpipe {
 
 class TextStream final : public StreamReader {
  public:
-  TextStream(std::unique_ptr<TextParser> parser, FrameStore& store, UnkeptList& unkept)
-      : m_parser(std::move(parser)), m_appender(store, unkept) {}
+  TextStream(std::unique_ptr<TextParser> parser, FrameStore& store, UnkeptList& unkept,
+             const ReadOptions& options)
+      : m_parser(std::move(parser)), m_appender(store, unkept, options.addsUpTimes) {}
 
   bool feed(std::string_view bytes) override;
   Result<ReadSummary, ReadError> finish() override;
 
  private:
   void take(std::size_t size);
+  void skip();
 
   std::unique_ptr<TextParser> m_parser;
   TextAppender m_appender;

@@ -10,6 +10,7 @@ std::string_view unkeptText(Unkept reason) {
     case Unkept::CanFd: return "CAN FD frame, not held";
     case Unkept::CanXl: return "CAN XL frame, not held";
     case Unkept::RecorderDropped: return "the recorder lost frames here";
+    case Unkept::Fraction: return "fraction of a time, as it has more than nine digits";
     case Unkept::Layout: return "not a line of a known form";
     case Unkept::Binary: return "control characters";
     case Unkept::LineTooLong: return "line too long";

@@ -19,6 +19,7 @@ enum class Unkept : std::uint8_t {
   CanFd,
   CanXl,
   RecorderDropped,  // the recording says itself that it lost frames here
+  Fraction,         // of a frame's time; the frame is kept, with its second
   // Unreadable.
   Layout,
   Binary,
@@ -34,7 +35,7 @@ enum class Unkept : std::uint8_t {
 template <>
 inline constexpr Unkept kLastOf<Unkept> = Unkept::LengthMismatch;
 
-// A file of which this is true was not read whole; frames of a kind that is not held do not count.
+// Something stands there that no reader understands.
 constexpr bool isUnreadable(Unkept reason) { return reason >= Unkept::Layout; }
 
 // English, for the standard error of the headless tool; windows translate the enum.
@@ -63,9 +64,12 @@ class UnkeptPlaces {
 
   const std::vector<UnkeptPlace>& places() const { return m_places; }
   std::uint64_t count(Unkept reason) const { return m_counts[reason]; }
-  // All of which isUnreadable() is true, and all others.
+  // All of which isUnreadable() is true, and all others. A file is read whole if it has neither unreadable
+  // places nor skipped frames.
   std::uint64_t unreadable() const { return sum(true); }
   std::uint64_t understood() const { return sum(false); }
+  // Frames of a kind that the store does not hold.
+  std::uint64_t skipped() const { return count(Unkept::CanFd) + count(Unkept::CanXl); }
 
  private:
   std::uint64_t sum(bool unreadable) const;

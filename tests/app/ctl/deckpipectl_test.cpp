@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <csignal>
 
 #include "run_ctl.h"
 
@@ -121,16 +122,87 @@ TEST(Decode, SaysUnreadableLinesWithNumberAndReasonAndGoesOn) {
 
 TEST(Decode, SaysOfWhatIsNoLogWhichFormatsAreRead) {
   const Outcome r = run(decode(), "no log\n");
-  EXPECT_EQ(r.status, 1);
-  EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: Deckpipe, candump"))
-      << r.err.constData();
+  EXPECT_EQ(r.status, 3);
+  EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: Deckpipe, candump")) << r.err.constData();
 }
 
-TEST(Decode, CountsCanFdFramesOnStandardErrorWithoutFailing) {
+TEST(Decode, CountsSkippedCanFdFramesOnStandardError) {
   const Outcome r = run(decode(), kPosition + "(1.0) can0 123##0112233\n");
-  EXPECT_EQ(r.status, 0);
+  EXPECT_EQ(r.status, 1);
   EXPECT_EQ(r.lines().size(), 1);
   EXPECT_TRUE(r.err.contains("1 not kept")) << r.err.constData();
+}
+
+struct ReadCase {
+  const char* name;
+  QByteArray content;
+  int status;
+  const char* said;       // on standard error; empty: nothing is said at all
+  bool hasReport = true;  // of info
+};
+class ReadStatus : public testing::TestWithParam<ReadCase> {
+ protected:
+  static void expect(const Outcome& r, bool hasOutput) {
+    EXPECT_EQ(r.status, GetParam().status) << r.err.constData();
+    if (*GetParam().said == '\0') {
+      EXPECT_TRUE(r.err.isEmpty()) << r.err.constData();
+    } else {
+      EXPECT_EQ(r.err.count(GetParam().said), 1) << r.err.constData();
+      EXPECT_EQ(r.err.count('\n'), 1) << "told once: " << r.err.constData();
+    }
+    if (!hasOutput) {
+      EXPECT_TRUE(r.out.isEmpty()) << r.out.constData();
+    }
+  }
+};
+TEST_P(ReadStatus, IsTheSameOfFileAndPipeAndOfInfoAndDecode) {
+  QTemporaryDir dir;
+  QFile file(dir.filePath(QStringLiteral("a log")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(GetParam().content);
+  file.close();
+  expect(run(decode(), GetParam().content), true);
+  expect(run({QStringLiteral("decode"), file.fileName()}), true);
+  expect(run(words("info -"), GetParam().content), GetParam().hasReport);
+  expect(run({QStringLiteral("info"), QStringLiteral("--json"), file.fileName()}), GetParam().hasReport);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Contract, ReadStatus,
+    testing::Values(
+        ReadCase{"Whole", kPosition, 0, ""},
+        ReadCase{"RecorderLostFrames", kPosition + "DROPCOUNT: dropped 3 CAN frames\n", 0, "recorder lost"},
+        ReadCase{"AFractionNotRead", "(1700000000.4011223344) can0 123#11\n", 1, "1 not kept: fraction"},
+        ReadCase{"LinesEndInCr", "(1.0) can0 123#11\r(2.0) can0 123#22\r", 0, ""},
+        ReadCase{"ALineNotRead", kPosition + "nonsense\n", 1, ":2: "},
+        ReadCase{"AFrameSkipped", kPosition + "(1.0) can0 123##0112233\n", 1, "1 not kept"},
+        ReadCase{"OnlySkippedFrames", "(1.0) can0 123##0112233\n", 1, "1 not kept"},
+        ReadCase{"NoLog", "no log\n", 3, "not a log of a known format", false},
+        ReadCase{"OfAnotherProgram", "date Fri Apr 27 08:24:13 2018\nbase hex  timestamps absolute\n", 3,
+                 "seems to be Vector ASC", false},
+        ReadCase{"Empty", "", 4, "it is empty", false},
+        ReadCase{"BlankLines", "\n \n\n", 4, "it holds no frame", false},
+        ReadCase{"OnlyComments", "# nothing yet\n", 4, "it holds no frame", false}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(ReadStatusOfAFile, ThatIsNotThereIsThree) {
+  for (const char* command :
+       {"decode /nonexistent/x.log", "info /nonexistent/x.log", "decode /", "info --json /",
+        "pipe --interface x --address 80 --unlock --file /nonexistent"}) {
+    const Outcome r = run(words(command));
+    EXPECT_EQ(r.status, 3) << command;
+    EXPECT_TRUE(r.out.isEmpty()) << command;
+    EXPECT_EQ(r.err.count('\n'), 1) << r.err.constData();
+  }
+}
+
+TEST(ReadStatusOfAFile, ToSendThatIsEmptyIsFour) {
+  const Outcome r = run(words("pipe --interface x --address 80 --unlock --file /dev/null"));
+  EXPECT_EQ(r.status, 4);
+  EXPECT_TRUE(r.err.contains("/dev/null: it is empty")) << r.err.constData();
+}
+
+TEST(ReadStatusOfAFile, ThatIsNoneWritesNoCsvHeader) {
+  EXPECT_TRUE(run(decode(words("--format csv")), "no log\n").out.isEmpty());
 }
 
 struct UsageCase {
@@ -154,7 +226,6 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{"DriveNotHex", words("decode --drive zz -")},
         UsageCase{"DriveGlobal", words("decode --drive FF -")},
         UsageCase{"DriveEmptyChannel", words("decode --drive :21 -")},
-        UsageCase{"AbsentFile", words("decode /nonexistent/x.log")},
         UsageCase{"SimulateNowhere", words("simulate")},
         UsageCase{"SimulateNegative", words("simulate --log - --seconds -3")},
         UsageCase{"SimulateNoSuchFault", words("simulate --log - --misbehave monitor:dances")},
@@ -184,8 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{"CommandNoSuch", words("command explode --interface x --address 80 --unlock --yes")},
         UsageCase{"PipeLocked", words("pipe --interface x --address 80")},
         UsageCase{"PipeLineEnd", words("pipe --interface x --address 80 --unlock --line-end x")},
-        UsageCase{"PipeMissingAck", words("pipe --interface x --address 80 --unlock --on-missing-ack x")},
-        UsageCase{"PipeNoSuchFile", words("pipe --interface x --address 80 --unlock --file /nonexistent")}),
+        UsageCase{"PipeMissingAck", words("pipe --interface x --address 80 --unlock --on-missing-ack x")}),
     [](const auto& row) { return std::string(row.param.name); });
 
 constexpr const char* kCommands[] = {"decode", "info", "simulate", "nodes",
@@ -197,12 +267,23 @@ TEST(Help, IsOnStandardOutputWithStatusZeroAndNamesTheSubcommand) {
     const Outcome r = run({QLatin1String(command), QStringLiteral("--help")});
     EXPECT_EQ(r.status, 0) << command;
     EXPECT_TRUE(r.out.startsWith("Usage: deckpipectl " + QByteArray(command) + " ")) << r.out.constData();
+    for (const char* status : {"  0  ", "  1  ", "  2  ", "  3  ", "  4  "})
+      EXPECT_TRUE(r.out.contains(status)) << command << status;
+  }
+}
+
+TEST(Version, NamesTheSubcommand) {
+  EXPECT_TRUE(run(words("--version")).out.startsWith("deckpipectl "));
+  for (const char* command : kCommands) {
+    const Outcome r = run({QLatin1String(command), QStringLiteral("--version")});
+    EXPECT_EQ(r.status, 0) << command;
+    EXPECT_TRUE(r.out.startsWith("deckpipectl " + QByteArray(command) + " ")) << r.out.constData();
   }
 }
 
 TEST(Help, SaysWhenItCannotBeWritten) {
   if (!QFile::exists(QStringLiteral("/dev/full"))) GTEST_SKIP() << "no /dev/full";
-  for (const char* arguments : {"--help", "--version", "poll --help"}) {
+  for (const char* arguments : {"--help", "--version", "poll --help", "poll --version"}) {
     QProcess process;
     process.setStandardOutputFile(QStringLiteral("/dev/full"));
     process.start(QStringLiteral(DECKPIPECTL), words(arguments));
@@ -239,16 +320,33 @@ TEST(OwnAddress, BelowThemIsWarnedOfAndTaken) {
 }
 
 TEST(Rule20Simulate, OnWhatMayBeARealBusDoesNothingWithoutTheWord) {
-  for (const char* where :
-       {"--plugin socketcan --interface can0", "--plugin socketcan --interface vcan-by-name",
-        "--plugin socketcan --interface lo", "--plugin peakcan --interface usb0"}) {
-    const Outcome r = run(words("simulate") + words(where));
+  const Outcome r = run(words("simulate --plugin peakcan --interface usb0"));
+  if (r.err.contains("no such plugin")) GTEST_SKIP() << "no plugin of an adapter";
+  EXPECT_EQ(r.status, 2);
+  EXPECT_TRUE(r.err.contains("--moves-monitors is the word for it")) << r.err.constData();
+}
+
+TEST(Rule20Simulate, LooksForTheInterfaceBeforeItAsksForTheWord) {
+  for (const char* where : {"nosuch0", "vcan-by-name", "lo", "nosuch0 --moves-monitors"}) {
+    const Outcome r = run(words("simulate --plugin socketcan --interface") + words(where));
     EXPECT_EQ(r.status, 2) << where;
-    EXPECT_TRUE(r.err.contains("--moves-monitors is the word for it")) << r.err.constData();
+    EXPECT_TRUE(r.err.contains("no such CAN interface: '")) << r.err.constData();
   }
-  const Outcome r = run(words("simulate --plugin socketcan --interface nosuch0 --moves-monitors"));
-  EXPECT_EQ(r.status, 1) << "with it, the interface is opened";
-  EXPECT_TRUE(r.err.contains("nosuch0: ")) << r.err.constData();
+}
+
+TEST(Plugin, ThatIsNotThereIsAnUnusableArgument) {
+  for (const char* plugin : {"nosuch", ""}) {
+    for (const char* command :
+         {"nodes", "watch", "poll --unlock --all", "command reset --unlock --address 80",
+          "pipe --unlock --address 80", "simulate"}) {
+      const Outcome r =
+          run(words(command) + QStringList{QStringLiteral("--plugin"), QLatin1String(plugin),
+                                           QStringLiteral("--interface"), QStringLiteral("can0")});
+      EXPECT_EQ(r.status, 2) << command;
+      EXPECT_TRUE(r.err.contains("no such plugin: '" + QByteArray(plugin) + "'; installed are "))
+          << r.err.constData();
+    }
+  }
 }
 
 TEST(Output, EndsQuietlyWhenItsReaderGoesAway) {
@@ -303,6 +401,37 @@ TEST(Simulate, WritesTheSameLogForTheSameSeedAndInfoKnowsItsDevices) {
   EXPECT_TRUE(pins.contains(QStringLiteral("1032AE100801035"))) << info.out.constData();
 }
 
+TEST(Simulate, SaysHowManyFramesItWroteWhenItIsStopped) {
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), words("simulate --log - --seconds 1000000"));
+  ASSERT_TRUE(process.waitForReadyRead(60'000));
+  ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+  ASSERT_TRUE(process.waitForFinished(60'000));
+  const Outcome r = deckpipe::test::outcomeOf(process);
+  EXPECT_EQ(r.status, 1);
+  const QByteArray frames = QByteArray::number(r.out.count('\n'));
+  EXPECT_TRUE(r.err.contains("stopped; " + frames + " frames were written to standard output"))
+      << r.err.constData();
+}
+
+TEST(Streams, ThatAreClosedAreSaidToBe) {
+  const auto shell = [](const char* command) {
+    QProcess process;
+    process.start(
+        QStringLiteral("/bin/sh"),
+        {QStringLiteral("-c"), QStringLiteral(DECKPIPECTL) + QLatin1Char(' ') + QLatin1String(command)});
+    EXPECT_TRUE(process.waitForFinished(60'000));
+    return deckpipe::test::outcomeOf(process);
+  };
+  const Outcome input = shell("decode - <&-");
+  EXPECT_EQ(input.status, 3);
+  EXPECT_TRUE(input.err.contains("standard input: cannot be read further: Bad file descriptor"))
+      << input.err.constData();
+  const Outcome output = shell("--version >&-");
+  EXPECT_EQ(output.status, 1);
+  EXPECT_TRUE(output.err.contains("standard output: Bad file descriptor")) << output.err.constData();
+}
+
 TEST(Simulate, MisbehavesFromTheTimeItWasAskedFor) {
   const Outcome r = run(words("simulate --log - --seconds 20 --misbehave monitor:wrong-lengths@10"));
   ASSERT_EQ(r.status, 0);
@@ -341,6 +470,21 @@ TEST(Simulate, ListsEveryMisbehaviourOnRequest) {
   EXPECT_EQ(r.status, 0);
   for (const char* part : {"off[=MS]", "reset-never", "acks-lost[=[K/]N]", "fault=FAULT", "vanish-after=N"})
     EXPECT_TRUE(r.out.contains(part)) << part;
+}
+
+TEST(Info, OffersToAddUpTheDifferencesOfCandump) {
+  const QByteArray log =
+      " (000.000000)  can0  123   [1]  11\n (000.100200)  can0  123   [1]  11\n"
+      " (000.099800)  can0  123   [1]  11\n (000.100000)  can0  123   [1]  11\n";
+  const Outcome asTheyAre = run(words("info --json -"), log);
+  EXPECT_EQ(asTheyAre.status, 0);
+  EXPECT_TRUE(asTheyAre.err.contains("--deltas adds them up")) << asTheyAre.err.constData();
+  const Outcome added = run(words("info --json --deltas -"), log);
+  EXPECT_EQ(added.status, 0);
+  EXPECT_TRUE(added.err.isEmpty()) << added.err.constData();
+  EXPECT_EQ(added.objects()[0][QLatin1String("span")].toDouble(), 0.3);
+  EXPECT_EQ(added.objects()[0][QLatin1String("time_jumps")].toInt(), 0);
+  EXPECT_TRUE(run(decode({QStringLiteral("--deltas")}), log).lines().last().startsWith("{\"t\":0.300000,"));
 }
 
 TEST(Info, CountsFramesByIdentifierAndUnreadableLines) {

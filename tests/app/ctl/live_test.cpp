@@ -3,8 +3,10 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <csignal>
 
+#include "bus/j1939.h"
 #include "run_ctl.h"
 #include "session/bench_runner.h"
 #include "simulator/crc32.h"
@@ -60,6 +62,12 @@ class Live : public testing::Test {
     return end(process);
   }
   void wish(std::size_t device, TwinFault fault) { m_twin.obey({device, TwinSwitch{fault, true}}); }
+  // A frame of the tool to this address, which has this type byte.
+  bool wasSent(std::uint8_t to, std::uint8_t type) const {
+    return std::ranges::any_of(m_witness.frames, [&](const Frame& frame) {
+      return (frame.identifier() & 0xFF'FF'FF) == (0xEF'00F9u | to << 8) && frame.data[0] == type;
+    });
+  }
   bool anyFrom(std::uint8_t address) const {
     return std::ranges::any_of(m_witness.frames, [&](const Frame& frame) {
       return frame.isExtended() && (frame.identifier() & 0xFF) == address;
@@ -186,6 +194,33 @@ TEST_F(Live, PollUntilStoppedEndsByCtrlC) {
   EXPECT_EQ(end(process).status, 0);
 }
 
+TEST_F(Live, PollUntilStoppedIsNotWholeIfAnAnswerIsMissing) {
+  wish(0, TwinFault::AnswersWrongSource);
+  QProcess process;
+  start(process, "poll --unlock --pin 1032AE100801035 --kinds fault --every 5");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0x02); }, kPatience));
+  ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+  const Outcome r = end(process);
+  EXPECT_EQ(r.status, 1);
+  ASSERT_EQ(r.lines().size(), 1) << r.out.constData();
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("stopped"));
+  EXPECT_EQ(r.objects()[0][QLatin1String("on_bus")], QJsonValue(true));
+}
+
+TEST_F(Live, CommandThatIsStoppedSaysThatItIsOnTheBus) {
+  wish(0, TwinFault::ResetNever);
+  QProcess process;
+  start(process, "command reset --unlock --yes --address 80");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0x45); }, kPatience));
+  ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+  const Outcome r = end(process);
+  EXPECT_EQ(r.status, 1);
+  ASSERT_EQ(r.lines().size(), 1) << r.out.constData();
+  EXPECT_EQ(text(r.objects()[0], "ask"), QStringLiteral("reset"));
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("stopped"));
+  EXPECT_EQ(r.objects()[0][QLatin1String("on_bus")], QJsonValue(true));
+}
+
 TEST_F(Live, WhatADeviceDoesNotTakeIsSaid) {
   const Outcome r = run("poll --unlock --pin 1033AE100802117 --kinds vista,fault");
   EXPECT_EQ(r.status, 1);
@@ -199,6 +234,66 @@ TEST_F(Live, ADeviceThatIsNotThereIsSaid) {
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.out.isEmpty());
   EXPECT_TRUE(r.err.contains("1032AE999999999 is not heard")) << r.err.constData();
+}
+
+// A foreign node with the lowest of all NAMEs, at an address of the twin's.
+class AddressTaken : public Live {
+ protected:
+  void take(Address address) {
+    Frame claim;
+    claim.id = J1939Id{6, pgn::kAddressClaimed, address, kGlobalAddress}.frameId();
+    claim.data = {1};
+    claim.length = 8;
+    m_claim = claim;
+    QObject::connect(&m_again, &QTimer::timeout, &m_again, [this] { m_witnessLink->write(m_claim); });
+    m_witnessLink->write(m_claim);
+    m_again.start(100);
+  }
+  Frame m_claim;
+  QTimer m_again;
+};
+
+TEST_F(AddressTaken, CommandSaysWhoHoldsIt) {
+  take(Address{0x80});
+  const Outcome r = run("command setup-mode --unlock --yes --address 80");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.out.isEmpty()) << r.out.constData();
+  EXPECT_TRUE(r.err.contains("address 80 is held by NAME 0000000000000001")) << r.err.constData();
+}
+
+TEST_F(AddressTaken, PollOfWhoIsThereNoMoreSaysSo) {
+  const Address address = m_status.devices[2].address;  // the one without a PIN
+  QProcess process;
+  start(process, "poll --unlock --kinds fault --every 0.5 --count 8",
+        {QStringLiteral("--address"), QString::number(address.value, 16)});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return process.bytesAvailable() > 0; }, kPatience));
+  take(address);
+  const Outcome r = end(process);
+  EXPECT_EQ(r.status, 1);
+  ASSERT_FALSE(r.lines().empty());
+  EXPECT_EQ(text(r.objects().last(), "end"), QStringLiteral("refused"));
+  EXPECT_EQ(text(r.objects().last(), "reason"), QStringLiteral("address_taken"));
+}
+
+TEST_F(AddressTaken, NodesCountsTheFramesOfWhoHoldsIt) {
+  QProcess process;
+  start(process, "nodes --unlock --seconds 4");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return anyFrom(0xF9); }, kPatience));
+  m_witness.frames.clear();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return anyFrom(0x80); }, kPatience));  // which it hears too
+  take(Address{0x80});
+  const Outcome r = end(process);
+  int frames = 0;
+  for (const QJsonObject& node : r.objects()) {
+    if (node[QLatin1String("address")].toInt() == 0x80) frames = node[QLatin1String("frames")].toInt();
+  }
+  const auto taken = std::ranges::find_if(
+      m_witness.frames, [this](const Frame& f) { return f.id == m_claim.id && f.data == m_claim.data; });
+  const auto since = std::count_if(taken, m_witness.frames.end(), [](const Frame& f) {
+    return f.isExtended() && (f.identifier() & 0xFF) == 0x80;
+  });
+  EXPECT_GT(frames, 0) << r.out.constData();
+  EXPECT_LE(frames, since) << "those before are the monitor's";
 }
 
 TEST_F(Live, CommandWithoutYesNamesTheDeviceAndSendsNone) {
@@ -246,6 +341,31 @@ TEST_F(Live, PipeSendsStandardInputAndWritesWhatTheDeviceSays) {
   const Outcome r = run("pipe --unlock --pin 1032AE100801035", "ECHO over the pipe\n");
   EXPECT_EQ(r.status, 0) << r.err.constData();
   EXPECT_EQ(r.out, "over the pipe\r\n");
+}
+
+// With CR LF as the end of line too: the twin's shell would answer an empty line of its own to a second CR.
+TEST_F(Live, PipeMakesOneLineEndOfCrLf) {
+  const Outcome r = run("pipe --unlock --pin 1032AE100801035 --line-end crlf", "ECHO one\r\nECHO two\r\n");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_EQ(r.out, "one\r\ntwo\r\n");
+  QByteArray sent;
+  for (const Frame& frame : m_witness.frames) {
+    if ((frame.identifier() & 0xFF'FF'FF) != 0xEF'80F9u || frame.data[0] != 0xFE) continue;
+    for (std::size_t i = 1; i < frame.length; ++i) sent += static_cast<char>(frame.data[i]);
+  }
+  EXPECT_EQ(sent, "ECHO one\r\nECHO two\r\n");
+}
+
+TEST_F(Live, PipeSaysWhatWasExpectedOnAClosedStandardInput) {
+  QProcess shell;
+  shell.start(QStringLiteral("/bin/sh"),
+              {QStringLiteral("-c"),
+               QStringLiteral("exec \"$0\" pipe --unlock --address 80 --plugin virtualcan "
+                              "--interface \"$1\" <&-"),
+               QStringLiteral(DECKPIPECTL), m_interface});
+  const Outcome r = end(shell);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains("What to send was expected there")) << r.err.constData();
 }
 
 TEST_F(Live, PipeSendsAFileWhoseSumTheDeviceConfirms) {
@@ -375,6 +495,26 @@ TEST_F(Live, TwoIdentitiesHaveAnAddressEach) {
   first.terminate();
   end(first);
 }
+
+// The bus of an adapter that does not come back by itself goes away.
+class BusGone : public testing::TestWithParam<const char*> {};
+TEST_P(BusGone, EndsWithTheReason) {
+  VirtualBus bus;
+  ASSERT_TRUE(bus.start());
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), words(GetParam()) + words("--plugin virtualcan --interface") +
+                                                 QStringList{bus.interfaceName(0)});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bus.clients(0) == 1; }, kPatience));
+  bus.stop();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kPatience));
+  const Outcome r = test::outcomeOf(process);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains("/can0?echo: ")) << r.err.constData();
+}
+INSTANTIATE_TEST_SUITE_P(Ctl, BusGone,
+                         testing::Values("watch", "watch --unlock", "nodes --seconds 100",
+                                         "poll --unlock --all --every 1", "pipe --unlock --address 80",
+                                         "command reset --yes --unlock --address 80", "simulate"));
 
 }  // namespace
 }  // namespace deckpipe

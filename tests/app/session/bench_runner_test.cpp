@@ -104,7 +104,7 @@ class Rule20Twin : public testing::Test {
   VirtualBus m_bus;
   RecordingListener m_heard;
   std::unique_ptr<CanLink> m_other;
-  BenchRunner m_twin{1, 1, [](const LinkSettings&) { return false; }};
+  BenchRunner m_twin{1, 1, [](auto&&...) { return false; }};
   bool m_isReady = false, m_isWordMissing = false;
   std::vector<Stranger> m_strangers;
 };

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <ostream>
 #include <random>
 
+#include "log/delta_times.h"
 #include "log/log_stream.h"
 #include "log/text_parser.h"
 
@@ -114,6 +116,96 @@ TEST(CandumpReader, ReportsUnreadableLinesByTheirNumberAndGoesOn) {
   EXPECT_EQ(outcome.unkept,
             (std::vector<UnkeptPlace>{
                 {4, Unkept::Layout}, {6, Unkept::CanFd}, {7, Unkept::Data}, {108, Unkept::Identifier}}));
+}
+
+TEST(CandumpReader, TakesALoneCarriageReturnForALineEnd) {
+  const std::string usual = usualText(3000);
+  const Outcome expected = readEveryWay(usual);
+  std::string lone = usual, pairs, mixed;
+  std::ranges::replace(lone, '\n', '\r');
+  for (int i = 0; const char c : usual) {
+    pairs += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    static constexpr const char* kEnds[] = {"\r", "\n", "\r\n"};
+    mixed += c == '\n' ? std::string(kEnds[i++ % 3]) : std::string(1, c);
+  }
+  EXPECT_EQ(readEveryWay(lone), expected);
+  EXPECT_EQ(readEveryWay(pairs), expected);
+  EXPECT_EQ(readEveryWay(mixed), expected);
+}
+
+TEST(CandumpReader, CountsLinesByWhateverEndsThem) {
+  const Outcome outcome =
+      readEveryWay("(1.0) can0 123#11\r\r\nrubbish\r(2.0) can0 123#22\n\rrubbish\r\n(3.0) can0 123#33\r");
+  EXPECT_EQ(outcome.frames.size(), 3u);
+  EXPECT_EQ(outcome.lines, 7u);
+  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{3, Unkept::Layout}, {6, Unkept::Layout}}));
+}
+
+TEST(CandumpReader, SkipsATooLongLineUpToItsCarriageReturn) {
+  for (const std::size_t length :
+       {kMaxTextLine - 1, kMaxTextLine, kMaxTextLine + 1, kMaxTextLine + 2, std::size_t{70'000}}) {
+    for (const char* end : {"\r", "\n", "\r\n", "\r\r\n"}) {
+      SCOPED_TRACE(length);
+      const std::string text =
+          usualLine(0) + std::string(length, 'x') + end + usualLine(1) + std::string(length, 'y') + end;
+      const Outcome outcome = readEveryWay(text);
+      EXPECT_EQ(outcome.frames.size(), 2u);
+      EXPECT_EQ(outcome.unkept.size(), 2u);
+    }
+  }
+}
+
+// 32-bit boards whose time has 64 bits print such stamps.
+TEST(CandumpReader, KeepsTheSecondOfATimeWithMoreThanNineDecimals) {
+  const Outcome outcome = readEveryWay("(1700000000.4011223344) can0 123#11\n(1700000001.5) can0 123#22\n");
+  ASSERT_EQ(outcome.frames.size(), 2u);
+  EXPECT_EQ(outcome.frames[0].stamp, 1'700'000'000'000'000'000);
+  EXPECT_EQ(outcome.frames[1].stamp, 1'700'000'001'500'000'000);
+  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{1, Unkept::Fraction}}));
+}
+
+TEST(DeltaTimes, AreToldFromTimes) {
+  struct Row {
+    const char* name;
+    std::vector<const char*> times;
+    bool areDeltas;
+  };
+  for (const Row& row : std::vector<Row>{
+           {"periodic", {"000.000000", "000.100200", "000.099700", "000.100100", "000.099800"}, true},
+           {"few, with a little jitter", {"0.0", "0.1002", "0.0998", "0.1000"}, true},
+           {"the same each time", {"0.0", "0.1", "0.1", "0.1"}, true},
+           {"from 0 on (-t z)", {"000.000000", "000.100200", "000.199900", "000.300000"}, false},
+           {"times of day", {"1700000000.0", "1700000000.0", "1700000000.0"}, false},
+           {"two buses out of order, from 0 on", {"0.0", "0.100001", "0.1", "0.2", "0.3"}, false},
+           {"all 0", {"0.0", "0.0", "0.0"}, false},
+           {"too few", {"0.0", "0.1"}, false},
+           {"an uptime", {"5.0", "5.0", "5.0", "5.0"}, false}}) {
+    std::string text;
+    for (const char* time : row.times) text += "(" + std::string(time) + ") can0 123#11\n";
+    FrameStore store;
+    UnkeptList unkept;
+    ASSERT_TRUE(readLog(BytesInMemory(text), {store, unkept}));
+    EXPECT_EQ(hasDeltaTimes(store), row.areDeltas) << row.name;
+  }
+}
+
+TEST(DeltaTimes, AreAddedUpAlikeOfFileAndPipe) {
+  const std::string text =
+      "(0.0) can0 123#11\n(0.1002) can1 123#11\nrubbish\n(0.0997) can0 123#11\n(0.1001) can0 123#11\n";
+  ReadOptions options;
+  options.addsUpTimes = true;
+  options.blockBytes = 8;
+  const Outcome file = readText(text, options);
+  ASSERT_EQ(file.frames.size(), 4u);
+  EXPECT_EQ(file.frames[1].stamp, 100'200'000);
+  EXPECT_EQ(file.frames[3].stamp, 300'000'000);
+  EXPECT_TRUE(
+      std::ranges::none_of(file.frames, [](const Frame& f) { return (f.flags & Frame::kTimeJump) != 0; }));
+  FrameStore store;
+  UnkeptList unkept;
+  LogStream stream(store, unkept, logFormats(), options);
+  for (const char c : text) stream.feed({&c, 1});
+  EXPECT_EQ(outcomeOf(stream.finish(), store, unkept), file);
 }
 
 TEST(CandumpReader, ReadsALastLineWithoutLineFeed) {

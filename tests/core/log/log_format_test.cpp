@@ -136,6 +136,28 @@ TEST(LogFormats, WhatNoneKnowsIsOneErrorThatNamesNone) {
   EXPECT_EQ(reading.result.error(), ReadError{ReadError::Kind::UnknownFormat});
 }
 
+TEST(LogFormats, WhatAnotherProgramWroteIsNamedAlikeOfFileAndPipe) {
+  const std::string asc = "date Fri Apr 27 08:24:13 am 2018\nBase HEX  timestamps absolute\n";
+  for (const auto& [content, name] : {std::pair<std::string, std::string>{"LOGG\x90", "Vector BLF"},
+                                      {asc, "Vector ASC"},
+                                      {asc + std::string(200'000, '\x01'), "Vector ASC"},
+                                      {";$FILEVERSION=2.1\n;   Start time\n", "PEAK TRC"},
+                                      {"Time Stamp,ID,Extended,Bus,LEN\n", "SavvyCAN CSV"}}) {
+    SCOPED_TRACE(name);
+    Reading reading;
+    reading.result = readLog(BytesInMemory(content), {reading.store, reading.unkept});
+    ASSERT_FALSE(reading.result);
+    EXPECT_EQ(reading.result.error(), (ReadError{ReadError::Kind::UnknownFormat, {}, name}));
+    Reading pipe;
+    LogStream stream(pipe.store, pipe.unkept);
+    for (std::size_t at = 0; at < content.size() && stream.feed(content.substr(at, 5)); at += 5) {
+    }
+    pipe.result = stream.finish();
+    ASSERT_FALSE(pipe.result);
+    EXPECT_EQ(pipe.result.error(), reading.result.error());
+  }
+}
+
 TEST(LogFormats, AnErrorNamesTheFormatThatTheContentSeemedToBe) {
   LogFormat broken = kTiny;
   broken.read = [](const LogBytes&, const LogTarget&, const ReadOptions&) -> Result<ReadSummary, ReadError> {
