@@ -50,9 +50,6 @@ struct DeviceHealth {
   friend bool operator==(const DeviceHealth&, const DeviceHealth&) = default;
 };
 
-// Nothing heard for so long of what sends by itself is silence: three heartbeats, thirty of any other period.
-inline constexpr Duration kSilentAfter = 3s;
-
 DeviceHealth healthOf(const State& state, const Device& device);
 // Of a J1939 address that is no Akron device.
 DeviceHealth healthOf(const State& state, Channel channel, Address address);
