@@ -67,6 +67,23 @@
     </message>
 </context>
 <context>
+    <name>Row</name>
+    <message numerus="yes">
+        <source>%Ln frames on channels beyond the first %1: their devices are not listed</source>
+        <translation>
+            <numerusform>%Ln frame on channels beyond the first %1: their devices are not listed</numerusform>
+            <numerusform>%Ln frames on channels beyond the first %1: their devices are not listed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames of devices beyond the first %1, which are not listed</source>
+        <translation>
+            <numerusform>%Ln frame of devices beyond the first %1, which are not listed</numerusform>
+            <numerusform>%Ln frames of devices beyond the first %1, which are not listed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StatusText</name>
     <message numerus="yes">
         <source>%Ln commands not on the bus yet</source>
@@ -142,16 +159,6 @@ Other devices in the list: %n.</source>
 Other devices in the list: %n.</numerusform>
             <numerusform>No monitor heard up to this place of the log.
 Other devices in the list: %n.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>deckpipe::PageHeader</name>
-    <message numerus="yes">
-        <source>And %n more.</source>
-        <translation>
-            <numerusform>And %n more.</numerusform>
-            <numerusform>And %n more.</numerusform>
         </translation>
     </message>
 </context>

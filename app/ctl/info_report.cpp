@@ -6,6 +6,7 @@
 #include "protocol/device_types.h"
 #include "report/json.h"
 #include "report/trace_text.h"
+#include "state/health.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -25,7 +26,7 @@ void appendAngle(std::string& out, const PositionReading& reading) {
 }
 
 // One device as a JSON object: what it is, and the last of each thing it said.
-void appendDeviceJson(std::string& out, const Device& device, std::string_view channel) {
+void appendDeviceJson(std::string& out, const State& state, const Device& device, std::string_view channel) {
   const auto key = [&](std::string_view name) {
     out += ",\"";
     out += name;
@@ -48,6 +49,8 @@ void appendDeviceJson(std::string& out, const Device& device, std::string_view c
     key("address_changes");
     appendJsonNumber(out, device.addressChanges);
   }
+  key("health");
+  appendJsonString(out, healthOf(state, device).key());
   key("frames");
   appendJsonNumber(out, device.frames);
   key("malformed");
@@ -95,7 +98,7 @@ void appendDeviceJson(std::string& out, const Device& device, std::string_view c
   out += '}';
 }
 
-std::string deviceText(const Device& device, std::string_view channel) {
+std::string deviceText(const State& state, const Device& device, std::string_view channel) {
   std::string out;
   if (device.kind == Device::Kind::Pin) {
     out += device.pin.text();
@@ -122,7 +125,7 @@ std::string deviceText(const Device& device, std::string_view channel) {
     out += ", rotation " + angle(device.position().value().rotation);
     out += ", elevation " + angle(device.position().value().elevation);
   }
-  return out;
+  return out.append(", ").append(healthOf(state, device).key());
 }
 
 }  // namespace
@@ -184,7 +187,7 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
     out += "devices\n";
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;
-      out += "  " + deviceText(device, m_frames.channelName(device.channel.value)) + "\n";
+      out += "  " + deviceText(m_state, device, m_frames.channelName(device.channel.value)) + "\n";
     }
   }
   return out;
@@ -233,7 +236,7 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;
       comma();
-      appendDeviceJson(out, device, m_frames.channelName(device.channel.value));
+      appendDeviceJson(out, m_state, device, m_frames.channelName(device.channel.value));
     }
     out += ']';
   }

@@ -9,6 +9,7 @@
 #include "protocol/decode.h"
 #include "protocol/device_types.h"
 #include "protocol/j1939.h"
+#include "state/health.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -27,6 +28,8 @@ struct Row {
   std::uint32_t frames() const { return heard ? heard->frames : device->frames; }
   std::uint32_t malformed() const { return device != nullptr ? device->malformed : heard->malformed; }
   Instant lastHeard() const { return heard ? heard->lastHeard : device->lastHeard; }
+  Health health{};
+
   Pin pin() const { return device != nullptr ? device->pin : Pin(); }
 };
 
@@ -64,14 +67,18 @@ std::vector<Row> rowsOf(const State& state, const NodeCounts& counts, Channel ch
             .device = state.devices().byAddress(channel, address)};
     row.sendsJoystick = bus.joysticks.find(address) != nullptr;
     row.what = whatIsAt(bus, address, row.sendsJoystick, row.device != nullptr);
+    row.health = row.device != nullptr ? healthOf(state, *row.device) : healthOf(state, channel, address);
     rows.push_back(row);
   }
   for (const Device& device : state.devices().all()) {
     if (device.kind == Device::Kind::Free || device.channel != channel) continue;
     if (device.kind == Device::Kind::Node) {
-      rows.push_back({.node = device.node, .device = &device, .what = "canopen_node"});
+      rows.push_back({.node = device.node,
+                      .device = &device,
+                      .what = "canopen_node",
+                      .health = healthOf(state, device)});
     } else if (device.address == kNullAddress) {
-      rows.push_back({.device = &device, .what = "akron"});
+      rows.push_back({.device = &device, .what = "akron", .health = healthOf(state, device)});
     }
   }
   return rows;
@@ -108,7 +115,7 @@ std::string jsonLine(const Row& row, std::string_view channelName) {
   if (row.device != nullptr && row.device->partNumber.isKnown())
     line.add("part_number", std::int64_t{row.device->partNumber.value});
   line.add("frames", std::int64_t{row.frames()}).add("malformed", std::int64_t{row.malformed()});
-  line.addTime("last_heard", wallTime(row.lastHeard()));
+  line.addTime("last_heard", wallTime(row.lastHeard())).add("health", row.health.key());
   return line.text();
 }
 
@@ -124,9 +131,10 @@ std::string textLine(const Row& row, Instant now) {
   }
   char name[20] = "";
   if (row.name != 0) std::snprintf(name, sizeof name, "%016llX", static_cast<unsigned long long>(row.name));
-  std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u frames, last %.1f s ago\n", place,
-                row.what, std::string(pin.text()).c_str(), std::string(type).c_str(), name, row.frames(),
-                std::chrono::duration<double>(now - row.lastHeard()).count());
+  std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u frames, last %.1f s ago, %s\n",
+                place, row.what, std::string(pin.text()).c_str(), std::string(type).c_str(), name,
+                row.frames(), std::chrono::duration<double>(now - row.lastHeard()).count(),
+                std::string(row.health.key()).c_str());
   return text;
 }
 

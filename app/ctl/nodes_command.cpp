@@ -19,7 +19,8 @@ ExitStatus nodesCommand(const QStringList& arguments) {
       "presumed: it speaks as Akron's do, and nothing else is known), sends_joystick, pin,\n"
       "device_type, type_name, claim, name and its parts, part_number, frames and malformed (of who holds "
       "the\n"
-      "address, since then), last_heard (seconds since 1970). An interface that is lost ends it with 1."));
+      "address, since then), last_heard (seconds since 1970), health (fine, or the worst of what keeps it\n"
+      "from being fine). An interface that is lost ends it with 1."));
   const LiveOptions live(parser);
   const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("Listen so long; 3 by default."),
                                    QStringLiteral("N"), QStringLiteral("3"));

@@ -26,6 +26,9 @@ Pin pinOf(std::uint64_t announcement) {
   return announcement == 0 ? Pin() : announcedPin(frame).value_or(Pin());
 }
 
+constexpr Duration kTurnWithin = 10s;  // each of two who share an address says so again within this time
+constexpr Duration kSharedFor = 60s;   // … and so long it is believed after the last time
+
 bool isPartNumberAnswer(const Frame& frame) {
   if (sdo::valueSize(frame.data[0]) != 4) return false;
   const auto object =
@@ -53,7 +56,7 @@ bool AddressBook::learn(const Frame& frame, Instant time, const Classified& clas
   const bool hasChanged = [&] {
     switch (classified.message) {
       case MessageId::Name: return claimed(source, frame, time, lost);
-      case MessageId::AddressAnnouncement: return announced(source, frame, lost);
+      case MessageId::AddressAnnouncement: return announced(source, frame, time, lost);
       case MessageId::SdoReadResponse: {
         const NodeId node = CobId::of(frame.identifier()).node;
         if (isAkronNode(node) || !isPartNumberAnswer(frame)) return false;
@@ -81,7 +84,38 @@ bool AddressBook::exchanged(const Frame& frame, Instant time, const Classified& 
              : m_exchanges.requested(frame.data[0], id.source, id.destination, time);
 }
 
-bool AddressBook::announced(Address source, const Frame& frame, Lost& lost) {
+bool AddressBook::isShared(Address a, Instant now) const {
+  for (const Turn::By by : {Turn::By::Name, Turn::By::Pin}) {
+    const auto turns = turnsOf(a, by);
+    // In a log without times the turns may lie a day apart.
+    if (turns.back() == nullptr || turns.front()->time == Instant{}) continue;
+    if (now - turns.front()->time > kSharedFor) continue;
+    bool isInTurn = turns[0]->who == turns[2]->who && turns[1]->who == turns[3]->who;
+    for (std::size_t i = 1; i < turns.size(); ++i)
+      isInTurn = isInTurn && turns[i - 1]->time - turns[i]->time <= kTurnWithin;
+    if (isInTurn) return true;
+  }
+  return false;
+}
+
+std::array<const AddressBook::Turn*, 4> AddressBook::turnsOf(Address a, Turn::By by) const {
+  std::array<const Turn*, 4> latest{};
+  auto at = latest.begin();
+  for (const Turn& turn : m_turns) {
+    if (at == latest.end() || turn.time == kNotYet) break;
+    if (turn.address == a && turn.by == by) *at++ = &turn;
+  }
+  return latest;
+}
+
+void AddressBook::noteTurn(const Turn& turn) {
+  const Turn* last = turnsOf(turn.address, turn.by).front();
+  if (last != nullptr && last->who == turn.who) return;
+  std::shift_right(m_turns.begin(), m_turns.end(), 1);
+  m_turns.front() = turn;
+}
+
+bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lost& lost) {
   if (!isNode(source)) return false;
   const bool isNews = !isAkron(source);
   set(source, kAkron);
@@ -95,6 +129,7 @@ bool AddressBook::announced(Address source, const Frame& frame, Lost& lost) {
   }
   if (m_pins[source.value] != 0) lost.set(source.value);
   m_pins[source.value] = pin;
+  noteTurn({time, pin, source, Turn::By::Pin});
   return true;
 }
 
@@ -152,6 +187,7 @@ void AddressBook::take(Address a, Name name, Instant since, Lost& lost) {
   set(a, kHeld | (name.isAkron() ? kAkron : kForeign));
   m_names[a.value] = name;
   m_claimedAt[a.value] = since;
+  noteTurn({since, name.value, a, Turn::By::Name});
 }
 
 AddressBook::Contest& AddressBook::contestAt(Address a) {

@@ -72,6 +72,10 @@ class AddressBook {
   bool wasLeft(Address a) const { return has(a, kLeft); }
   // Nothing may be sent to it: who will have it is not decided.
   bool isContested(Address a) const { return has(a, kContested); }
+  // Two devices say that it is theirs, and neither gives way: two NAMEs have taken it, or two PINs were announced
+  // there, in turn, each twice, at most 10 s apart, and the last time not more than a minute ago. On a lawful bus
+  // whoever loses an address claims another one.
+  bool isShared(Address a, Instant now) const;
   // `now` is the log time that is looked at, not before the last frame.
   ClaimState claim(Address a, Instant now) const;
   // Contests that a holder kept the address in, and lost it in, to a lower NAME or for want of an answer.
@@ -114,6 +118,16 @@ class AddressBook {
     Address address;
     friend bool operator==(const Contest&, const Contest&) = default;
   };
+  // An address went to another NAME or PIN.
+  struct Turn {
+    enum class By : std::uint8_t { Name, Pin };
+    Instant time = kNotYet;  // kNotYet: a free place
+    std::uint64_t who = 0;   // the NAME, or the announcement's bytes
+    Address address;
+    By by = By::Name;
+    friend bool operator==(const Turn&, const Turn&) = default;
+  };
+  static constexpr std::size_t kTurns = 16;
   // More at once are not followed: the holders keep their addresses.
   static constexpr std::size_t kContests = 8;
 
@@ -134,7 +148,7 @@ class AddressBook {
   bool heard(Address source);
   bool claimed(Address source, const Frame& frame, Instant time, Lost& lost);
   bool cannotClaim(Name name, Lost& lost);
-  bool announced(Address source, const Frame& frame, Lost& lost);
+  bool announced(Address source, const Frame& frame, Instant time, Lost& lost);
   bool exchanged(const Frame& frame, Instant time, const Classified& classified);
   void take(Address a, Name name, Instant since, Lost& lost);
   bool contest(Address a, Name challenger, Instant time);
@@ -142,6 +156,9 @@ class AddressBook {
   void end(Contest& contest);
   Contest& contestAt(Address a);
   bool decide(Instant time, Lost& lost);
+  void noteTurn(const Turn& turn);
+  // The latest turns of an address by NAME or PIN, the last first; as many as there are.
+  std::array<const Turn*, 4> turnsOf(Address a, Turn::By by) const;
 
   std::array<std::uint8_t, 256> m_flags{};
   std::array<Name, 256> m_names{};
@@ -149,6 +166,7 @@ class AddressBook {
   std::array<Instant, 256> m_claimedAt{};
   std::array<std::uint16_t, 256> m_won{}, m_lost{};
   std::array<Contest, kContests> m_contests{};
+  std::array<Turn, kTurns> m_turns{};  // of all addresses, the latest first
   Instant m_nextDecision = kNever;
   std::bitset<128> m_akronNodes;
   Exchanges m_exchanges;

@@ -97,7 +97,7 @@ inline constexpr std::array kMessages{
     watched(message(MessageId::NmtCommand, "nmt_command", "NMT command", CobFunction::Nmt, lengths(2),
                     kNmtCommandFields, "Gateway manual, CiA DS 301 Network Management")),
     watched(
-        onPage(PageGroups{PageGroup::Node},
+        onPage(PageGroups{PageGroup::Health, PageGroup::Node},
                every(1000ms, message(MessageId::Heartbeat, "heartbeat", "Heartbeat", CobFunction::Heartbeat,
                                      lengths(1), kHeartbeatFields, "Gateway manual, CiA DS 301 Heartbeat")))),
     sdo(0x40, 0, DeviceEnd::Receiver,

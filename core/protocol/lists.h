@@ -34,9 +34,10 @@ constexpr bool isPeriodicReport(const Message& message) {
 }
 inline constexpr auto kPeriodicReports = messagesWhere<isPeriodicReport>();
 // Those that the device sends: while it is well they keep coming.
-inline constexpr auto kOwnPeriodicReports = messagesWhere<[](const Message& message) {
+constexpr bool isOwnPeriodicReport(const Message& message) {
   return isPeriodicReport(message) && message.device == DeviceEnd::Sender;
-}>();
+}
+inline constexpr auto kOwnPeriodicReports = messagesWhere<isOwnPeriodicReport>();
 
 // The messages whose last one is kept of each device: periodic reports, and answers that its page shows.
 constexpr bool isReport(const Message& message) {

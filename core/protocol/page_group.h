@@ -12,6 +12,7 @@ namespace deckpipe {
 
 // In the order in which a page shows those of one kind.
 enum class PageGroup : std::uint8_t {
+  Health,
   Dial,
   Stops,
   Status,
@@ -33,6 +34,7 @@ using PageGroups = EnumSet<PageGroup>;
 
 // For object names; never shown.
 inline constexpr EnumTable<PageGroup, std::string_view> kPageGroupKeys{{
+    {PageGroup::Health, "health"},
     {PageGroup::Dial, "dial"},
     {PageGroup::Stops, "stops"},
     {PageGroup::Status, "status"},

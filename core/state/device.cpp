@@ -2,11 +2,33 @@
 #include "state/device.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "bus/j1939.h"
 #include "protocol/gateway.h"
 
 namespace deckpipe {
+namespace {
+
+constexpr int kLeap = 50;  // 0.1 degree: no monitor turns so far in one period of its status
+
+std::size_t paceOf(MessageId id) {
+  return static_cast<std::size_t>(std::ranges::find(kOwnPeriodicReports, id) - kOwnPeriodicReports.begin());
+}
+
+bool isLeap(const PositionReading& a, const PositionReading& b) {
+  return a.state == PositionState::Ok && b.state == PositionState::Ok &&
+         std::abs(a.tenths - b.tenths) > kLeap;
+}
+bool isLeap(const PositionLimitStatus& a, const PositionLimitStatus& b) {
+  return isLeap(a.rotation, b.rotation) || isLeap(a.elevation, b.elevation);
+}
+
+std::uint64_t objectOf(const Frame& frame) {
+  return readBits(frame.data, gateway::kIndex.bits) << 8 | readBits(frame.data, gateway::kSubindex.bits);
+}
+
+}  // namespace
 
 Instant Device::nextDeadline() const {
   Instant next = kNever;
@@ -24,7 +46,23 @@ void Device::timeCame(Instant time) {
   }
 }
 
+// A status replaces the one before it, which tells how far the two are apart.
+void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
+  if (lastStatus != kNotYet && time - lastStatus >= kSilentAfter) resumed = time;
+  lastStatus = time;
+  // How often a gateway sends is a setting of it.
+  if (kind == Kind::Node || !report(id).isKnown()) return;
+  const Frame before = report(id).frame();
+  const bool leaps = id == MessageId::PositionLimitStatus &&
+                     isLeap(PositionLimitStatus::of(before), PositionLimitStatus::of(frame));
+  Pace& pace = m_paces[paceOf(id)];
+  if (pace.isDoubled(time - report(id).at, messageOf(id).period, before.data != frame.data, leaps))
+    doubled = time;
+}
+
 void Device::take(const Frame& frame, MessageId id, Instant time) {
+  if (isOwnPeriodicReport(messageOf(id))) takeStatus(frame, id, time);
+  if (const std::optional<Ask> ask = askAnsweredBy(id)) m_askedInVain[*ask] = kNotYet;
   if (const std::size_t place = kReportPlaces[id]; place < kReports.size()) {
     m_reports[place].set(frame, time);
     m_stale.remove(id);
@@ -32,19 +70,25 @@ void Device::take(const Frame& frame, MessageId id, Instant time) {
   switch (id) {
     case MessageId::SoePermissive: permissiveFrom = J1939Id::of(frame.identifier()).source; break;
     case MessageId::GatewayJoystick: commanded.set(frame, time); break;
+    case MessageId::SdoReadRequest:
+      if (objectOf(frame) == sdo::kFaultStatus) asked(Ask::Fault, time);
+      break;
     case MessageId::SdoReadResponse: takeSdo(frame, time); break;
+    case MessageId::Heartbeat:
+      if (heartbeatState(frame) == gateway::kBooting) restarted = time;
+      break;
     default: break;
   }
 }
 
 void Device::takeSdo(const Frame& frame, Instant time) {
-  const auto object =
-      readBits(frame.data, gateway::kIndex.bits) << 8 | readBits(frame.data, gateway::kSubindex.bits);
+  const std::uint64_t object = objectOf(frame);
   const unsigned size = sdo::valueSize(frame.data[0]);
   if (object == sdo::kDeviceType && size == 4) {
     partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
   } else if (object == sdo::kFaultStatus && size == 4) {
     m_reports[kReportPlaces[MessageId::FaultResponse]].set(frame, time);
+    m_askedInVain[Ask::Fault] = kNotYet;
   } else if (object == sdo::kOperationalError && size == 2) {
     operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
   }

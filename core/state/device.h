@@ -11,9 +11,13 @@
 #include "protocol/lists.h"
 #include "protocol/typed.h"
 #include "state/frame_rate.h"
+#include "state/pace.h"
 #include "state/timed.h"
 
 namespace deckpipe {
+
+// Without a periodic message for so long a device is silent: three heartbeats, thirty of any other period.
+inline constexpr Duration kSilentAfter = 3s;
 
 // An address that a device had, and until when.
 struct FormerAddress {
@@ -38,6 +42,11 @@ struct Device {
   std::uint32_t frames = 0;
   std::uint32_t malformed = 0;
   FrameRate rate;
+
+  Instant lastStatus = kNotYet;  // when one of kOwnPeriodicReports came last
+  Instant resumed = kNotYet;     // when they came again after a silence
+  Instant restarted = kNotYet;   // when it announced itself unasked, or as a node booted
+  Instant doubled = kNotYet;     // when it was last certain that two devices send from its address (pace.h)
 
   Address permissiveFrom;  // the master controller that sent the permissive
 
@@ -75,6 +84,12 @@ struct Device {
   auto config() const { return reported<&ConfigVersion::of>(MessageId::ConfigResponse); }
   auto heartbeat() const { return reported<&heartbeatState>(MessageId::Heartbeat); }
 
+  // When it was first asked for something without an answer since; kNotYet: it answered, or was never asked.
+  Instant askedInVain(Ask ask) const { return m_askedInVain[ask]; }
+  void asked(Ask ask, Instant time) {
+    if (m_askedInVain[ask] == kNotYet) m_askedInVain[ask] = time;
+  }
+
   // Whether one of kPeriodicReports came and is older than three of its periods.
   bool isStale(MessageId id) const { return m_stale.has(id); }
   const EnumSet<MessageId>& stale() const { return m_stale; }
@@ -87,9 +102,16 @@ struct Device {
   friend bool operator==(const Device&, const Device&) = default;
 
  private:
+  void takeStatus(const Frame& frame, MessageId id, Instant time);
   void takeSdo(const Frame& frame, Instant time);
 
   std::array<Report, kReports.size()> m_reports;
+  std::array<Pace, kOwnPeriodicReports.size()> m_paces;
+  EnumArray<Ask, Instant> m_askedInVain = [] {
+    EnumArray<Ask, Instant> never;
+    for (Instant& time : never) time = kNotYet;
+    return never;
+  }();
   EnumSet<MessageId> m_stale;
 };
 

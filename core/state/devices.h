@@ -11,7 +11,7 @@
 
 namespace deckpipe {
 
-inline constexpr std::size_t kMaxChannels = 4;
+inline constexpr std::size_t kMaxChannels = 16;
 inline constexpr std::size_t kMaxDevices = 80;
 
 class Devices {

@@ -19,9 +19,24 @@ constexpr Duration kShortestTimeout = [] {
   return shortest;
 }();
 
+constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
+
+// An announcement this long after a cause to say its NAME is none of its own accord.
+constexpr Duration kAskedWithin = 1s;
+
 bool isNode(Address a) { return a != kNullAddress && a != kGlobalAddress; }
 
 }  // namespace
+
+const ChannelState& State::channel(Channel c) const {
+  static const ChannelState kNothingHeard;
+  return c.value < m_channels.size() ? m_channels[c.value] : kNothingHeard;
+}
+
+ChannelState& State::use(Channel c) {
+  if (c.value >= m_channels.size()) m_channels.resize(c.value + std::size_t{1});
+  return m_channels[c.value];
+}
 
 void State::apply(const Frame& frame, Instant time) {
   timeCame(time);
@@ -31,7 +46,7 @@ void State::apply(const Frame& frame, Instant time) {
     return;
   }
   m_nextCheck = std::min(m_nextCheck, time + kShortestTimeout);
-  ChannelState& channel = m_channels[frame.channel];
+  ChannelState& channel = use({frame.channel});
   ++channel.frames;
   channel.lastFrame = time;
   if (frame.isError()) {
@@ -76,9 +91,12 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
     switch (what.message) {
       case MessageId::BasicJoystick: channel.joysticks.heardBasic(id.source, frame, time); break;
       case MessageId::ExtendedJoystick: channel.joysticks.heardExtended(id.source, frame, time); break;
+      case MessageId::Request:
+        if (readBits(frame.data, kRequested) == pgn::kAddressClaimed) channel.namesAsked = time;
+        break;
+      case MessageId::Name: nameHeard(channel, frame, time); break;
       case MessageId::AddressAnnouncement:
-        if (const auto pin = announcedPin(frame); pin && isNode(id.source))
-          m_devices.announced(channelId, id.source, *pin, time);
+        announced(channel, channelId, id.source, frame, time);
         sender = m_devices.findAddress(channelId, id.source);
         break;
       case MessageId::SoePermissive:
@@ -89,6 +107,9 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
         if (message.family == Family::Akron && message.device == DeviceEnd::Sender && isNode(id.source)) {
           if (sender == nullptr) sender = m_devices.atAddress(channelId, id.source);
           if (sender != nullptr) sender->take(frame, what.message, time);
+        } else if (message.part == Part::Asks) {
+          if (Device* device = m_devices.findAddress(channelId, id.destination))
+            device->asked(message.ask, time);
         }
         break;
     }
@@ -97,6 +118,25 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
     sender->heard(time);
     if (what.malformed) ++sender->malformed;
   }
+}
+
+// A claim that another one provokes: nobody restarted because of it.
+void State::nameHeard(ChannelState& channel, const Frame& frame, Instant time) {
+  const Address source = J1939Id::of(frame.identifier()).source;
+  if (channel.book.isContested(source)) channel.namesAsked = time;
+}
+
+void State::announced(ChannelState& channel, Channel channelId, Address source, const Frame& frame,
+                      Instant time) {
+  const std::optional<Pin> pin = announcedPin(frame);
+  if (!pin || !isNode(source)) return;
+  const Device* before = m_devices.findAddress(channelId, source);
+  // Whoever says who it is unasked, and from where it was before, has just started.
+  const bool isUnasked = channel.namesAsked == kNotYet || time - channel.namesAsked > kAskedWithin;
+  const bool hasStayed = before != nullptr && (before->kind != Device::Kind::Pin || before->pin == *pin);
+  m_devices.announced(channelId, source, *pin, time);
+  Device* device = m_devices.findAddress(channelId, source);
+  if (device != nullptr && hasStayed && isUnasked) device->restarted = time;
 }
 
 void State::applyStandard(const Frame& frame, Instant time, const Classified& what) {
@@ -126,7 +166,7 @@ void State::apply(const Note& note) {
   if (std::holds_alternative<note::Unlocked>(note.value)) m_locked = false;
   const auto about = channelOf(note.value);
   if (!about || about->value >= kMaxChannels) return;
-  ChannelState& channel = m_channels[about->value];
+  ChannelState& channel = use(*about);
   std::visit(Overload{[&](const note::LinkUp&) {
                         channel.link = ChannelLink::Up;
                         channel.controller = ControllerState::Unknown;

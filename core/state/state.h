@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything known at one instant of a log, built from frames, notes and log time alone by apply() and
-// timeCame() (advance.h walks a store with them). A plain value of fixed capacity: copying it is a keyframe.
-// The state at a cursor is the same however one got there.
+// timeCame() (advance.h walks a store with them). A plain value: copying it is a keyframe. It holds the channels
+// up to the last one heard, kMaxChannels at most. The state at a cursor is the same however one got there.
 //
 //   1. Between two frames every time-out that falls due is applied at its own time, in order of deadline; one
 //      that is due at the very time of a frame comes before that frame.
@@ -9,8 +9,8 @@
 //   3. Channels beyond kMaxChannels are counted, not followed.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "bus/controller.h"
 #include "bus/frame.h"
@@ -48,6 +48,8 @@ struct ChannelState {
   std::uint64_t remoteFrames = 0;
   std::uint64_t dropped = 0;  // said lost by notes
   Instant lastFrame = kNotYet;
+  // When a node last had cause to say its NAME: a request for NAMEs, or a contest for an address.
+  Instant namesAsked = kNotYet;
   ChannelLink link = ChannelLink::Unknown;
   Address ownAddress;  // of the console that recorded this; null while it held none
   ControllerState controller = ControllerState::Unknown;  // of the adapter, as its error frames said last
@@ -57,7 +59,10 @@ struct ChannelState {
 class State {
  public:
   const Cursor& cursor() const { return m_cursor; }
-  const ChannelState& channel(Channel c) const { return m_channels[c.value]; }
+  // Empty of a channel that was not heard.
+  const ChannelState& channel(Channel c) const;
+  // Channels up to the last one heard.
+  std::size_t channelCount() const { return m_channels.size(); }
   const Devices& devices() const { return m_devices; }
   const MessageCounter& counter(MessageId id) const { return m_counters[id]; }
   // Frames that are no message of the catalogue; those that are, but of a wrong length.
@@ -77,8 +82,11 @@ class State {
   friend bool operator==(const State&, const State&) = default;
 
  private:
+  ChannelState& use(Channel c);
   void applyExtended(const Frame& frame, Instant time, const Classified& what);
   void applyStandard(const Frame& frame, Instant time, const Classified& what);
+  void nameHeard(ChannelState& channel, const Frame& frame, Instant time);
+  void announced(ChannelState& channel, Channel channelId, Address source, const Frame& frame, Instant time);
   void count(const Classified& what, Instant time);
   void lose(Channel channel, const AddressBook::Lost& lost, Instant time);
   Instant nextDeadline() const;
@@ -86,13 +94,15 @@ class State {
 
   Cursor m_cursor;
   Instant m_nextCheck = kNever;  // no deadline is earlier
-  std::array<ChannelState, kMaxChannels> m_channels{};
+  std::vector<ChannelState> m_channels;
   Devices m_devices;
   EnumArray<MessageId, MessageCounter> m_counters;
   MessageCounter m_others, m_malformed;
   std::uint64_t m_untrackedFrames = 0;
   bool m_locked = true;
 };
-static_assert(sizeof(State) <= 100'000, "a keyframe every 131,072 frames must stay below 5 % of the frames");
+// A keyframe stands every 131,072 frames, which are 3.1 MB.
+static_assert(sizeof(State) + 4 * sizeof(ChannelState) <= 155'000, "5 % of the frames with four channels");
+static_assert(sizeof(State) + kMaxChannels * sizeof(ChannelState) <= 310'000, "10 % with all of them");
 
 }  // namespace deckpipe

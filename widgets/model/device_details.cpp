@@ -86,7 +86,7 @@ QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabel
       lines << Details::tr("Before: %1").arg(before);
   }
   if (row->age) lines << Details::tr("Last heard: %1").arg(agoText(*row->age));
-  lines << healthReasons(row->health);
+  lines << healthSentences(row->health, state.cursor().time);
   const ChannelState& channel = state.channel(row->channel);
   if (const Joystick* stick = channel.joysticks.find(row->address); stick != nullptr && stick->priority())
     lines << Details::tr("Joystick priority: %1").arg(priorityText(*stick->priority()));

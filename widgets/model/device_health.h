@@ -1,64 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a device is well, as one word for a list and as reasons for who asks. It says what was reported and
-// what stopped coming; what to do about it is for the findings to say.
+// How a device is (state/health.h), in words with what each cause speaks of: which fault, which axis, since when.
 #pragma once
 
 #include <QStringList>
-#include <cstdint>
 
-#include "state/state.h"
+#include "state/health.h"
+#include "text/health_text.h"
 
 namespace deckpipe {
 
-// Quiet: not heard for a while, and nothing of it is due: whether it is there only a question would tell.
-enum class HealthLevel : std::uint8_t { Fine, Quiet, Attend, Fault, Silent };
-
-enum class HealthReason : std::uint8_t {
-  // silent
-  NothingHeard,
-  // fault
-  FaultBits,
-  PcodeError,
-  RotationSensor,
-  ElevationSensor,
-  DeviceFaulted,
-  // attend
-  OperationalError,
-  StopError,
-  PositionInvalid,
-  PositionOverdue,
-  LimitsOverdue,
-  OutputsOverdue,
-  InputsOverdue,
-  HeartbeatOverdue,
-  NotOperational,
-  JoystickOverdue,
-  AddressLost,
-  AddressContested,
-  CannotClaim,
-  Malformed,
-  // quiet
-  NothingDue,
-  Count,
+// The word of the worst cause: "disabled", "error 11"; "fine" where there is none.
+QString healthWord(const Health& health);
+// The words of all causes, the worst first; "fine" alone where there is none.
+QStringList healthWords(const Health& health);
+struct HealthReason {
+  HealthCause cause = HealthCause::Count;
+  QString text;  // a sentence
 };
+// All causes, the worst first; none of a device that is fine.
+std::vector<HealthReason> healthReasons(const Health& health, Instant now);
+QStringList healthSentences(const Health& health, Instant now);
 
-struct DeviceHealth {
-  HealthLevel level = HealthLevel::Fine;
-  EnumSet<HealthReason> reasons;
-
-  bool has(HealthReason reason) const { return reasons.has(reason); }
-  friend bool operator==(const DeviceHealth&, const DeviceHealth&) = default;
-};
-
-// Nothing heard for so long of what sends by itself is silence: three heartbeats, thirty of any other period.
-inline constexpr Duration kSilentAfter = 3s;
-
-DeviceHealth healthOf(const State& state, const Device& device);
-// Of a J1939 address that is no Akron device.
-DeviceHealth healthOf(const State& state, Channel channel, Address address);
-
-QString healthWord(HealthLevel level);
-// One sentence a reason, the gravest first.
-QStringList healthReasons(const DeviceHealth& health);
+// What a fault answer said: "no faults", "internal fuse, error 11".
+QString faultSummary(std::uint32_t faults, unsigned errorCode);
+// "restarted since", "silent since"; empty for an answer that still holds.
+QString answerAgeText(AnswerAge age);
 
 }  // namespace deckpipe

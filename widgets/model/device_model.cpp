@@ -155,7 +155,7 @@ QString DeviceModel::textOf(const DeviceRow& row, int column) const {
       if (row.key.kind == DeviceKey::Kind::Node) return hexText(row.key.node.value);
       return row.hasLostAddress() ? tr("lost", "an address") : hexText(row.address.value);
     case AgeColumn: return row.age ? calmAge(*row.age) : QString();
-    case HealthColumn: return healthWord(row.health.level);
+    case HealthColumn: return healthWord(row.health);
     case RateColumn: return tr("%1/s", "frames a second").arg(QLocale().toString(row.rate));
     case FramesColumn: return QLocale().toString(row.frames);
     default: return {};
@@ -176,7 +176,7 @@ QVariant DeviceModel::sortKey(const DeviceRow& row, int column) const {
       return row.channel.value * 256 +
              (row.key.kind == DeviceKey::Kind::Node ? row.key.node.value : row.address.value);
     case AgeColumn: return static_cast<qlonglong>(row.age.value_or(Duration::max()).count());
-    case HealthColumn: return static_cast<int>(row.health.level);
+    case HealthColumn: return static_cast<int>(HealthCause::Count) - static_cast<int>(row.health.worst());
     case RateColumn: return leadingDigits(row.rate);
     case FramesColumn: return leadingDigits(row.frames);
     default: return textOf(row, column);
@@ -195,6 +195,9 @@ QVariant DeviceModel::data(const QModelIndex& index, int role) const {
       if (index.column() == AddressColumn)
         return row.hasLostAddress() ? tr("address lost")
                                     : tr("address %1 hex").arg(textOf(row, AddressColumn));
+      if (index.column() == HealthColumn)
+        return (QStringList{healthWord(row.health)} + healthSentences(row.health, m_view.cursor.time))
+            .join(QLatin1Char(' '));
       return textOf(row, index.column());
     case Qt::ToolTipRole: return detailsText(m_view, row.key, m_labels);
     case Qt::TextAlignmentRole: {
@@ -207,9 +210,10 @@ QVariant DeviceModel::data(const QModelIndex& index, int role) const {
     case DetailRole: return detailOf(row);
     case SearchRole:
       return QStringList{nameText(row, m_labels), typeText(row), groupText(row.group),
-                         textOf(row, AddressColumn), healthWord(row.health.level)}
+                         textOf(row, AddressColumn), healthWords(row.health).join(QLatin1Char(' '))}
           .join(QLatin1Char(' '));
-    case HealthRole: return static_cast<int>(row.health.level);
+    case HealthRole: return static_cast<int>(row.health.severity());
+    case HealthWordsRole: return healthWords(row.health);
     case SortRole: return sortKey(row, index.column());
     default: return {};
   }
@@ -236,7 +240,7 @@ QVariant DeviceModel::headerData(int section, Qt::Orientation orientation, int r
             "Your own label or the PIN; where it is heard if it has not said its PIN. F2 edits the label.");
       case AddressColumn: return tr("J1939 address or CANopen node, hexadecimal");
       case AgeColumn: return tr("Time since it was last heard, at the cursor");
-      case HealthColumn: return tr("What it reported, and what stopped coming; see its tooltip");
+      case HealthColumn: return tr("What it reported, and what stopped coming; its page says all of it");
       case RateColumn: return tr("Frames in the last whole second before the cursor");
       case FramesColumn: return tr("Frames it sent, up to the cursor");
       default: return {};

@@ -32,10 +32,11 @@ class DeviceModel : public QAbstractTableModel {
     KeyRole = Qt::UserRole,  // DeviceKey
     GroupRole,               // int of DeviceGroup
     GroupTextRole,           // its heading
-    DetailRole,  // the line under the device: PIN if it has a label, type, channel if there are several
-    SearchRole,  // all that a person may look for a device by
-    HealthRole,  // int of HealthLevel
-    SortRole,    // what a column sorts by; calm: it does not change while a device is well
+    DetailRole,       // the line under the device: PIN if it has a label, type, channel if there are several
+    SearchRole,       // all that a person may look for a device by
+    HealthRole,       // int of HealthSeverity
+    HealthWordsRole,  // QStringList, the worst first
+    SortRole,         // what a column sorts by; calm: it does not change while a device is well
   };
 
   explicit DeviceModel(QObject* parent = nullptr);

@@ -2,7 +2,9 @@
 #include "model/device_rows.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 #include <algorithm>
+#include <climits>
 
 #include "protocol/j1939.h"
 #include "text/device_text.h"
@@ -149,8 +151,8 @@ std::vector<DeviceRow> deviceRows(const State& state) {
   for (const Device& d : state.devices().all()) {
     if (d.kind != Device::Kind::Free) rows.push_back(rowOf(state, d));
   }
-  for (std::uint8_t c = 0; c < kMaxChannels; ++c) {
-    const Channel channel{c};
+  for (std::size_t c = 0; c < state.channelCount(); ++c) {
+    const Channel channel{static_cast<std::uint8_t>(c)};
     for (unsigned a = 0; a < kNullAddress.value; ++a) {
       const Address address{static_cast<std::uint8_t>(a)};
       if (!state.channel(channel).book.isHeard(address)) continue;
@@ -166,6 +168,21 @@ std::optional<DeviceRow> deviceRow(const State& state, const DeviceKey& key) {
   if (key.kind != DeviceKey::Kind::Address || key.channel.value >= kMaxChannels) return {};
   if (!state.channel(key.channel).book.isHeard(key.address)) return {};
   return rowOf(state, key.channel, key.address);
+}
+
+QString untrackedText(const State& state) {
+  QStringList lines;
+  const auto most = [](std::uint64_t n) { return static_cast<int>(std::min<std::uint64_t>(n, INT_MAX)); };
+  if (const std::uint64_t frames = state.untrackedFrames(); frames != 0) {
+    lines << Row::tr("%Ln frames on channels beyond the first %1: their devices are not listed", nullptr,
+                     most(frames))
+                 .arg(kMaxChannels);
+  }
+  if (const std::uint64_t frames = state.devices().untracked(); frames != 0) {
+    lines << Row::tr("%Ln frames of devices beyond the first %1, which are not listed", nullptr, most(frames))
+                 .arg(kMaxDevices);
+  }
+  return lines.join(QLatin1Char('\n'));
 }
 
 QString groupText(DeviceGroup group) {

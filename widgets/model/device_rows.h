@@ -51,7 +51,7 @@ struct DeviceRow {
   Address address;          // null: none (a node), or lost
   Address previousAddress;  // null: none
   std::optional<Duration> age;
-  DeviceHealth health;
+  Health health;
   std::uint32_t frames = 0;
   unsigned rate = 0;  // frames in the last whole second
 
@@ -71,6 +71,9 @@ bool isControl(const DeviceRow& row);
 std::vector<DeviceRow> deviceRows(const State& state);
 // The row of one key; nothing where no such device was heard up to now.
 std::optional<DeviceRow> deviceRow(const State& state, const DeviceKey& key);
+
+// What was heard and is in none of the rows, as there are too many channels or devices; empty where all is.
+QString untrackedText(const State& state);
 
 QString groupText(DeviceGroup group);
 QString typeText(const DeviceRow& row);

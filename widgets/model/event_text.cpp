@@ -142,7 +142,7 @@ QString noteText(const LogDocument& log, const Note& note) {
                },
                [](const note::AskEnded& n) {
                  return EventText::tr("%1 of %2: %3")
-                     .arg(askText(n.ask), deviceText(n.pin, n.address), requestEndText(n.end));
+                     .arg(askText(n.ask), deviceText(n.pin, n.address), requestEndText(n.ask, n.end));
                },
                [](const note::AskWaits& n) {
                  return EventText::tr("%1 of %2: not on the bus yet; it may still go out")

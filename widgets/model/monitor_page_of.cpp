@@ -39,8 +39,8 @@ void describeDevice(MonitorPageValues& page, const State& state, const Device& d
   if (isMonitor(d)) page.dial = dialOf(state, d);
   page.stops = stopsOf(d, now);
   page.lamps = lampsOf(d, now);
-  page.facts.push_back(faultsOf(d, now));
-  page.facts.push_back(versionsOf(d, now));
+  page.facts.push_back(faultsOf(state, d));
+  page.facts.push_back(versionsOf(state, d));
   if (d.kind == Device::Kind::Node) page.facts.push_back(nodeOf(d, now));
 }
 
@@ -51,6 +51,7 @@ void describeJoystick(MonitorPageValues& page, const State& state, Channel chann
   if (stick.extended.isKnown()) page.sticks.push_back(gripOf(stick, now));
   for (PageLampGroup& group : switchesOf(stick, now)) page.lamps.push_back(std::move(group));
   page.facts.insert(page.facts.begin(),
+
                     {joystickOf(stick, now), arbitrationOf(state, channel, stick, labels)});
 }
 
@@ -78,9 +79,12 @@ MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key, const
   page.traceFilter = traceFilterOf(*row, page.channel);
   page.age = row->age;
   page.health = row->health;
+  page.reasons = healthSentences(row->health, now);
 
   const Device* device = findDevice(state, key);
   if (device != nullptr) describeDevice(page, state, *device, now);
+  // Behind what is always as high: its lines come and go.
+  page.facts.push_back(healthFacts(row->health, device, now));
   if (row->key.kind == DeviceKey::Kind::Node) return page;
   if (const Joystick* stick = state.channel(row->channel).joysticks.find(row->address);
       stick != nullptr && row->isJoystick)

@@ -111,7 +111,8 @@ struct MonitorPageValues {
   QString channel{};      // empty where there is one only
   QString traceFilter{};  // lets only its frames into the trace; empty where it holds no address
   std::optional<Duration> age;
-  DeviceHealth health;
+  Health health;
+  QStringList reasons{};  // sentences, the worst first; all of them stand in the facts too
 
   std::optional<PageDial> dial;
   std::vector<PageStick> sticks{};  // a joystick's own, then its grip

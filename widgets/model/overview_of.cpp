@@ -54,6 +54,7 @@ std::vector<OverviewMonitor> overviewOf(const LogView& view, const DeviceLabels&
     if (m.title.isEmpty()) m.title = deviceText(row);
     m.detail = detailOf(view, row, labels);
     m.health = row.health;
+    m.reasons = healthSentences(row.health, state.cursor().time);
     m.age = row.age;
     m.dial = dialOf(state, d);
     const PageStops stops = stopsOf(d, state.cursor().time);

@@ -14,7 +14,8 @@ struct OverviewMonitor {
   DeviceKey key{};
   QString title{};   // the person's label, or the PIN
   QString detail{};  // PIN if the title is a label, type, address, channel if there are several
-  DeviceHealth health;
+  Health health;
+  QStringList reasons{};        // sentences, the worst first
   std::optional<Duration> age;  // nothing: never heard
   QString stops{};  // the hard stops that it stands at, of axes 3 to 5, which the dial does not show
   bool areStopsStale = false;

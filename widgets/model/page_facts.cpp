@@ -21,15 +21,55 @@ struct Facts {
   Q_DECLARE_TR_FUNCTIONS(Facts)
 };
 
-PageFact notAnswered(const QString& label) {
-  return {label, Facts::tr("no answer heard"), FactTone::Stale, {}};
+FactTone toneOf(HealthSeverity severity) {
+  switch (severity) {
+    case HealthSeverity::Fine: return FactTone::Fine;
+    case HealthSeverity::Attend: return FactTone::Attend;
+    case HealthSeverity::Fault: return FactTone::Fault;
+    case HealthSeverity::Unknown:
+    case HealthSeverity::Silent: break;
+  }
+  return FactTone::Stale;
 }
 
-// `answer` is a Timed or a Reported of the state.
-PageFact answered(const QString& label, const auto& answer, Instant now, const QString& value,
-                  FactTone tone = FactTone::Plain) {
-  return answer.isKnown() ? PageFact{label, value, tone, now - answer.at} : notAnswered(label);
-}
+// What a device answered, drawn by whether that still holds, and whether it was asked in vain since.
+class Answers {
+ public:
+  Answers(const State& state, const Device& device)
+      : m_state(state), m_device(device), m_now(state.cursor().time) {}
+
+  // `answer` is a Timed or a Reported of the device. `ask`: the poll for it; nothing where Deckpipe has none.
+  PageFact fact(const QString& label, const auto& answer, std::optional<Ask> ask, const QString& value,
+                FactTone tone = FactTone::Plain) const {
+    const bool isMissing = ask && isUnanswered(m_device, *ask, m_now);
+    if (!answer.isKnown()) return {label, missing(ask, isMissing), missingTone(isMissing), {}};
+    const AnswerAge age = ageOfAnswer(m_state, m_device, answer.at);
+    if (age != AnswerAge::Current) {
+      const QString old = Facts::tr("%1\nasked %2, %3", "an old answer, its age, why it is old")
+                              .arg(value, agoText(m_now - answer.at), answerAgeText(age));
+      return {label, withMissing(old, ask, isMissing), FactTone::Stale, {}};
+    }
+    return {label, withMissing(value, ask, isMissing), isMissing ? FactTone::Attend : tone,
+            m_now - answer.at};
+  }
+
+ private:
+  static FactTone missingTone(bool isMissing) { return isMissing ? FactTone::Attend : FactTone::Stale; }
+  QString askedAgo(Ask ask) const { return agoText(m_now - m_device.askedInVain(ask)); }
+  QString missing(std::optional<Ask> ask, bool isMissing) const {
+    if (isMissing) return Facts::tr("no answer, asked %1").arg(askedAgo(*ask));
+    if (ask && m_device.askedInVain(*ask) != kNotYet) return Facts::tr("asked just now");
+    return Facts::tr("never asked");
+  }
+  QString withMissing(const QString& value, std::optional<Ask> ask, bool isMissing) const {
+    if (!isMissing) return value;
+    return Facts::tr("%1\nasked again %2, no answer").arg(value, askedAgo(*ask));
+  }
+
+  const State& m_state;
+  const Device& m_device;
+  Instant m_now;
+};
 
 PageFact plain(const QString& label, const QString& value, FactTone tone = FactTone::Plain) {
   return {label, value, tone, {}};
@@ -53,18 +93,33 @@ QString heartbeatText(std::uint8_t state) {
 
 }  // namespace
 
-PageFactGroup faultsOf(const Device& d, Instant now) {
+PageFactGroup healthFacts(const Health& health, const Device* device, Instant now) {
+  PageFactGroup group{pageGroupKey(PageGroup::Health), Facts::tr("Health"), {}};
+  // One fact of several lines: a cause that comes or goes makes no part of the page.
+  PageFact fact = plain(Facts::tr("Reasons"), healthSentences(health, now).join(QLatin1Char('\n')),
+                        toneOf(health.severity()));
+  if (health.isFine()) {
+    fact.value = Facts::tr("It has no faults, and its messages come in time.");
+    if (device != nullptr) fact.age = now - device->faults().at;
+  }
+  group.facts.push_back(fact);
+  return group;
+}
+
+PageFactGroup faultsOf(const State& state, const Device& d) {
   PageFactGroup group{pageGroupKey(PageGroup::Faults), Facts::tr("Faults"), {}};
+  const Answers answers(state, d);
   const FaultStatus faults = d.faults().value();
   const QStringList lines = faultLines(faults.map);
-  group.facts.push_back(answered(Facts::tr("Fault bits"), d.faults(), now,
-                                 lines.isEmpty() ? Facts::tr("none set") : lines.join(QLatin1Char('\n')),
-                                 lines.isEmpty() ? FactTone::Fine : FactTone::Fault));
+  group.facts.push_back(answers.fact(Facts::tr("Fault bits"), d.faults(), Ask::Fault,
+                                     lines.isEmpty() ? Facts::tr("none set") : lines.join(QLatin1Char('\n')),
+                                     lines.isEmpty() ? FactTone::Fine : FactTone::Fault));
+  const auto errorOf = [](unsigned code) { return code == 0 ? Facts::tr("none") : pcodeErrorText(code); };
+  const auto toneOfError = [](unsigned code) { return code == 0 ? FactTone::Fine : FactTone::Fault; };
   if (d.kind == Device::Kind::Node) {
     const unsigned code = d.operationalErrorCode.value;
-    group.facts.push_back(answered(Facts::tr("Operational error"), d.operationalErrorCode, now,
-                                   code == 0 ? Facts::tr("none") : pcodeErrorText(code),
-                                   code == 0 ? FactTone::Fine : FactTone::Fault));
+    group.facts.push_back(answers.fact(Facts::tr("Operational error"), d.operationalErrorCode, {},
+                                       errorOf(code), toneOfError(code)));
     return group;
   }
   const QString label = Facts::tr("pCode error");
@@ -73,49 +128,50 @@ PageFactGroup faultsOf(const Device& d, Instant now) {
         plain(label, Facts::tr("not in the short answer of older firmware"), FactTone::Stale));
   } else {
     const unsigned code = faults.pcodeError.value_or(0);
-    group.facts.push_back(answered(label, d.faults(), now,
-                                   code == 0 ? Facts::tr("none") : pcodeErrorText(code),
-                                   code == 0 ? FactTone::Fine : FactTone::Fault));
+    group.facts.push_back(answers.fact(label, d.faults(), Ask::Fault, errorOf(code), toneOfError(code)));
   }
   return group;
 }
 
-PageFactGroup versionsOf(const Device& d, Instant now) {
+PageFactGroup versionsOf(const State& state, const Device& d) {
   PageFactGroup group{pageGroupKey(PageGroup::Versions), Facts::tr("Versions"), {}};
+  const Answers answers(state, d);
   if (d.kind == Device::Kind::Node) {
     group.facts.push_back(
-        answered(Facts::tr("Part number"), d.partNumber, now, partText(d.partNumber.value)));
+        answers.fact(Facts::tr("Part number"), d.partNumber, {}, partText(d.partNumber.value)));
     return group;
   }
   const FirmwareVersions f = d.firmware().value();
   group.facts.push_back(
-      answered(Facts::tr("Firmware"), d.firmware(), now,
-               Facts::tr("system %1, bootloader %2, fixed boot %3")
-                   .arg(versionText(f.system), versionText(f.bootloader), versionText(f.fixedBoot))));
+      answers.fact(Facts::tr("Firmware"), d.firmware(), Ask::Firmware,
+                   Facts::tr("system %1, bootloader %2, fixed boot %3")
+                       .arg(versionText(f.system), versionText(f.bootloader), versionText(f.fixedBoot))));
   const PcodeVersion p = d.pcode().value();
   group.facts.push_back(
-      answered(Facts::tr("pCode"), d.pcode(), now,
-               Facts::tr("version %1\nstyle %2\nsubtype %3")
-                   .arg(versionText(p.version), styleText(p.style), subtypeText(p.subtype))));
+      answers.fact(Facts::tr("pCode"), d.pcode(), Ask::Pcode,
+                   Facts::tr("version %1\nstyle %2\nsubtype %3")
+                       .arg(versionText(p.version), styleText(p.style), subtypeText(p.subtype))));
   const ConfigVersion c = d.config().value();
   group.facts.push_back(
-      answered(Facts::tr("Configuration"), d.config(), now,
-               Facts::tr("version %1\npart %2").arg(versionText(c.version), partText(c.type))));
+      answers.fact(Facts::tr("Configuration"), d.config(), Ask::Config,
+                   Facts::tr("version %1\npart %2").arg(versionText(c.version), partText(c.type))));
   return group;
 }
 
 PageFactGroup nodeOf(const Device& d, Instant now) {
   PageFactGroup group{pageGroupKey(PageGroup::Node), Facts::tr("CANopen node"), {}};
-  PageFact state = answered(Facts::tr("NMT state"), d.heartbeat(), now, heartbeatText(d.heartbeat().value()));
+  PageFact state = plain(Facts::tr("NMT state"), heartbeatText(d.heartbeat().value()));
   const bool isOperational = d.heartbeat().value() == gateway::kOperational;
   if (!d.heartbeat().isKnown()) {
     state.value = Facts::tr("no heartbeat heard");
+    state.tone = FactTone::Stale;
   } else if (d.isStale(MessageId::Heartbeat)) {
     state.value = Facts::tr("%1, overdue").arg(state.value);
     state.tone = FactTone::Stale;
   } else {
     state.tone = isOperational ? FactTone::Fine : FactTone::Attend;
   }
+  if (d.heartbeat().isKnown()) state.age = now - d.heartbeat().at;
   group.facts = {state, plain(Facts::tr("Frames"), framesText(d.frames, d.rate.at(now, d.lastHeard)))};
   if (d.malformed != 0)
     group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), FactTone::Attend));

@@ -131,8 +131,9 @@ std::optional<PageLampGroup> permissiveOf(const Device& d, Instant now) {
 // Draws a group of a device's lamps; nothing where the device has no such group.
 using Drawing = std::optional<PageLampGroup> (*)(const Device&, Instant);
 constexpr EnumTable<PageGroup, Drawing> kDrawings{{
-    {PageGroup::Dial, nullptr},   // page_dial.h
-    {PageGroup::Stops, nullptr},  // stopsOf()
+    {PageGroup::Health, nullptr},  // page_facts.h
+    {PageGroup::Dial, nullptr},    // page_dial.h
+    {PageGroup::Stops, nullptr},   // stopsOf()
     {PageGroup::Status, statusOf},
     {PageGroup::Outputs, outputsOf},
     {PageGroup::Riser, riserOf},

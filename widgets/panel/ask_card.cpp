@@ -77,6 +77,7 @@ void AskCard::showState() {
       case Tone::Fine: return {Glyph::Fine, m_colours.fine.ink};
       case Tone::Attend: return {Glyph::Attend, m_colours.attend.ink};
     }
+    if (m_values.isOld) return {Glyph::Stale, m_colours.stale.ink};
     return {std::nullopt, m_colours.textSecondary};
   }();
   m_sign->setGlyph(look.first, look.second, m_colours.stroke);
@@ -84,6 +85,9 @@ void AskCard::showState() {
   setInk(*m_state, look.second);
   setText(*m_state, m_values.state);
   setText(*m_answer, m_values.answer);
+  setInk(*m_answer, m_values.isOld     ? m_colours.stale.ink
+                    : m_values.isFault ? m_colours.fault.ink
+                                       : m_colours.text);
   m_answer->setVisible(!m_values.answer.isEmpty());
   m_button->setEnabled(m_values.isOffered);
 }

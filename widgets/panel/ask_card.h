@@ -16,18 +16,25 @@ namespace deckpipe {
 
 class GlyphLabel;
 
+// Of the state. Only Fine has a tick.
+enum class AskCardTone : std::uint8_t { Plain, Waiting, Fine, Attend };
+
+struct AskCardValues {
+  QString answer;  // empty: none yet
+  QString state;
+  AskCardTone tone = AskCardTone::Plain;
+  bool isOld = false;    // the device restarted or fell silent after the answer
+  bool isFault = false;  // the answer names a fault
+  bool isOffered = false;
+  friend bool operator==(const AskCardValues&, const AskCardValues&) = default;
+};
+
 class AskCard : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Tone : std::uint8_t { Plain, Waiting, Fine, Attend };
-  struct Values {
-    QString answer;  // empty: none yet
-    QString state;
-    Tone tone = Tone::Plain;
-    bool isOffered = false;
-    friend bool operator==(const Values&, const Values&) = default;
-  };
+  using Tone = AskCardTone;
+  using Values = AskCardValues;
 
   explicit AskCard(Ask ask, QWidget* parent = nullptr);
 

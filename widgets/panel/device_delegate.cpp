@@ -20,6 +20,16 @@ namespace {
 constexpr double kPad = 8;
 constexpr double kGlyph = 14;
 
+double leftOfRow(const QStyleOptionViewItem& option) {
+  const auto* view = qobject_cast<const QTreeView*>(option.widget);
+  return view == nullptr ? option.rect.left() : view->columnViewportPosition(DeviceModel::DeviceColumn);
+}
+
+QString wordsOf(const QModelIndex& index, const QFontMetricsF& metrics, double width) {
+  return wordsThatFit(index.data(DeviceModel::HealthWordsRole).toStringList(), metrics,
+                      width * kHealthWordsShare);
+}
+
 }  // namespace
 
 DeviceDelegate::DeviceDelegate(QObject* parent)
@@ -63,7 +73,9 @@ void DeviceDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   const QRectF cell = QRectF(option.rect).adjusted(kPad, 0, -kPad, 0);
   switch (index.column()) {
     case DeviceModel::DeviceColumn: paintDevice(p, cell, index, option); break;
-    case DeviceModel::HealthColumn: paintHealth(p, QRectF(option.rect), index, isSelected); break;
+    case DeviceModel::HealthColumn:
+      paintHealth(p, QRectF(option.rect), index, isSelected, leftOfRow(option) + kPad);
+      break;
     default: paintNumber(p, cell, index, isSelected); break;
   }
   p.restore();
@@ -82,29 +94,34 @@ void DeviceDelegate::paintDevice(QPainter& p, const QRectF& cell, const QModelIn
              metrics.elidedText(index.data().toString(), Qt::ElideRight, cell.width()));
   p.setFont(small);
   p.setPen(isSelected ? m_colours.accent.onFill : m_colours.textSecondary);
-  // On to the health: under the numbers between there is nothing.
-  const auto* view = qobject_cast<const QTreeView*>(option.widget);
-  const double right =
-      view == nullptr ? cell.right() : view->columnViewportPosition(DeviceModel::HealthColumn) - kPad;
+  // On to the words of the health: under the numbers between there is nothing.
+  double right = cell.right();
+  if (const auto* view = qobject_cast<const QTreeView*>(option.widget)) {
+    const int column = DeviceModel::HealthColumn;
+    right = view->columnViewportPosition(column) + view->columnWidth(column) - kPad;
+    right -= smallMetrics.horizontalAdvance(wordsOf(index, smallMetrics, right - cell.left())) + 2 * kPad;
+  }
   p.drawText(QPointF(cell.left(), middle + 4 + smallMetrics.ascent()),
              smallMetrics.elidedText(index.data(DeviceModel::DetailRole).toString(), Qt::ElideRight,
                                      right - cell.left()));
 }
 
-void DeviceDelegate::paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index,
-                                 bool isSelected) const {
-  const auto level = static_cast<HealthLevel>(index.data(DeviceModel::HealthRole).toInt());
-  const QColor ink = isSelected ? m_colours.accent.onFill : toneOf(m_colours, level).ink;
+// The sign in its column; the words end there and begin under the columns before.
+void DeviceDelegate::paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected,
+                                 double left) const {
+  const auto severity = static_cast<HealthSeverity>(index.data(DeviceModel::HealthRole).toInt());
+  const QColor ink = isSelected ? m_colours.accent.onFill : toneOf(m_colours, severity).ink;
   const double middle = cell.center().y();
   const double x = cell.center().x();
-  drawGlyph(p, QRectF(x - kGlyph / 2, middle - 3 - kGlyph, kGlyph, kGlyph), glyphOf(level), ink,
+  drawGlyph(p, QRectF(x - kGlyph / 2, middle - 3 - kGlyph, kGlyph, kGlyph), glyphOf(severity), ink,
             Qt::transparent, m_colours.stroke);
   const QFont small = secondaryFont(p.font());
   const QFontMetricsF metrics(small);
-  const QString word = index.data().toString();
+  const double right = cell.right() - kPad;
+  const QString words = wordsOf(index, metrics, right - left);
   p.setFont(small);
   p.setPen(ink);
-  p.drawText(QPointF(x - metrics.horizontalAdvance(word) / 2, middle + 4 + metrics.ascent()), word);
+  p.drawText(QPointF(right - metrics.horizontalAdvance(words), middle + 4 + metrics.ascent()), words);
 }
 
 void DeviceDelegate::paintNumber(QPainter& p, const QRectF& cell, const QModelIndex& index,

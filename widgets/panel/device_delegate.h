@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paints the cells of the device table: the device over its type, health as sign over word, numbers in equal
+// Paints the cells of the device table: the device over its type, under it to the right the words of its health, worst first, numbers in equal
 // cells so that a running age moves nothing. Used by DeviceList alone, which paints backgrounds and group
 // headings.
 #pragma once
@@ -31,7 +31,8 @@ class DeviceDelegate : public QStyledItemDelegate {
  private:
   void paintDevice(QPainter& p, const QRectF& cell, const QModelIndex& index,
                    const QStyleOptionViewItem& option) const;
-  void paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected) const;
+  void paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected,
+                   double left) const;
   void paintNumber(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected) const;
 
   Colours m_colours;

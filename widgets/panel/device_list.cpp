@@ -94,6 +94,15 @@ void DeviceList::editLabel(const QModelIndex& index) {
                      tr("Labels are kept by PIN, and this one has not said a PIN."), this);
 }
 
+// The words of the health reach from their cell to the left.
+void DeviceList::dataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles) {
+  QTreeView::dataChanged(first, last, roles);
+  if (first.column() > DeviceModel::HealthColumn || last.column() < DeviceModel::HealthColumn) return;
+  const QRect from = visualRect(first.siblingAtColumn(DeviceModel::DeviceColumn));
+  const QRect to = visualRect(last.siblingAtColumn(DeviceModel::HealthColumn));
+  viewport()->update(from.united(to));
+}
+
 void DeviceList::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_F2) {
     editLabel(currentIndex());

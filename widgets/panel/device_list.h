@@ -27,6 +27,7 @@ class DeviceList : public QTreeView {
   void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
   void resizeEvent(QResizeEvent* event) override;
+  void dataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles) override;
 
  private:
   void layOutColumns();

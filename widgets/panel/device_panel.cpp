@@ -30,6 +30,7 @@ DevicePanel::DevicePanel(QWidget* parent)
       m_list(new DeviceList(this)),
       m_filter(new QLineEdit(this)),
       m_empty(new QLabel(this)),
+      m_untracked(new QLabel(this)),
       m_pages(new QStackedWidget(this)) {
   setObjectName(QStringLiteral("devicePanel"));
   setAccessibleName(tr("Devices on the bus"));
@@ -42,6 +43,11 @@ DevicePanel::DevicePanel(QWidget* parent)
   m_empty->setMargin(24);
   m_empty->setAutoFillBackground(true);
   m_empty->setBackgroundRole(QPalette::Base);
+  m_untracked->setObjectName(QStringLiteral("untrackedDevices"));
+  m_untracked->setAccessibleName(tr("What is not listed"));
+  m_untracked->setWordWrap(true);
+  m_untracked->setMargin(8);
+  m_untracked->hide();
   m_pages->setObjectName(QStringLiteral("devicePages"));
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_list);
@@ -66,6 +72,7 @@ DevicePanel::DevicePanel(QWidget* parent)
   layout->setSpacing(0);
   layout->addLayout(line);
   layout->addWidget(m_pages, 1);
+  layout->addWidget(m_untracked);
 
   connect(m_filter, &QLineEdit::textChanged, this, [this](const QString& text) {
     {
@@ -112,6 +119,9 @@ void DevicePanel::setView(const LogView& view) {
     const QScopedValueRollback updating(m_isUpdating, true);
     m_model->setView(view);
   }
+  const QString untracked = view.state == nullptr ? QString() : untrackedText(*view.state);
+  setText(*m_untracked, untracked);
+  m_untracked->setVisible(!untracked.isEmpty());
   showSelection();
   showPage();
 }
@@ -199,6 +209,7 @@ void DevicePanel::showSelection() {
 void DevicePanel::setColours(const Colours& colours) {
   setPalette(qtPalette(colours));
   setInk(*m_empty, colours.textSecondary);
+  setInk(*m_untracked, colours.attend.ink);
   m_filter->setPalette(qtPalette(colours));
   m_list->setColours(colours);
 }

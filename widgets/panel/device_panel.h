@@ -58,6 +58,7 @@ class DevicePanel : public QWidget {
   DeviceList* m_list;
   QLineEdit* m_filter;
   QLabel* m_empty;
+  QLabel* m_untracked;  // what is counted and not listed; hidden where there is nothing
   QStackedWidget* m_pages;
   DeviceKey m_selected;
   bool m_isUpdating = false;  // the list's current row changes by itself then, not by a person

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sign and the tone of a health, the same in the device table and on the page.
+// The sign, the tone and the words of a health, the same in the device table, on the tiles and on the page.
 #pragma once
+
+#include <QFontMetricsF>
 
 #include "model/device_health.h"
 #include "paint/glyph.h"
@@ -8,26 +10,39 @@
 
 namespace deckpipe {
 
-inline Glyph glyphOf(HealthLevel level) {
-  switch (level) {
-    case HealthLevel::Fine: return Glyph::Fine;
-    case HealthLevel::Quiet: return Glyph::NotAvailable;
-    case HealthLevel::Attend: return Glyph::Attend;
-    case HealthLevel::Fault: return Glyph::Fault;
-    case HealthLevel::Silent: return Glyph::Stale;
+inline Glyph glyphOf(HealthSeverity severity) {
+  switch (severity) {
+    case HealthSeverity::Fine: return Glyph::Fine;
+    case HealthSeverity::Unknown: return Glyph::NotAvailable;
+    case HealthSeverity::Attend: return Glyph::Attend;
+    case HealthSeverity::Fault: return Glyph::Fault;
+    case HealthSeverity::Silent: return Glyph::Stale;
   }
   return Glyph::Unknown;
 }
 
-inline const Tone& toneOf(const Colours& colours, HealthLevel level) {
-  switch (level) {
-    case HealthLevel::Fine: return colours.fine;
-    case HealthLevel::Attend: return colours.attend;
-    case HealthLevel::Fault: return colours.fault;
-    case HealthLevel::Quiet:
-    case HealthLevel::Silent: break;
+inline const Tone& toneOf(const Colours& colours, HealthSeverity severity) {
+  switch (severity) {
+    case HealthSeverity::Fine: return colours.fine;
+    case HealthSeverity::Attend: return colours.attend;
+    case HealthSeverity::Fault: return colours.fault;
+    case HealthSeverity::Unknown:
+    case HealthSeverity::Silent: break;
   }
   return colours.stale;
+}
+
+// Of the line under a device's name: this much at most is for the words.
+inline constexpr double kHealthWordsShare = 0.66;
+
+// As many words as have room, the worst first: "disabled, late +2".
+inline QString wordsThatFit(const QStringList& words, const QFontMetricsF& metrics, double room) {
+  for (qsizetype n = words.size(); n > 0; --n) {
+    QString text = words.first(n).join(QStringLiteral(", "));
+    if (n < words.size()) text += QStringLiteral(" +%1").arg(words.size() - n);
+    if (metrics.horizontalAdvance(text) <= room) return text;
+  }
+  return words.isEmpty() ? QString() : metrics.elidedText(words.front(), Qt::ElideRight, room);
 }
 
 }  // namespace deckpipe

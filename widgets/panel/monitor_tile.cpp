@@ -45,7 +45,8 @@ void MonitorTile::setMonitor(const OverviewMonitor& monitor) {
   // Ages run on; what counts is what is written of them. The dial looks after itself.
   const bool isSame = monitor.key == m_monitor.key && monitor.title == m_monitor.title &&
                       monitor.detail == m_monitor.detail && monitor.health == m_monitor.health &&
-                      monitor.stops == m_monitor.stops && monitor.areStopsStale == m_monitor.areStopsStale &&
+                      monitor.reasons == m_monitor.reasons && monitor.stops == m_monitor.stops &&
+                      monitor.areStopsStale == m_monitor.areStopsStale &&
                       ageText(monitor) == ageText(m_monitor);
   m_monitor = monitor;
   if (isSame) return;
@@ -70,8 +71,8 @@ void MonitorTile::setAnimated(bool animated) { m_dial->setAnimated(animated); }
 
 void MonitorTile::describe() {
   setAccessibleName(tr("%1, %2, %3", "a monitor's name, details and health")
-                        .arg(m_monitor.title, m_monitor.detail, healthWord(m_monitor.health.level)));
-  QStringList parts = healthReasons(m_monitor.health);
+                        .arg(m_monitor.title, m_monitor.detail, healthWord(m_monitor.health)));
+  QStringList parts = m_monitor.reasons;
   if (!m_monitor.stops.isEmpty()) parts << tr("Stands at: %1.").arg(m_monitor.stops);
   if (m_isChosen) parts << tr("Its page is shown.");
   setAccessibleDescription(parts.join(QLatin1Char(' ')));
@@ -122,26 +123,27 @@ void MonitorTile::paintEvent(QPaintEvent*) {
   const double second =
       kTilePad / 2.0 + lineHeight(strong) + (lineHeight(small) + smallMetrics.capHeight()) / 2;
 
-  const QColor health = toneOf(m_colours, m_monitor.health.level).ink;
-  const QString word = healthWord(m_monitor.health.level);
-  const double wordLeft = right - strongMetrics.horizontalAdvance(word);
-  const double signLeft = wordLeft - kTileGap / 2 - kTileSign;
-  p.setFont(strong);
-  p.setPen(health);
-  p.drawText(QPointF(wordLeft, first), word);
+  const QColor health = toneOf(m_colours, m_monitor.health.severity()).ink;
+  const QString age = ageText(m_monitor);
+  const double signLeft = right - kTileSign;
+  const double ageLeft = signLeft - kTileGap - smallMetrics.horizontalAdvance(age);
   drawGlyph(p, QRectF(signLeft, first - strongMetrics.capHeight() / 2 - kTileSign / 2, kTileSign, kTileSign),
-            glyphOf(m_monitor.health.level), health, Qt::transparent, m_colours.stroke);
+            glyphOf(m_monitor.health.severity()), health, Qt::transparent, m_colours.stroke);
+  p.setFont(strong);
   p.setPen(m_colours.text);
   p.drawText(QPointF(left, first),
-             strongMetrics.elidedText(m_monitor.title, Qt::ElideRight, signLeft - kTileGap - left));
-
+             strongMetrics.elidedText(m_monitor.title, Qt::ElideRight, ageLeft - kTileGap - left));
   p.setFont(small);
   p.setPen(m_colours.textSecondary);
-  const QString age = ageText(m_monitor);
-  const double ageLeft = right - smallMetrics.horizontalAdvance(age);
-  p.drawText(QPointF(ageLeft, second), age);
+  p.drawText(QPointF(ageLeft, first), age);
+
+  const QString words =
+      wordsThatFit(healthWords(m_monitor.health), smallMetrics, (right - left) * kHealthWordsShare);
+  const double wordsLeft = right - smallMetrics.horizontalAdvance(words);
   p.drawText(QPointF(left, second),
-             smallMetrics.elidedText(m_monitor.detail, Qt::ElideRight, ageLeft - kTileGap - left));
+             smallMetrics.elidedText(m_monitor.detail, Qt::ElideRight, wordsLeft - kTileGap - left));
+  p.setPen(health);
+  p.drawText(QPointF(wordsLeft, second), words);
 
   if (m_monitor.stops.isEmpty()) return;
   const double foot = height() - kTilePad / 2.0 - lineHeight(small) / 2.0;

@@ -18,6 +18,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
     : QWidget(parent),
       m_colours(coloursOf(Theme::Light)),
       m_empty(new QLabel(this)),
+      m_untracked(new QLabel(this)),
       m_scroll(new QScrollArea(this)),
       m_content(new QWidget) {
   setObjectName(QStringLiteral("overviewPanel"));
@@ -28,6 +29,12 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   m_empty->setMargin(24);
   m_empty->setAutoFillBackground(true);
   m_empty->setBackgroundRole(QPalette::Base);
+  m_untracked->setObjectName(QStringLiteral("untrackedMonitors"));
+  m_untracked->setAccessibleName(tr("What is not shown"));
+  m_untracked->setWordWrap(true);
+  m_untracked->setMargin(8);
+  m_untracked->setAutoFillBackground(true);
+  m_untracked->setBackgroundRole(QPalette::Base);
   m_content->setObjectName(QStringLiteral("overviewContent"));
   m_scroll->setObjectName(QStringLiteral("overviewScroll"));
   m_scroll->setAccessibleName(tr("Monitors"));
@@ -41,6 +48,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(m_empty, 1);
   layout->addWidget(m_scroll, 1);
+  layout->addWidget(m_untracked);
   setColours(m_colours);
   refresh();
 }
@@ -79,6 +87,9 @@ void OverviewPanel::refresh() {
     m_tiles[i]->setMonitor(monitors[i]);
     m_tiles[i]->setChosen(monitors[i].key == m_chosen);
   }
+  const QString untracked = m_view.state == nullptr ? QString() : untrackedText(*m_view.state);
+  setText(*m_untracked, untracked);
+  m_untracked->setVisible(!untracked.isEmpty());
   if (count == 0) setText(*m_empty, emptyText());
   m_empty->setVisible(count == 0);
   m_scroll->setVisible(count != 0);
@@ -152,6 +163,7 @@ void OverviewPanel::setColours(const Colours& colours) {
   m_colours = colours;
   setPalette(qtPalette(colours));
   setInk(*m_empty, colours.textSecondary);
+  setInk(*m_untracked, colours.attend.ink);
   for (MonitorTile* tile : m_tiles) tile->setColours(colours);
 }
 

@@ -55,6 +55,7 @@ class OverviewPanel : public QWidget {
   int m_count = 0;    // tiles in use, the first ones
   int m_columns = 1;  // as laid out
   QLabel* m_empty;
+  QLabel* m_untracked;  // what is counted and not shown; hidden where there is nothing
   QScrollArea* m_scroll;
   QWidget* m_content;
   std::vector<MonitorTile*> m_tiles;

@@ -53,9 +53,8 @@ PageHeader::PageHeader(QWidget* parent)
   word.setWeight(QFont::DemiBold);
   m_word->setFont(word);
   int widest = 0;
-  for (const HealthLevel level :
-       {HealthLevel::Fine, HealthLevel::Quiet, HealthLevel::Attend, HealthLevel::Fault, HealthLevel::Silent})
-    widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(level)));
+  for (const HealthCause cause : kAllOf<HealthCause>)
+    widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(cause)));
   m_word->setMinimumWidth(widest);  // no word moves the sign
   const QFont small = secondaryFont(font());
   for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
@@ -110,23 +109,19 @@ void PageHeader::setPage(const MonitorPageValues& page) {
   showTexts();
   setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
   setText(*m_age, page.age ? tr("heard %1 ago").arg(calmAge(*page.age)) : QString());
-  if (page.health == m_health && !m_word->text().isEmpty()) return;
+  if (page.health == m_health && page.reasons == m_reasons && !m_word->text().isEmpty()) return;
   m_health = page.health;
+  m_reasons = page.reasons;
   showHealth();
 }
 
 void PageHeader::showHealth() {
-  const QColor ink = toneOf(m_colours, m_health.level).ink;
-  m_sign->setGlyph(glyphOf(m_health.level), ink, m_colours.stroke);
-  setText(*m_word, healthWord(m_health.level));
+  const QColor ink = toneOf(m_colours, m_health.severity()).ink;
+  m_sign->setGlyph(glyphOf(m_health.severity()), ink, m_colours.stroke);
+  setText(*m_word, healthWord(m_health));
   setInk(*m_word, ink);
-  const QStringList reasons = healthReasons(m_health);
-  QString first = reasons.isEmpty() ? QString() : reasons.front();
-  if (reasons.size() > 1)
-    first += QLatin1Char(' ') + tr("And %n more.", nullptr, static_cast<int>(reasons.size()) - 1);
-  m_reasonText = first;
   showTexts();
-  m_reason->setToolTip(reasons.join(QLatin1Char('\n')));
+  m_reason->setToolTip(m_reasons.join(QLatin1Char('\n')));
   m_word->setToolTip(m_reason->toolTip());
 }
 
@@ -141,7 +136,17 @@ void PageHeader::setColours(const Colours& colours) {
 
 void PageHeader::showTexts() {
   setText(*m_type, m_type->fontMetrics().elidedText(m_typeText, Qt::ElideRight, m_type->width()));
-  setText(*m_reason, m_reason->fontMetrics().elidedText(m_reasonText, Qt::ElideRight, m_reason->width()));
+  const QFontMetrics metrics = m_reason->fontMetrics();
+  QString reasons = m_reasons.join(QLatin1Char(' '));
+  const QStringList words = healthWords(m_health);
+  if (words.size() > 1 && metrics.horizontalAdvance(reasons) > m_reason->width()) {
+    // The words of the others, as many as have room; the page has their sentences.
+    const QString first =
+        tr("%1 Also: %2", "the worst reason, the words of the others").arg(m_reasons.front());
+    const int room = m_reason->width() - metrics.horizontalAdvance(first.arg(QString()));
+    reasons = first.arg(wordsThatFit(words.sliced(1), QFontMetricsF(m_reason->font()), room));
+  }
+  setText(*m_reason, metrics.elidedText(reasons, Qt::ElideRight, m_reason->width()));
 }
 
 bool PageHeader::eventFilter(QObject* watched, QEvent* event) {

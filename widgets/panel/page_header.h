@@ -47,8 +47,9 @@ class PageHeader : public QWidget {
   void showTexts();
 
   Colours m_colours;
-  DeviceHealth m_health;
-  QString m_typeText, m_reasonText;
+  Health m_health;
+  QStringList m_reasons;
+  QString m_typeText;
   QLabel* m_title;
   QLabel* m_type;
   QLabel* m_place;

@@ -16,6 +16,8 @@
 #include <algorithm>
 
 #include "model/answer_history.h"
+#include "model/device_health.h"
+#include "model/device_rows.h"
 #include "panel/ask_card.h"
 #include "panel/calm_combo.h"
 #include "panel/danger_dialog.h"
@@ -48,6 +50,11 @@ constexpr KeyTable<kCommands, const char*> kConsequences{{
                        "The controller enters setup mode (message 46), as on power-up with the stream input "
                        "active. Only a restart leaves it.")},
 }};
+
+bool namesFault(const Device& device) {
+  const FaultStatus faults = device.faults().value();
+  return device.faults().isKnown() && (faults.map != 0 || faults.pcodeError.value_or(0) != 0);
+}
 
 QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) {
   auto* button = new QPushButton(text, parent);
@@ -268,14 +275,15 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
     parts.append(tr("not on the bus yet; it may still go out"));
   } else if (request.end != RequestEnd::None) {
     const QString end =
-        ask == Ask::Reset && isFine ? tr("seen again after %1").arg(periodText(request.latency))
+        ask == Ask::Reset && isFine
+            ? tr("restarted, announced itself after %1").arg(periodText(request.latency))
         : ask == Ask::Reset && request.end == RequestEnd::NoAnswer ? tr("not seen again within 10 s")
         : isCommand(ask) && isFine                                 ? tr("acknowledged")
         : isFine && request.tries > 1 ? tr("answered at try %1, %2 after the first")
                                             .arg(request.tries)
                                             .arg(periodText(request.ended - request.firstSent))
         : isFine ? tr("answered in %1").arg(periodText(request.latency))
-                 : requestEndText(request.end);
+                 : requestEndText(ask, request.end);
     parts.append(tr("%1, %2").arg(end, agoText(std::max(m_view.cursor.time, m_view.end) - request.ended)));
   }
   if (request.period > 0ns)
@@ -289,13 +297,37 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
   return parts.join(QStringLiteral(" · "));
 }
 
-void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
-  AskCard::Values values;
-  const AnswerHistory::Row* last = m_history->latest(card.ask());
-  if (last != nullptr && !isCommand(card.ask())) {
-    values.answer = m_history->latestText(card.ask());
-    values.state = tr("heard %1").arg(agoText(m_view.cursor.time - last->time));
+AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
+  AskCardValues values;
+  if (isCommand(ask)) return values;
+  const Instant now = m_view.cursor.time;
+  const Device* known = m_view.state != nullptr ? findDevice(*m_view.state, m_device) : nullptr;
+  const AnswerHistory::Row* last = m_history->latest(ask);
+  const bool isMissing = withMissing && known != nullptr && isUnanswered(*known, ask, now);
+  QStringList parts;
+  if (isMissing) {
+    values.tone = AskCardTone::Attend;
+    parts << tr("no answer, asked %1").arg(agoText(now - known->askedInVain(ask)));
   }
+  if (last != nullptr) {
+    values.answer = m_history->latestText(ask);
+    const AnswerAge age =
+        known != nullptr ? ageOfAnswer(*m_view.state, *known, last->time) : AnswerAge::Current;
+    values.isOld = age != AnswerAge::Current;
+    values.isFault = ask == Ask::Fault && known != nullptr && namesFault(*known);
+    const QString heard = tr("heard %1").arg(agoText(now - last->time));
+    parts << (values.isOld ? tr("%1, %2", "age of an answer, why it is old").arg(heard, answerAgeText(age))
+                           : heard);
+  } else if (!isMissing) {
+    parts << (known != nullptr && known->askedInVain(ask) != kNotYet ? tr("asked just now")
+                                                                     : tr("never asked"));
+  }
+  values.state = parts.join(QStringLiteral(" · "));
+  return values;
+}
+
+void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
+  AskCardValues values = loggedValues(card.ask(), true);
   if (device != nullptr) {
     const RequestStatus& request = device->of(card.ask());
     bool isFine = false;
@@ -305,18 +337,20 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
         isKept || request.progress == RequestStatus::Progress::Waiting || request.period > 0ns;
     const QString state = m_view.atEnd || isOpen ? stateText(card.ask(), request, isFine) : QString();
     if (!state.isEmpty()) {
-      const bool isOlder = !values.state.isEmpty() && !isFine && request.end != RequestEnd::None;
-      values.state = isOlder ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
-      values.tone = isKept                                                 ? AskCard::Tone::Attend
-                    : request.progress == RequestStatus::Progress::Waiting ? AskCard::Tone::Waiting
-                    : request.end == RequestEnd::None                      ? AskCard::Tone::Plain
-                    : isFine                                               ? AskCard::Tone::Fine
-                                                                           : AskCard::Tone::Attend;
+      values = loggedValues(card.ask(), false);
+      // What the log says is said too where the request does not say it: how old the answer is, and why.
+      const bool isAdded = !values.answer.isEmpty() && (!isFine || values.isOld);
+      values.state = isAdded ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
+      values.tone = isKept                                                 ? AskCardTone::Attend
+                    : request.progress == RequestStatus::Progress::Waiting ? AskCardTone::Waiting
+                    : request.end == RequestEnd::None                      ? AskCardTone::Plain
+                    : !isFine                                              ? AskCardTone::Attend
+                    : values.isFault || values.isOld                       ? AskCardTone::Plain
+                                                                           : AskCardTone::Fine;
     }
     values.isOffered = m_isLive && m_services.canAsk() && device->takes.has(card.ask()) &&
                        request.progress != RequestStatus::Progress::Waiting && !isKept;
   }
-  if (values.state.isEmpty()) values.state = isCommand(card.ask()) ? QString() : tr("never asked");
   card.setValues(values);
 }
 

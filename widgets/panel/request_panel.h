@@ -22,6 +22,7 @@ namespace deckpipe {
 
 class AnswerHistory;
 class AskCard;
+struct AskCardValues;
 class FlatHeader;
 class RepeatBar;
 class SendHint;
@@ -50,6 +51,8 @@ class RequestPanel : public QWidget {
   QWidget* makeAsks();
   void showState();
   void offerPeriods(bool isOffered);
+  // What the log says up to the cursor, whoever asked. `withMissing`: also that no answer came.
+  AskCardValues loggedValues(Ask ask, bool withMissing) const;
   void showCard(AskCard& card, const DeviceServices* device);
   void press(Ask ask);
   void repeat(int index);

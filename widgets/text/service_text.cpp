@@ -27,10 +27,11 @@ QString askText(Ask ask) {
   return {};
 }
 
-QString requestEndText(RequestEnd end) {
+QString requestEndText(Ask ask, RequestEnd end) {
   switch (end) {
     case RequestEnd::None: return {};
-    case RequestEnd::Answered: return ServiceText::tr("answered");
+    case RequestEnd::Answered:
+      return ask == Ask::Reset ? ServiceText::tr("restarted") : ServiceText::tr("answered");
     case RequestEnd::WrongAnswer: return ServiceText::tr("answered with a wrong length");
     case RequestEnd::NoAnswer: return ServiceText::tr("no answer");
     case RequestEnd::Cancelled: return ServiceText::tr("cancelled");

@@ -14,7 +14,8 @@ namespace deckpipe {
 // "Faults", "Firmware".
 QString askText(Ask ask);
 // "answered", "no answer".
-QString requestEndText(RequestEnd end);
+// A reset that was seen is "restarted".
+QString requestEndText(Ask ask, RequestEnd end);
 // A whole sentence.
 QString refusalText(Refusal refusal);
 // "the interface is down"; empty for None.

@@ -123,7 +123,8 @@ TEST(Decode, SaysUnreadableLinesWithNumberAndReasonAndGoesOn) {
 TEST(Decode, SaysOfWhatIsNoLogWhichFormatsAreRead) {
   const Outcome r = run(decode(), "no log\n");
   EXPECT_EQ(r.status, 3);
-  EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: Deckpipe, candump")) << r.err.constData();
+  EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: Deckpipe, candump"))
+      << r.err.constData();
 }
 
 TEST(Decode, CountsSkippedCanFdFramesOnStandardError) {

@@ -347,6 +347,36 @@ TEST_F(StateOfOneChannel, CountsFramesOfChannelsItDoesNotFollow) {
   EXPECT_EQ(m_state.cursor().frames, 1u);
 }
 
+TEST_F(StateOfOneChannel, FollowsEveryChannelUpToTheLast) {
+  constexpr std::uint8_t kLast = kMaxChannels - 1;
+  m_state.apply(frame("18EFFF80", kAnnouncesA, kLast), m_now);
+  m_state.apply(frame("18EFFF80", kPosition, kLast), m_now);
+  EXPECT_EQ(m_state.untrackedFrames(), 0u);
+  EXPECT_EQ(m_state.channelCount(), kMaxChannels);
+  EXPECT_EQ(m_state.channel(Channel{kLast}).frames, 2u);
+  EXPECT_EQ(m_state.channel(Channel{3}).frames, 0u);
+  ASSERT_NE(device(kPinA), nullptr);
+  EXPECT_TRUE(device(kPinA)->position().isKnown());
+}
+
+TEST_F(StateOfOneChannel, KnowsNothingOfAChannelThatWasNotHeard) {
+  EXPECT_EQ(m_state.channelCount(), 0u);
+  EXPECT_EQ(m_state.channel(kCan0).frames, 0u);
+  EXPECT_FALSE(m_state.channel(Channel{200}).book.isHeard({0x80}));
+}
+
+TEST_F(StateOfOneChannel, KeepsWhatWasAskedInVainUntilTheAnswer) {
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EF80F9", "03");
+  const Instant first = m_now;
+  pass(1s);
+  hear("18EF80F9", "03");
+  EXPECT_EQ(device(kPinA)->askedInVain(Ask::Firmware), first);
+  EXPECT_EQ(device(kPinA)->askedInVain(Ask::Fault), kNotYet);
+  hear("18EFF980", "03010001020105");
+  EXPECT_EQ(device(kPinA)->askedInVain(Ask::Firmware), kNotYet);
+}
+
 TEST_F(StateOfOneChannel, RunsOutOfDevicesWithoutHarm) {
   for (unsigned channel = 0; channel < kMaxChannels; ++channel) {
     for (unsigned address = 0x80; address < 0xF8; ++address) {
@@ -355,7 +385,7 @@ TEST_F(StateOfOneChannel, RunsOutOfDevicesWithoutHarm) {
       m_state.apply(frame(id, kPosition, static_cast<std::uint8_t>(channel)), m_now);
     }
   }
-  EXPECT_EQ(m_state.devices().untracked(), 4 * 0x78 - kMaxDevices);
+  EXPECT_EQ(m_state.devices().untracked(), kMaxChannels * 0x78 - kMaxDevices);
 }
 
 TEST_F(StateOfOneChannel, MakesRoomForAPinInAFullTable) {

@@ -54,12 +54,18 @@ class Heard {
   }
   // A 6032 that sends everything.
   Heard& monitor(std::string_view position = kPosition, std::string_view limits = kRotationLimits) {
-    return hear("18EEFF80", kNameOfA)
-        .hear("18EFFF80", kAnnouncesA)
-        .hear("18EFFF80", position)
+    return hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).statuses(position, limits);
+  }
+  // What it repeats.
+  Heard& statuses(std::string_view position = kPosition, std::string_view limits = kRotationLimits) {
+    return hear("18EFFF80", position)
         .hear("18EFFF80", limits)
         .hear("18EFFF80", kElevationLimits)
         .hear("18EFFF80", kOutputs);
+  }
+  // It was asked for its faults, and answered.
+  Heard& faults(std::string_view answer = "02000000000000") {
+    return hear("18EF80F9", "02").hear("18EFF980", answer);
   }
   Instant now() const { return m_now; }
   const State& state() const { return m_state; }

@@ -219,13 +219,13 @@ TEST(MonitorPageOf, LeavesLampsUnknownThatNeverCame) {
 TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
   Heard bus;
   bus.monitor();
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("no answer heard"));
-  EXPECT_EQ(fact(pageOf(bus), "Firmware").value, QStringLiteral("no answer heard"));
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("never asked"));
+  EXPECT_EQ(fact(pageOf(bus), "Firmware").value, QStringLiteral("never asked"));
   bus.hear("18EF0580", "0200300000000B")
       .hear("18EF0580", "03010001020105")
       .hear("18EF0580", "040D1C000E0200")
-      .hear("18EF0580", "050398690E0103")
-      .pass(90s);
+      .hear("18EF0580", "050398690E0103");
+  for (int i = 0; i < 90; ++i) bus.pass(1s).statuses();
   const MonitorPageValues page = pageOf(bus);
   EXPECT_EQ(fact(page, "Fault bits").value,
             QStringLiteral("Reserved bit 20 (older manuals: pCode fault 4)\nInternal fuse"));
@@ -237,6 +237,54 @@ TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
             QStringLiteral("version 2.0\nstyle 3356: Trident\nsubtype 14: analog sensors"));
   EXPECT_EQ(fact(page, "Configuration").value,
             QStringLiteral("version 1.3\npart 60320014: Trident with Novotechnik sensors"));
+}
+
+TEST(MonitorPageOf, TellsNeverAskedFromNoAnswer) {
+  Heard bus;
+  bus.monitor().hear("18EF80F9", "02");
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("asked just now"));
+  bus.pass(2s).statuses();
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("no answer, asked 2.0 s ago"));
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Attend);
+  EXPECT_EQ(fact(pageOf(bus), "Firmware").value, QStringLiteral("never asked"));
+  bus.hear("18EF80F9", "02").hear("18EFF980", "02000000000000").hear("18EF80F9", "02").pass(2s).statuses();
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
+            QStringLiteral("none set\nasked again 2.0 s ago, no answer"));
+}
+
+TEST(MonitorPageOf, DrawsAnAnswerAsOldAfterASilenceAndAfterARestart) {
+  Heard bus;
+  bus.monitor().faults().pass(93s);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set\nasked 93 s ago, silent since"));
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Stale);
+  bus.monitor();
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
+            QStringLiteral("none set\nasked 93 s ago, restarted since"));
+  bus.faults();
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set"));
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Fine);
+}
+
+TEST(MonitorPageOf, ListsEveryCauseOfTheHealth) {
+  Heard bus;
+  bus.monitor("01FFF4FFF4000000").hear("18EFFF80", "834051");
+  const auto lines = [&] {
+    const MonitorPageValues page = pageOf(bus);
+    std::string text;
+    for (const PageFactGroup& group : page.facts) {
+      if (group.key != QStringLiteral("health")) continue;
+      for (const PageFact& fact : group.facts)
+        text += fact.label.toStdString() + " | " + fact.value.toStdString() + '\n';
+    }
+    return text;
+  };
+  EXPECT_EQ(lines(),
+            "Reasons | Sensor error: rotation, elevation.\n"
+            "Enable is off: it cannot move.\n"
+            "Its faults were never asked.\n");
+  EXPECT_EQ(pageOf(bus).reasons.size(), 3);
+  bus.statuses().faults();
+  EXPECT_EQ(lines(), "Reasons | It has no faults, and its messages come in time.\n");
 }
 
 TEST(MonitorPageOf, SaysThatAShortFaultAnswerHasNoErrorCode) {

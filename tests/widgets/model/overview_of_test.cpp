@@ -38,7 +38,7 @@ TEST(OverviewOf, NamesTheStopsThatADialDoesNotShow) {
   EXPECT_FALSE(overviewOf(bus.view())[0].areStopsStale);
   bus.pass(300ms);
   EXPECT_TRUE(overviewOf(bus.view())[0].areStopsStale);
-  EXPECT_EQ(overviewOf(bus.view())[0].health.level, HealthLevel::Attend);
+  EXPECT_EQ(overviewOf(bus.view())[0].health.worst(), HealthCause::Late);
 }
 
 TEST(OverviewOf, PutsTheLabelBeforeThePin) {

@@ -57,6 +57,22 @@ class DevicePanelTest : public testing::Test {
   QSignalSpy m_chosen{&m_panel, &DevicePanel::deviceSelected};
 };
 
+TEST_F(DevicePanelTest, SaysWhatIsNotListed) {
+  m_bus.monitor();
+  show();
+  auto* untracked = test::child<QLabel>(m_panel, "untrackedDevices");
+  EXPECT_FALSE(untracked->isVisible());
+  for (int i = 0; i < 90; ++i) {
+    char id[16];
+    std::snprintf(id, sizeof id, "18EFFF%02X", 0x81u + static_cast<unsigned>(i));
+    m_bus.hear(id, kPosition);
+  }
+  show();
+  EXPECT_TRUE(untracked->isVisible());
+  EXPECT_TRUE(untracked->text().contains(QStringLiteral("beyond the first 80")))
+      << untracked->text().toStdString();
+}
+
 TEST_F(DevicePanelTest, SaysWhatIsMissing) {
   const auto* empty = test::child<QLabel>(m_panel, "noDevices");
   EXPECT_TRUE(empty->isVisible());

@@ -72,7 +72,7 @@ TEST_F(PageTest, SaysWhatToDoWhereThereIsNothingToShow) {
 }
 
 TEST_F(PageTest, ShowsAMonitor) {
-  m_bus.monitor().hear("0CFDD633", kStickRightBack);
+  m_bus.monitor().faults().hear("0CFDD633", kStickRightBack);
   show();
   EXPECT_EQ(text("pageTitle"), QString::fromLatin1(kPinA));
   EXPECT_EQ(text("pageType"), QStringLiteral("6032 Universal II"));
@@ -91,12 +91,13 @@ TEST_F(PageTest, ShowsAMonitor) {
   EXPECT_EQ(lamp("stopPlus5")->state(), StatusLamp::State::On);
   EXPECT_EQ(lamp("stopPlus5")->accessibleName(), QStringLiteral("Discharge valve, Open stop"));
   EXPECT_EQ(lamp("outputsLamp1")->state(), StatusLamp::State::On);
+  EXPECT_TRUE(isShown("healthFacts"));
   EXPECT_TRUE(isShown("faultsFacts"));
   EXPECT_TRUE(isShown("versionsFacts"));
 }
 
 TEST_F(PageTest, GreysWhatIsOverdueWhileTimePasses) {
-  m_bus.monitor();
+  m_bus.monitor().faults();
   show();
   EXPECT_FALSE(lamp("stopPlus1")->isStale());
   m_bus.pass(300ms);
@@ -105,8 +106,8 @@ TEST_F(PageTest, GreysWhatIsOverdueWhileTimePasses) {
   EXPECT_TRUE(lamp("outputsLamp1")->isStale());
   EXPECT_TRUE(find<Dial>("dial")->values().rotation.stale);
   EXPECT_EQ(find<Dial>("dial")->values().enable, DialValues::Flag::Unknown);
-  EXPECT_EQ(text("pageHealth"), QStringLiteral("attend"));
-  m_bus.monitor();
+  EXPECT_EQ(text("pageHealth"), QStringLiteral("late"));
+  m_bus.statuses();
   show();
   EXPECT_FALSE(lamp("stopPlus1")->isStale());
   EXPECT_EQ(text("pageHealth"), QStringLiteral("fine"));

@@ -101,7 +101,8 @@ TEST_F(OverviewTest, ShowsEveryMonitorAtOnceWithItsDial) {
   EXPECT_EQ(m_panel.findChildren<MonitorTile*>().size(), 4);
   EXPECT_TRUE(tile(4)->isVisible());
   EXPECT_NEAR(test::child<Dial>(*tile(1))->values().rotation.degrees, 47.3, 1e-9);
-  EXPECT_EQ(tile(1)->accessibleName(), QStringLiteral("1032AE100801035, 6032 Universal II · 80 hex, fine"));
+  EXPECT_EQ(tile(1)->accessibleName(),
+            QStringLiteral("1032AE100801035, 6032 Universal II · 80 hex, not asked"));
   EXPECT_TRUE(
       test::child<Dial>(*tile(1))->accessibleDescription().contains(QStringLiteral("47.3 degrees right")));
   Heard fewer;
@@ -109,6 +110,17 @@ TEST_F(OverviewTest, ShowsEveryMonitorAtOnceWithItsDial) {
   m_panel.setView(fewer.view());
   EXPECT_FALSE(tile(2)->isVisible()) << "the cursor went back";
   EXPECT_TRUE(tile(1)->isVisible());
+}
+
+TEST_F(OverviewTest, SaysWhatIsNotShown) {
+  hear(1);
+  auto* untracked = test::child<QLabel>(m_panel, "untrackedMonitors");
+  EXPECT_FALSE(untracked->isVisible());
+  m_bus.hear("18EFFF80", kPosition, kMaxChannels);
+  show();
+  EXPECT_TRUE(untracked->isVisible());
+  EXPECT_TRUE(untracked->text().contains(QStringLiteral("beyond the first 16")))
+      << untracked->text().toStdString();
 }
 
 TEST_F(OverviewTest, AsksForAPageByClickAndByKeys) {

@@ -178,6 +178,20 @@ inline std::vector<PanelScene> panelScenes() {
     neighbours(bus.monitor()).hear("18EEFF80", kLowerForeignName).pass(90s);
     add("address_lost_silent", bus, keyOfA());
   }
+  {
+    Heard bus;
+    neighbours(bus.monitor(kSensorError)).faults("0200200200000B").pass(90s);
+    neighbours(bus.statuses("01FFF4FFF4020004")).hear("18EFFF80", "834051").hear("18EF80F9", "02").pass(2s);
+    bus.statuses("01FFF4FFF4020004").hear("18EFFF80", "834051");
+    add("everything_at_once", neighbours(bus), keyOfA());
+  }
+  {
+    Heard bus;
+    neighbours(bus.monitor()).faults().hear("18EEFF80", kNameOfSerial2).hear("18EFFF80", kAnnouncesB);
+    for (int i = 0; i < 9; ++i) bus.pass(50ms).hear("18EFFF80", i % 2 == 0 ? "0112C10644000041" : kPosition);
+    bus.hear("18EFFF80", kOutputs);
+    add("two_at_one_address", neighbours(bus), pin("1032AE100801036"));
+  }
   return scenes;
 }
 

@@ -118,7 +118,57 @@ TEST_F(AskedDevice, ShowsTheAnswerInWordsAndHowItWent) {
   EXPECT_TRUE(card(Ask::Fault)->values().answer.contains(QStringLiteral("nternal fuse")))
       << card(Ask::Fault)->values().answer.toStdString();
   EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("3 ms")));
+  EXPECT_TRUE(card(Ask::Fault)->values().isFault);
+  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Plain) << "no tick beside a fault";
+}
+
+TEST_F(AskedDevice, OnlyAnAnswerWithoutFaultsHasATick) {
+  add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "02000000000000", 0, 2 * kSecond)});
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
+                         .end = RequestEnd::Answered,
+                         .tries = 1,
+                         .sent = view.cursor.time,
+                         .ended = view.cursor.time,
+                         .latency = 3ms};
+  show();
+  EXPECT_FALSE(card(Ask::Fault)->values().isFault);
   EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Fine);
+}
+
+TEST_F(AskedDevice, AnAnswerBeforeARestartIsDrawnAsOld) {
+  add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "02000000000000", 0, 2 * kSecond),
+       frame("18EFFF80", "FF83150206021A0B", 0, 95 * kSecond)});
+  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
+                         .end = RequestEnd::Answered,
+                         .tries = 1,
+                         .sent = view.cursor.time - 93s,
+                         .ended = view.cursor.time - 93s,
+                         .latency = 3ms};
+  show();
+  EXPECT_TRUE(card(Ask::Fault)->values().isOld);
+  EXPECT_NE(card(Ask::Fault)->values().tone, AskCard::Tone::Fine);
+  EXPECT_TRUE(card(Ask::Fault)->values().state.endsWith(QStringLiteral("heard 93 s ago, restarted since")))
+      << card(Ask::Fault)->values().state.toStdString();
+}
+
+TEST_F(AskedDevice, ALogTellsNeverAskedFromNoAnswer) {
+  add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFFF80", "011D940371000041", 0, 5 * kSecond)});
+  show();
+  EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("no answer, asked 3.0 s ago"));
+  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+  EXPECT_EQ(card(Ask::Firmware)->values().state, QStringLiteral("never asked"));
+}
+
+TEST_F(AskedDevice, AResetThatWasSeenIsARestart) {
+  request(Ask::Reset) = {.progress = RequestStatus::Progress::Ended,
+                         .end = RequestEnd::Answered,
+                         .tries = 1,
+                         .sent = view.cursor.time,
+                         .ended = view.cursor.time,
+                         .latency = 3200ms};
+  show();
+  EXPECT_TRUE(card(Ask::Reset)->values().state.startsWith(QStringLiteral("restarted")))
+      << card(Ask::Reset)->values().state.toStdString();
 }
 
 TEST_F(AskedDevice, NoAnswerIsSaidAsClearly) {

@@ -42,9 +42,9 @@ struct Talk : ::testing::Test {
   }
   void show() {
     view.document = document;
-    view.state = std::make_shared<State>();
     view.frameCount = document->frames.count();
     view.cursor = {view.frameCount, document->frames.timeAt(view.frameCount - 1)};
+    view.state = std::make_shared<State>(document->keyframes.at(view.cursor));
     talk.take(*document, view.frameCount, 1'000'000);
     panel.setView(view, talk, services, isLive);
   }

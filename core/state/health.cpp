@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/health.h"
+
+#include <algorithm>
+
+#include "protocol/gateway.h"
+
+namespace deckpipe {
+namespace {
+
+// So long two devices at one address are believed after their statuses last showed it.
+constexpr Duration kDoubledFor = 10s;
+
+// What is judged: a device, or an address where there is none of Akron's.
+struct Subject {
+  const State& state;
+  const ChannelState& channel;
+  Address address;       // null: lost, or a CANopen node
+  const Device* device;  // null: there is none
+
+  Instant now() const { return state.cursor().time; }
+  bool hasAddress() const { return address != kNullAddress; }
+  const Joystick* joystick() const { return hasAddress() ? channel.joysticks.find(address) : nullptr; }
+  bool isNode() const { return device != nullptr && device->kind == Device::Kind::Node; }
+  // A status counts as long as it is fresh.
+  bool has(MessageId id) const {
+    return device != nullptr && device->report(id).isKnown() && !device->isStale(id);
+  }
+  bool hasPosition() const { return has(MessageId::PositionLimitStatus); }
+  PositionLimitStatus position() const { return device->position().value(); }
+  Instant lastHeard() const {
+    return device != nullptr ? device->lastHeard : channel.nodes[address].lastHeard;
+  }
+};
+
+// Whether something of it comes by itself. Controls have to send joystick messages, but from an address of 33 to
+// 38 hex that no message ties to their PIN.
+bool sendsByItself(const Subject& s) {
+  if (s.joystick() != nullptr) return true;
+  if (s.device == nullptr)
+    return s.address != s.channel.ownAddress && s.channel.nodes[s.address].rate.isSteady();
+  if (s.device->lastStatus != kNotYet) return true;
+  const unsigned type = s.device->kind == Device::Kind::Pin ? s.device->pin.deviceType() : 0;
+  return type == 1032 || type == 1033 || type == 1040 || type == 1042 || type == 1052;
+}
+
+// When something came last that comes by itself; of what sent nothing of the kind, when it was heard.
+Instant lastBeat(const Subject& s) {
+  const Joystick* stick = s.joystick();
+  Instant last = stick != nullptr ? std::max(stick->basic.at, stick->extended.at) : kNotYet;
+  if (s.device != nullptr) last = std::max(last, s.device->lastStatus);
+  return last == kNotYet ? s.lastHeard() : last;
+}
+
+bool isSilent(const Subject& s) {
+  const Instant last = lastBeat(s);
+  return sendsByItself(s) && (last == kNotYet || s.now() - last >= kSilentAfter);
+}
+
+AnswerAge ageOf(const Subject& s, Instant answered) {
+  const Device& d = *s.device;
+  if (answered < d.restarted) return AnswerAge::BeforeRestart;
+  if (answered < d.resumed) return AnswerAge::BeforeSilence;
+  // An answer that came while the statuses were missing is as good as any.
+  return isSilent(s) && s.now() - answered >= kSilentAfter ? AnswerAge::BeforeSilence : AnswerAge::Current;
+}
+
+// A device of Akron's, or one that speaks as they do; a node if it has shown that it is a monitor.
+bool canBeAsked(const Subject& s) {
+  if (s.device == nullptr) return false;
+  if (!s.isNode()) return true;
+  const Device& d = *s.device;
+  return d.partNumber.isKnown() || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
+}
+
+// Two devices send from one address if their PINs or NAMEs say so in turn (AddressBook::isShared), if their
+// statuses come twice a period and differ (pace.h), or if a PIN is announced, with no claim under way, under the
+// NAME of another device.
+bool isShared(const Subject& s, Address address) {
+  if (s.channel.book.isShared(address, s.now())) return true;
+  const auto devices = s.state.devices().all();
+  return std::ranges::any_of(devices, [&](const Device& d) {
+    if (d.kind != Device::Kind::Pin && d.kind != Device::Kind::Address) return false;
+    if (&s.state.channel(d.channel) != &s.channel || d.address != address) return false;
+    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor) return true;
+    const Name holder = s.channel.book.holder(address);
+    return d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
+           s.channel.book.claim(address, d.announced) == ClaimState::Claimed;
+  });
+}
+
+// The address that it has, or lost last: whoever lost it to the other one may still send from there.
+Address sharedAddress(const Subject& s) {
+  if (s.isNode()) return kNullAddress;
+  const Address address = s.hasAddress() || s.device == nullptr ? s.address : s.device->previousAddress();
+  return address != kNullAddress && isShared(s, address) ? address : kNullAddress;
+}
+
+bool hasFaults(const Health& h) { return h.faults != 0 || h.errorCode != 0; }
+
+bool isFaultAnswer(const Subject& s, const Health& h, bool isCurrent) {
+  return canBeAsked(s) && h.answered != kNotYet && (h.answer == AnswerAge::Current) == isCurrent;
+}
+
+ClaimState claimOf(const Subject& s) {
+  return s.hasAddress() ? s.channel.book.claim(s.address, s.now()) : ClaimState::NoClaim;
+}
+
+std::uint16_t codeOf(const Device& d) {
+  if (d.operationalErrorCode.isKnown() && d.operationalErrorCode.value != 0)
+    return d.operationalErrorCode.value;
+  return d.faults().isKnown() ? d.faults().value().pcodeError.value_or(0) : std::uint16_t{0};
+}
+
+Health factsOf(const Subject& s) {
+  Health h;
+  h.sharedAddress = sharedAddress(s);
+  if (s.device == nullptr) return h;
+  const Device& d = *s.device;
+  h.answered = std::max(d.faults().at, d.operationalErrorCode.at);
+  if (h.answered != kNotYet) h.answer = ageOf(s, h.answered);
+  if (d.faults().isKnown()) h.faults = d.faults().value().map;
+  h.errorCode = codeOf(d);
+  for (const MessageId id : kOwnPeriodicReports) {
+    if (d.isStale(id)) h.late.add(id);
+  }
+  if (s.hasPosition()) {
+    const PositionLimitStatus p = s.position();
+    const auto isBad = [](const PositionReading& r) {
+      return r.state == PositionState::SensorError || r.state == PositionState::Invalid;
+    };
+    h.rotation = isBad(p.rotation);
+    h.elevation = isBad(p.elevation);
+  }
+  return h;
+}
+
+bool anyAxis(const Subject& s, PositionState state) {
+  return s.hasPosition() && (s.position().rotation.state == state || s.position().elevation.state == state);
+}
+
+bool anyStop(const Subject& s, Status2 status) {
+  if (!s.hasPosition()) return false;
+  const PositionLimitStatus p = s.position();
+  return std::ranges::count(p.plusStop, status) + std::ranges::count(p.minusStop, status) > 0;
+}
+
+bool isMalformed(const Subject& s) {
+  return s.device != nullptr ? s.device->malformed != 0 : s.channel.nodes[s.address].malformed != 0;
+}
+
+bool isJoystickStopped(const Subject& s) {
+  const Joystick* stick = s.joystick();
+  return stick != nullptr && stick->timedOut && !isSilent(s);
+}
+
+using Rule = bool (*)(const Subject&, const Health&);
+constexpr EnumTable<HealthCause, Rule> kRules{{
+    {HealthCause::Silent, [](const Subject& s, const Health&) { return isSilent(s); }},
+    {HealthCause::TwoAtOneAddress,
+     [](const Subject&, const Health& h) { return h.sharedAddress != kNullAddress; }},
+    {HealthCause::FaultsNamed,
+     [](const Subject& s, const Health& h) { return isFaultAnswer(s, h, true) && hasFaults(h); }},
+    {HealthCause::SensorError,
+     [](const Subject& s, const Health&) { return anyAxis(s, PositionState::SensorError); }},
+    {HealthCause::OperationalError,
+     [](const Subject& s, const Health&) {
+       return s.hasPosition() && s.position().operationalError == Status2::On;
+     }},
+    {HealthCause::Faulted,
+     [](const Subject& s, const Health&) {
+       return s.has(MessageId::MiniDigitalOutputs) && s.device->miniOutputs().value().deviceFaulted;
+     }},
+    {HealthCause::StopError, [](const Subject& s, const Health&) { return anyStop(s, Status2::Error); }},
+    {HealthCause::Disabled,
+     [](const Subject& s, const Health&) {
+       return s.has(MessageId::DigitalOutputs) && !s.device->outputs().value().enable;
+     }},
+    {HealthCause::PositionInvalid,
+     [](const Subject& s, const Health&) { return anyAxis(s, PositionState::Invalid); }},
+    {HealthCause::Late, [](const Subject& s, const Health& h) { return !h.late.isEmpty() && !isSilent(s); }},
+    {HealthCause::NotOperational,
+     [](const Subject& s, const Health&) {
+       return s.has(MessageId::Heartbeat) && s.device->heartbeat().value() != gateway::kOperational;
+     }},
+    {HealthCause::JoystickStopped, [](const Subject& s, const Health&) { return isJoystickStopped(s); }},
+    {HealthCause::AddressLost,
+     [](const Subject& s, const Health&) { return !s.isNode() && s.device != nullptr && !s.hasAddress(); }},
+    {HealthCause::AddressContested,
+     [](const Subject& s, const Health&) { return claimOf(s) == ClaimState::Contested; }},
+    {HealthCause::CannotClaim,
+     [](const Subject& s, const Health&) { return claimOf(s) == ClaimState::CannotClaim; }},
+    {HealthCause::Malformed, [](const Subject& s, const Health&) { return isMalformed(s); }},
+    {HealthCause::FaultsNotAnswered,
+     [](const Subject& s, const Health&) {
+       return canBeAsked(s) && isUnanswered(*s.device, Ask::Fault, s.now());
+     }},
+    {HealthCause::Idle,
+     [](const Subject& s, const Health&) {
+       const Instant last = s.lastHeard();
+       return !sendsByItself(s) && (last == kNotYet || s.now() - last >= kSilentAfter);
+     }},
+    {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return isFaultAnswer(s, h, false); }},
+    {HealthCause::FaultsNeverAsked,
+     [](const Subject& s, const Health& h) {
+       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet;
+     }},
+    {HealthCause::NotAnnounced,
+     [](const Subject& s, const Health&) {
+       return s.device == nullptr && s.channel.book.isAkron(s.address);
+     }},
+    {HealthCause::CannotBeAsked,
+     [](const Subject& s, const Health&) {
+       return !canBeAsked(s) && (s.device != nullptr || !s.channel.book.isAkron(s.address));
+     }},
+}};
+
+Health judge(const Subject& s) {
+  Health h = factsOf(s);
+  for (const HealthCause cause : kAllOf<HealthCause>) {
+    if (kRules[cause](s, h)) h.causes.add(cause);
+  }
+  // Only where a cause speaks of it, so that a health changes only when its words do.
+  if (h.has(HealthCause::Silent)) h.since = lastBeat(s);
+  if (h.has(HealthCause::Idle)) h.since = s.lastHeard();
+  if (!h.has(HealthCause::FaultsOld)) h.answered = kNotYet;
+  if (!h.has(HealthCause::Late)) h.late = {};
+  if (h.has(HealthCause::FaultsNotAnswered)) h.asked = s.device->askedInVain(Ask::Fault);
+  return h;
+}
+
+}  // namespace
+
+HealthCause Health::worst() const {
+  const auto first = std::ranges::find_if(kAllOf<HealthCause>, [this](HealthCause c) { return has(c); });
+  return first == kAllOf<HealthCause>.end() ? HealthCause::Count : *first;
+}
+
+HealthSeverity Health::severity() const {
+  return isFine() ? HealthSeverity::Fine : kHealthCauses[worst()].severity;
+}
+
+Health healthOf(const State& state, const Device& device) {
+  const bool isNode = device.kind == Device::Kind::Node;
+  return judge({state, state.channel(device.channel), isNode ? kNullAddress : device.address, &device});
+}
+
+Health healthOf(const State& state, Channel channel, Address address) {
+  return judge({state, state.channel(channel), address, nullptr});
+}
+
+AnswerAge ageOfAnswer(const State& state, const Device& device, Instant answered) {
+  const bool isNode = device.kind == Device::Kind::Node;
+  return ageOf({state, state.channel(device.channel), isNode ? kNullAddress : device.address, &device},
+               answered);
+}
+
+bool isUnanswered(const Device& device, Ask ask, Instant now) {
+  const Instant first = device.askedInVain(ask);
+  return first != kNotYet && now - first >= kUnansweredAfter;
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a device is: every cause that keeps it from being called fine (base/health_cause.h has the list, health.cpp
+// a rule for each). A pure function of the state and so of the cursor, live or of a log. It says what was reported
+// and what stopped coming; what to do about it is for the findings to say.
+//
+// A device is fine only if it sends what it should, can act, and has answered since its last restart or silence
+// that it has no faults.
+#pragma once
+
+#include "base/health_cause.h"
+#include "state/state.h"
+
+namespace deckpipe {
+
+// Whether an answer may still be believed.
+enum class AnswerAge : std::uint8_t {
+  Current,
+  BeforeRestart,  // the device restarted after it
+  BeforeSilence,  // the device's periodic messages stopped after it, even if they came back
+};
+
+struct Health {
+  EnumSet<HealthCause> causes;
+  // What the causes speak of.
+  std::uint32_t faults = 0;     // FaultsNamed, FaultsOld: the map
+  std::uint16_t errorCode = 0;  // … and of a pCode error, also OperationalError; 0 if it is not known
+  EnumSet<MessageId> late;      // Late
+  bool rotation = false;        // SensorError, PositionInvalid: of which axis
+  bool elevation = false;       // …
+  Instant since = kNotYet;      // Silent, Idle: when it was heard last; not set otherwise
+  Instant asked = kNotYet;      // FaultsNotAnswered: the first try
+  Instant answered = kNotYet;   // FaultsOld: when the answer came
+  AnswerAge answer = AnswerAge::Current;
+  Address sharedAddress;  // TwoAtOneAddress: which; null otherwise
+
+  bool isFine() const { return causes.isEmpty(); }
+  bool has(HealthCause cause) const { return causes.has(cause); }
+  // The first one that holds; Count where it is fine.
+  HealthCause worst() const;
+  HealthSeverity severity() const;
+  // Key of the worst cause, "fine" if there is none. Frozen contract.
+  std::string_view key() const { return isFine() ? "fine" : kHealthCauses[worst()].key; }
+  friend bool operator==(const Health&, const Health&) = default;
+};
+
+Health healthOf(const State& state, const Device& device);
+// Of a J1939 address at which there is no device of Akron's.
+Health healthOf(const State& state, Channel channel, Address address);
+
+// Of an answer that this device gave at `answered`.
+AnswerAge ageOfAnswer(const State& state, const Device& device, Instant answered);
+// An answer is missing if none came within the three tries of a poll.
+inline constexpr Duration kUnansweredAfter = 1500ms;
+bool isUnanswered(const Device& device, Ask ask, Instant now);
+
+}  // namespace deckpipe

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/health.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "support/frames.h"
+
+namespace deckpipe {
+namespace {
+
+using test::frame;
+
+constexpr char kPinA[] = "1032AE100801035";
+constexpr char kPinB[] = "1032AE100801036";
+constexpr char kAnnouncesA[] = "FF83150206021A0B";
+constexpr char kAnnouncesB[] = "FF83150206021A0C";
+constexpr char kNameOfA[] = "0B1AC22800420090";
+constexpr char kNameOfB[] = "0C1AC22800420090";
+constexpr char kLowerForeignName[] = "0100200000000000";
+constexpr char kHigherForeignName[] = "01002001000000FF";
+constexpr char kAsksForNames[] = "00EE00";
+constexpr char kPosition[] = "011D940371000041";       // 47.3 right, 5.5 down
+constexpr char kOtherPosition[] = "0112C10644000041";  // 30.0 right
+constexpr char kTurnedALittle[] = "011D950371000041";
+constexpr char kSensorError[] = "01FFF4FFF4000000";
+constexpr char kOutputs[] = "83C051";
+constexpr char kNoFaults[] = "02000000000000";
+
+class Bus {
+ public:
+  Bus& hear(std::string_view id, std::string_view data, std::uint8_t channel = 0) {
+    m_state.apply(frame(id, data, channel), m_now);
+    return *this;
+  }
+  Bus& hear(Frame f, std::uint8_t flags) {
+    f.flags |= flags;
+    m_state.apply(f, m_now);
+    return *this;
+  }
+  Bus& pass(Duration d) {
+    m_now = m_now + d;
+    m_state.timeCame(m_now);
+    return *this;
+  }
+  // A 6032 at 80 that sends what it repeats.
+  Bus& monitor(std::string_view position = kPosition, std::string_view outputs = kOutputs) {
+    return hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).statuses(position, outputs);
+  }
+  Bus& statuses(std::string_view position = kPosition, std::string_view outputs = kOutputs) {
+    return hear("18EFFF80", position).hear("18EFFF80", outputs);
+  }
+  Bus& asked() { return hear("18EF80F9", "02"); }
+  Bus& answered(std::string_view faults = kNoFaults) { return asked().hear("18EFF980", faults); }
+  // Its statuses come on for so long.
+  Bus& goOn(Duration d) {
+    for (Duration t = 0s; t < d; t += 100ms) pass(100ms).statuses();
+    return *this;
+  }
+
+  const State& state() const { return m_state; }
+  Instant now() const { return m_now; }
+  const Device* device(std::string_view pin) const { return m_state.devices().byPin(*Pin::parse(pin)); }
+
+ private:
+  State m_state;
+  Instant m_now{1'000'000'000};
+};
+
+// Keys of all causes, the worst first.
+std::string listed(const Health& health) {
+  std::string text;
+  for (const HealthCause cause : kAllOf<HealthCause>) {
+    if (!health.has(cause)) continue;
+    if (!text.empty()) text += ' ';
+    text += kHealthCauses[cause].key;
+  }
+  return text.empty() ? "fine" : text;
+}
+std::string listed(const Bus& bus, std::string_view pin = kPinA) {
+  const Device* device = bus.device(pin);
+  return device == nullptr ? "no device" : listed(healthOf(bus.state(), *device));
+}
+// Of the first device, PIN or not, or of address 21 where there is none.
+std::string listedFirst(const Bus& bus) {
+  const Device& first = bus.state().devices().all().front();
+  return first.kind != Device::Kind::Free ? listed(healthOf(bus.state(), first))
+                                          : listed(healthOf(bus.state(), Channel{0}, Address{0x21}));
+}
+
+struct Case {
+  const char* name;
+  std::function<void(Bus&)> story;
+  const char* causes;
+};
+class HealthRule : public testing::TestWithParam<Case> {};
+
+TEST_P(HealthRule, SaysEveryCauseThatHolds) {
+  Bus bus;
+  GetParam().story(bus);
+  EXPECT_EQ(listedFirst(bus), GetParam().causes);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Of, HealthRule,
+    testing::Values(
+        // Faults asked for or not.
+        Case{"AMonitorThatWasNeverAsked", [](Bus& b) { b.monitor(); }, "faults_never_asked"},
+        Case{"AMonitorWithoutFaults", [](Bus& b) { b.monitor().answered(); }, "fine"},
+        Case{"APollThatMayBeAnsweredYet", [](Bus& b) { b.monitor().asked().pass(100ms).statuses(); }, "fine"},
+        Case{"APollWithoutAnswer", [](Bus& b) { b.monitor().asked().goOn(1600ms); }, "faults_not_answered"},
+        Case{"PollsWithoutAnswerThatGoOn",
+             [](Bus& b) {
+               b.monitor();
+               for (int i = 0; i < 5; ++i) b.asked().goOn(400ms);
+             },
+             "faults_not_answered"},
+        Case{"ALaterPollWithoutAnswer", [](Bus& b) { b.monitor().answered().goOn(1s).asked().goOn(2s); },
+             "faults_not_answered"},
+        Case{"AnAnswerAfterAll", [](Bus& b) { b.monitor().asked().goOn(2s).hear("18EFF980", kNoFaults); },
+             "fine"},
+        Case{"Faults", [](Bus& b) { b.monitor().answered("02002000000000"); }, "faults"},
+        Case{"AnErrorCodeAlone", [](Bus& b) { b.monitor().answered("0200000000000B"); }, "faults"},
+        // Old answers.
+        Case{"ARestart", [](Bus& b) { b.monitor().answered().goOn(2s).hear("18EFFF80", kAnnouncesA); },
+             "faults_old"},
+        Case{"AnAnswerAfterTheRestart",
+             [](Bus& b) { b.monitor().answered().goOn(2s).hear("18EFFF80", kAnnouncesA).answered(); },
+             "fine"},
+        Case{"AnAnnouncementThatWasAskedFor",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EAFFF9", kAsksForNames).pass(100ms).statuses();
+               b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
+             },
+             "fine"},
+        Case{"AnAddressThatWasDefended",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EEFF80", kHigherForeignName).pass(50ms).statuses();
+               b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
+             },
+             "fine"},
+        Case{"AMoveToAnotherAddress",
+             [](Bus& b) {
+               b.monitor().answered().pass(100ms).hear("18EFFF81", kAnnouncesA).hear("18EFFF81", kPosition);
+               b.hear("18EFFF81", kOutputs);
+             },
+             "fine"},
+        Case{"ASilenceThatEnded", [](Bus& b) { b.monitor().answered("02002000000000").pass(5s).statuses(); },
+             "faults_old"},
+        Case{"AnAnswerDuringTheSilence", [](Bus& b) { b.monitor().pass(20s).answered().pass(1s); }, "silent"},
+        // Silence and lateness.
+        Case{"SilenceBegins", [](Bus& b) { b.monitor().pass(3s - 1ns); }, "late faults_never_asked"},
+        Case{"Silence", [](Bus& b) { b.monitor().pass(3s); }, "silent faults_never_asked"},
+        Case{"SilenceAfterAnAnswer", [](Bus& b) { b.monitor().answered().pass(1h); }, "silent faults_old"},
+        Case{"AMonitorThatAnswersAndSendsNoStatus",
+             [](Bus& b) { b.monitor().answered().pass(40s).answered(); }, "silent"},
+        Case{"AMonitorThatSendsNoStatusAtAll",
+             [](Bus& b) { b.hear("18EFFF80", kAnnouncesA).answered().pass(3s); }, "silent faults_old"},
+        Case{"OneStatusLate", [](Bus& b) { b.monitor().answered().pass(300ms).hear("18EFFF80", kOutputs); },
+             "late"},
+        Case{"ARiserThatStopped", [](Bus& b) { b.hear("18EFFF91", "848000").pass(3s); },
+             "silent faults_never_asked"},
+        Case{"AJoystickThatStopped",
+             [](Bus& b) {
+               b.hear("18EEFF33", kNameOfA).hear("18EFFF33", kAnnouncesA);
+               b.hear("0CFDD633", "0100010000000000").pass(200ms);
+             },
+             "joystick_stopped faults_never_asked"},
+        Case{"ANodeOfAnotherMakerThatStopped",
+             [](Bus& b) {
+               for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
+               b.pass(3s);
+             },
+             "silent cannot_be_asked"},
+        Case{"ANodeOfAnotherMaker",
+             [](Bus& b) {
+               for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
+             },
+             "cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerHeardNowAndThen",
+             [](Bus& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle cannot_be_asked"},
+        Case{"AControlFromTheAddressOfItsPin",
+             [](Bus& b) { b.hear("18EFFF80", "FF82EA02D0000002").pass(1h); }, "idle faults_never_asked"},
+        // What it reports.
+        Case{"Disabled", [](Bus& b) { b.monitor(kPosition, "834051").answered(); }, "disabled"},
+        Case{"SensorError", [](Bus& b) { b.monitor(kSensorError).answered(); }, "sensor_error"},
+        Case{"SensorsThatAreNotFitted", [](Bus& b) { b.monitor("01FFFFFFFF000001").answered(); }, "fine"},
+        Case{"OperationalError", [](Bus& b) { b.monitor("011D940371000045").answered("0200000000000B"); },
+             "faults operational_error"},
+        Case{"StopError", [](Bus& b) { b.monitor("011D940371020001").answered(); }, "stop_error"},
+        Case{"PositionThatIsNotValid", [](Bus& b) { b.monitor("0112350000000000").answered(); },
+             "position_invalid"},
+        Case{"RiserThatIsFaulted", [](Bus& b) { b.hear("18EFFF91", "84C000"); },
+             "device_faulted faults_never_asked"},
+        Case{"WrongLength", [](Bus& b) { b.monitor().answered().hear("18EFFF80", "0100"); }, "malformed"},
+        Case{"EverythingAtOnce",
+             [](Bus& b) { b.monitor("01FFF4FFF4020004", "834051").answered("0200200000000B"); },
+             "faults sensor_error operational_error stop_error disabled"},
+        // Addresses.
+        Case{"AddressLost", [](Bus& b) { b.monitor().answered().hear("18EEFF80", kLowerForeignName); },
+             "address_lost"},
+        Case{"AddressContested",
+             [](Bus& b) {
+               b.monitor().answered().pass(250ms).hear("18EEFF80", kHigherForeignName).statuses();
+             },
+             "address_contested"},
+        Case{"NoAddressToClaim",
+             [](Bus& b) { b.hear("18EEFF21", kHigherForeignName).hear("18EEFFFE", kHigherForeignName); },
+             "cannot_claim cannot_be_asked"},
+        Case{"ANameOfAkronsWithoutItsPin", [](Bus& b) { b.hear("18EEFF21", kNameOfA); }, "not_announced"},
+        // CANopen.
+        Case{"NodeThatIsNotOperational", [](Bus& b) { b.hear("724", "7F"); },
+             "not_operational cannot_be_asked"},
+        Case{"NodeWithAnErrorCode",
+             [](Bus& b) { b.hear("724", "05").hear("5A4", "4300500116699803").hear("5A4", "4B0150020B00"); },
+             "faults"},
+        Case{"NodeThatWasAsked",
+             [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4301500100000000"); },
+             "fine"},
+        Case{"NodeThatBootedSince",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("5A4", "4301500100000000").pass(1ms).hear("724", "00");
+               b.hear("724", "05");
+             },
+             "faults_old"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Health, SaysTwoAtOneAddressWhereTwoPositionsComeInTurn) {
+  Bus bus;
+  bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(500ms);
+  bus.hear("18EEFF80", kNameOfB).hear("18EFFF80", kAnnouncesB).pass(100ms);
+  for (int i = 0; i < 8; ++i) bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
+  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked");
+  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked");
+  EXPECT_EQ(healthOf(bus.state(), *bus.device(kPinA)).sharedAddress, Address{0x80});
+}
+
+TEST(Health, SaysTwoAtOneAddressWhereStatusesThatDifferComeTwiceAPeriodForTwoSeconds) {
+  Bus bus;
+  bus.monitor();
+  const auto both = [&](Duration time, Duration apart) {
+    for (Duration t = 0s; t < time; t += 100ms)
+      bus.hear("18EFFF80", kPosition).pass(apart).hear("18EFFF80", kTurnedALittle).pass(100ms - apart);
+  };
+  both(1900ms, 10ms);
+  EXPECT_EQ(bus.device(kPinA)->doubled, kNotYet);
+  both(300ms, 10ms);
+  EXPECT_NE(bus.device(kPinA)->doubled, kNotYet);
+  bus.goOn(11s);
+  EXPECT_EQ(listed(bus), "faults_never_asked") << "the other one is gone";
+}
+
+TEST(Health, SaysTwoAtOneAddressWhereTwoPinsAnswerInTurn) {
+  Bus bus;
+  const auto bothAnswer = [&] {
+    bus.hear("18EAFFF9", kAsksForNames)
+        .hear("18EFFF80", kAnnouncesA)
+        .pass(20ms)
+        .hear("18EFFF80", kAnnouncesB);
+  };
+  bothAnswer();
+  EXPECT_EQ(listed(bus, kPinB), "faults_never_asked");
+  bus.pass(1s);
+  bothAnswer();
+  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked");
+  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked");
+}
+
+TEST(Health, SaysTwoAtOneAddressWhereTwoNamesTakeItInTurn) {
+  Bus bus;
+  for (int i = 0; i < 2; ++i) {
+    bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(100ms);
+    bus.hear("18EEFF80", kNameOfB).pass(900ms);
+  }
+  EXPECT_TRUE(healthOf(bus.state(), Channel{0}, Address{0x80}).has(HealthCause::TwoAtOneAddress));
+  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
+}
+
+TEST(Health, SaysTwoAtOneAddressOfAPinUnderTheNameOfAnother) {
+  Bus bus;
+  bus.hear("18EEFF80", kNameOfA).pass(300ms).hear("18EFFF80", kAnnouncesB);
+  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked");
+}
+
+// What a lawful bus gives.
+class LawfulBus : public testing::Test {
+ protected:
+  bool isCalledShared() const {
+    for (const Device& device : m_bus.state().devices().all()) {
+      if (device.kind != Device::Kind::Free &&
+          healthOf(m_bus.state(), device).has(HealthCause::TwoAtOneAddress))
+        return true;
+    }
+    return false;
+  }
+  // A status every 100 ms that differs each time.
+  void turn(int statuses) {
+    for (int i = 0; i < statuses; ++i) {
+      hearAngle();
+      m_bus.pass(100ms);
+    }
+  }
+  void hearAngle(std::uint8_t flags = 0) {
+    char data[17];
+    std::snprintf(data, sizeof data, "01%03X40371000041", 0x100u + m_angle++ % 0x600u * 2);
+    m_bus.hear(frame("18EFFF80", data), flags);
+  }
+  Bus m_bus;
+  unsigned m_angle = 0;
+};
+
+TEST_F(LawfulBus, ContestsThatTheHolderWins) {
+  m_bus.monitor().pass(1s);
+  for (int i = 0; i < 10; ++i) {
+    m_bus.hear("18EEFF80", kNameOfB).pass(10ms).hear("18EEFF80", kNameOfA).pass(990ms);
+    EXPECT_FALSE(isCalledShared());
+  }
+}
+
+TEST_F(LawfulBus, AnAddressThatGoesOverAndBack) {
+  m_bus.monitor().pass(1s);
+  m_bus.hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB).pass(2s);
+  m_bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(10ms);
+  m_bus.hear("18EEFF81", kNameOfB).pass(250ms).hear("18EFFF81", kAnnouncesB);
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, ABurstAfterAnAdapterStoodStill) {
+  turn(20);
+  m_bus.pass(10s);
+  for (int i = 0; i < 100; ++i) hearAngle(Frame::kLate);  // all at the time of the cursor
+  turn(20);
+  EXPECT_FALSE(isCalledShared());
+  m_bus.pass(10s);
+  for (int i = 0; i < 100; ++i) {
+    hearAngle();
+    m_bus.pass(500us);
+  }
+  turn(30);
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, AnAdapterThatGivesItsFramesInBatches) {
+  for (int batch = 0; batch < 40; ++batch) {
+    for (int i = 0; i < 5; ++i) {
+      hearAngle();
+      m_bus.pass(1ms);
+    }
+    m_bus.pass(495ms);
+  }
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, ALogThatHoldsEveryFrameTwice) {
+  for (int i = 0; i < 60; ++i) {
+    const char* position = i % 2 == 0 ? kPosition : kTurnedALittle;
+    m_bus.hear("18EFFF80", position).pass(1ms).hear("18EFFF80", position).pass(99ms);
+  }
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, ASensorThatJumps) {
+  for (int i = 0; i < 60; ++i) m_bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(100ms);
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, AGatewayThatIsSetToSendMoreOften) {
+  for (int i = 0; i < 200; ++i) m_bus.hear("1A4", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST(Health, KnowsTheWorstAndItsKey) {
+  Health health;
+  EXPECT_EQ(health.key(), "fine");
+  EXPECT_EQ(health.severity(), HealthSeverity::Fine);
+  health.causes.add(HealthCause::Late);
+  health.causes.add(HealthCause::SensorError);
+  EXPECT_EQ(health.worst(), HealthCause::SensorError);
+  EXPECT_EQ(health.key(), "sensor_error");
+  EXPECT_EQ(health.severity(), HealthSeverity::Fault);
+}
+
+TEST(Health, KnowsWhyAnAnswerIsOld) {
+  Bus bus;
+  bus.monitor().answered();
+  const Instant answered = bus.now();
+  const auto age = [&] { return ageOfAnswer(bus.state(), *bus.device(kPinA), answered); };
+  EXPECT_EQ(age(), AnswerAge::Current);
+  bus.pass(93s);
+  EXPECT_EQ(age(), AnswerAge::BeforeSilence);
+  bus.statuses();
+  EXPECT_EQ(age(), AnswerAge::BeforeSilence) << "it may have restarted meanwhile";
+  bus.hear("18EFFF80", kAnnouncesA);
+  EXPECT_EQ(age(), AnswerAge::BeforeRestart);
+}
+
+}  // namespace
+}  // namespace deckpipe
