@@ -93,7 +93,7 @@ class KeyTable {
 
  private:
   // Not constexpr: the compiler names it where a row is wrong.
-  static void aRowIsLeftOutDoubledOrOutOfOrder();
+  static void aRowIsLeftOutDoubledOrOutOfOrder() {}
 
   std::array<T, kKeys.size()> m_values{};
 };
