@@ -140,7 +140,7 @@ class AddressBook {
   }
   static constexpr bool isLesson(MessageId id) {
     return id == MessageId::Name || id == MessageId::AddressAnnouncement ||
-           id == MessageId::SdoReadResponse || kLooksAlikeBothWays[id];
+           id == MessageId::SdoReadResponse || (id != MessageId::Count && kLooksAlikeBothWays[id]);
   }
   bool learn(const Frame& frame, Instant time, const Classified& classified, Lost& lost);
   // Not heard yet, or not since its device left.
