@@ -130,7 +130,8 @@ TEST_F(Twin, OurOwnFramesAreLoggedOnceWhereCandumpHasThem) {
     ASSERT_EQ(link.write(test::extendedFrame(0x18FF0000u + static_cast<std::uint32_t>(i), {i, 1, 2})),
               WriteResult::Accepted);
     if (i % 5 == 0) shell(QStringLiteral("cansend can1 123#%1").arg(i + 10));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return link.unconfirmed() == 0; }, kPatience));
+    const std::uint64_t written = link.status().written;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return link.status().confirmed == written; }, kPatience));
   }
   const QStringList theirs = witness.lines();
   ASSERT_TRUE(QTest::qWaitFor([&] { return heard.frames.back().id == 0x7FF; }, kPatience));
