@@ -30,39 +30,63 @@ struct Recorder::Work {
   std::mutex lock;
   std::condition_variable changed;
   JournalStatus status;
+  Instant busySince = kNotYet;  // kNotYet: waits for the next round
   std::uint64_t saved = 0;
   bool isEnding = false;
+  bool isGivenUp = false;    // after the first fault at the end nothing is tried again
+  bool hasTriedEnd = false;  // at least once
   bool hasEnded = false;
 
   void run(const LogDocument& document, const JournalWriter::MakeFile& makeFile, bool isSimulated) {
     auto writer = std::make_unique<JournalWriter>(document.frames, document.notes, makeFile,
                                                   [isSimulated] { return recordingHead(isSimulated); });
-    for (bool isLast = false; !isLast;) {
-      {
-        std::unique_lock guard(lock);
-        changed.wait_for(guard, kPoll, [this] { return isEnding; });
-        isLast = isEnding;
-      }
-      isLast ? writer->end() : writer->timeCame(bootTime());
-      const std::lock_guard guard(lock);
-      status = writer->status();
+    while (oneRound(*writer)) {
     }
     writer.reset();  // closes the file
-    markWhereSaved();
-    const std::lock_guard guard(lock);
-    hasEnded = true;
-    changed.notify_all();
+    for (bool isMarked = false;; isMarked = true) {
+      {
+        const std::lock_guard guard(lock);
+        if (isMarked || !isAllSaved()) {
+          hasEnded = true;
+          return changed.notify_all();
+        }
+      }
+      markJournalSaved(status.path);
+    }
   }
 
-  // Once the file is closed.
-  void markWhereSaved() {
-    std::string path;
+  bool isAllSaved() const { return !status.path.empty() && !status.fault && saved >= status.frames; }
+
+  // False once nothing is left to write, or is given up.
+  bool oneRound(JournalWriter& writer) {
+    bool isLast = false;
+    {
+      std::unique_lock guard(lock);
+      if (hasTriedEnd) {
+        changed.wait_for(guard, JournalWriter::kRetry, [this] { return isGivenUp; });
+        if (isGivenUp) return false;
+      } else {
+        changed.wait_for(guard, kPoll, [this] { return isEnding; });
+      }
+      isLast = isEnding;
+      busySince = bootTime();
+    }
+    isLast ? writer.end() : writer.timeCame(bootTime());
+    const std::lock_guard guard(lock);
+    busySince = kNotYet;
+    status = writer.status();
+    hasTriedEnd = isLast;
+    changed.notify_all();
+    return !isLast || status.fault;
+  }
+
+  // After the end.
+  void markIfSaved() {
     {
       const std::lock_guard guard(lock);
-      if (status.path.empty() || status.fault || saved < status.frames) return;
-      path = status.path;
+      if (!isAllSaved()) return;
     }
-    markJournalSaved(path);
+    markJournalSaved(status.path);
   }
 };
 
@@ -77,12 +101,18 @@ Recorder::Recorder(std::shared_ptr<const LogDocument> document, JournalWriter::M
 Recorder::~Recorder() {
   end();
   std::unique_lock guard(m_work->lock);
-  m_work->changed.wait_for(guard, kPatience, [this] { return m_work->hasEnded; });
+  m_work->changed.wait_for(guard, kPatience, [this] { return m_work->hasEnded || m_work->hasTriedEnd; });
+  m_work->isGivenUp = true;
+  m_work->changed.notify_all();
+  if (m_work->hasTriedEnd) m_work->changed.wait_for(guard, kPatience, [this] { return m_work->hasEnded; });
 }
 
 JournalStatus Recorder::status() const {
   const std::lock_guard guard(m_work->lock);
-  return m_work->status;
+  JournalStatus status = m_work->status;
+  if (m_work->busySince != kNotYet && bootTime() - m_work->busySince > kHangs)
+    status.fault.kind = JournalFault::Kind::NoAnswer;
+  return status;
 }
 
 bool Recorder::isOf(const std::shared_ptr<const LogDocument>& document) const {
@@ -106,7 +136,7 @@ void Recorder::setSaved(std::uint64_t frames) {
     m_work->saved = std::max(m_work->saved, frames);
     if (!m_work->hasEnded) return;
   }
-  std::thread([work = m_work] { work->markWhereSaved(); }).detach();
+  std::thread([work = m_work] { work->markIfSaved(); }).detach();
 }
 
 }  // namespace deckpipe

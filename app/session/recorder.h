@@ -21,16 +21,20 @@ class Recorder {
  public:
   static constexpr std::chrono::milliseconds kPoll{250};
   static constexpr std::chrono::milliseconds kPatience{2'000};
+  // A disk that takes longer is said not to answer.
+  static constexpr Duration kHangs = 2s;
 
   Recorder(std::shared_ptr<const LogDocument> document, JournalWriter::MakeFile makeFile, bool isSimulated);
-  // Ends it, and waits for the disk so long as kPatience. What hangs longer is left to itself.
+  // Ends it, and waits for the disk so long as kPatience. What hangs longer is left to itself, and what a
+  // faulty disk does not take is lost.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   JournalStatus status() const;
   bool isOf(const std::shared_ptr<const LogDocument>& document) const;
-  // The log takes no more: what is left is written, and the file is closed. Does not wait.
+  // The log takes no more: what is left is written, and the file is closed. Does not wait. After a fault the
+  // log is kept in memory, and that is tried again.
   void end();
   bool hasEnded() const;
   // The first so many frames were saved elsewhere. A recording is marked as saved once it has ended with no

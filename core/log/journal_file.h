@@ -18,6 +18,7 @@ struct JournalFault {
     CannotCreate,
     DiskFull,
     CannotWrite,
+    NoAnswer,  // the disk has hung for a while
   };
   Kind kind = Kind::None;
   std::string detail{};  // the system's words

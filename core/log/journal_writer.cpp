@@ -17,15 +17,18 @@ void JournalWriter::timeCame(Instant now) {
 }
 
 void JournalWriter::end() {
-  if (std::exchange(m_isEnded, true)) return;
+  if (m_isEnded) return;
   m_fault = write();
-  if (m_fault || m_file == nullptr) return;
+  if (!m_fault && m_file != nullptr) m_fault = writeEnd();
+  m_isEnded = !m_fault;
+}
+
+JournalFault JournalWriter::writeEnd() {
   m_buffer.clear();
   appendEndBlock(m_buffer);
-  m_fault = m_file->append(m_written.bytes, m_buffer);
-  if (m_fault) return;
+  if (JournalFault fault = m_file->append(m_written.bytes, m_buffer)) return fault;
   m_written.bytes += m_buffer.size();
-  m_fault = sync();
+  return sync();
 }
 
 JournalStatus JournalWriter::status() const {

@@ -48,7 +48,8 @@ class JournalWriter {
 
   // Writes what is new. `now` is of any clock that never goes back.
   void timeCame(Instant now);
-  // Writes what is left and that this is the end, at once even after a fault.
+  // Writes what is left and that this is the end, at once even after a fault. After a fault it may be called
+  // again.
   void end();
 
   JournalStatus status() const;
@@ -64,6 +65,7 @@ class JournalWriter {
   };
 
   JournalFault write();
+  JournalFault writeEnd();
   JournalFault create();
   // Appends to m_buffer what is new of the first `count` frames, of frames a block at most, and of `notes`
   // those that stand before these. True if more is left.

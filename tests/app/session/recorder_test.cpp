@@ -176,6 +176,32 @@ TEST(ADiskThatHangs, HoldsUpNeitherFramesNorNotes) {
   EXPECT_EQ(read.notes.count(), 100u);
 }
 
+TEST(ADiskThatHangs, IsSaidNotToAnswer) {
+  HangingDisk disk;
+  const auto log = std::make_shared<LogDocument>();
+  Recorder recorder(log, disk.maker(), false);
+  ASSERT_TRUE(append(*log, kAnnouncement));
+  EXPECT_TRUE(waitFor([&] { return recorder.status().fault.kind == JournalFault::Kind::NoAnswer; }));
+  disk.release();
+  EXPECT_TRUE(waitFor([&] { return !recorder.status().fault && recorder.status().frames == 1; }));
+}
+
+TEST(ADiskThatIsFull, HoldsTheLogInMemoryAfterItsEndToo) {
+  auto log = std::make_shared<LogDocument>();
+  const std::weak_ptr<LogDocument> held = log;
+  ASSERT_TRUE(append(*log, kAnnouncement));
+  Recorder recorder(
+      std::move(log),
+      []() -> MadeJournalFile {
+        return Failure{JournalFault{JournalFault::Kind::DiskFull, "no room"}};
+      },
+      false);
+  recorder.end();
+  ASSERT_TRUE(waitFor([&] { return bool(recorder.status().fault); }));
+  EXPECT_FALSE(recorder.hasEnded());
+  EXPECT_FALSE(held.expired()) << "it is tried again";
+}
+
 // --- A folder of them.
 
 TEST_F(InAFolder, AreListedNewestFirstWithWhatIsInThem) {

@@ -62,7 +62,7 @@ TEST(Journal, IsWrittenInAnyPieces) {
   test::FakeDisk disk;
   JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
   for (int i = 0; i < 20; ++i) {
-    writer.timeCame({i * 250'000'000});
+    writer.timeCame(Instant{} + i * 250ms);
     written.fill();
     if (i == 10) written.notes.append({.frame = 3, .value = note::Mark{"later, at an earlier place"}});
   }
@@ -135,7 +135,7 @@ TEST(Journal, CutAtAnyByteKeepsEverythingBeforeThatBlock) {
   JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
   for (int i = 0; i < 3; ++i) {
     written.fill();
-    writer.timeCame({i * 250'000'000});
+    writer.timeCame(Instant{} + i * 250ms);
   }
   writer.end();
   const std::vector<std::size_t> blocks = blocksOf(disk.bytes);
@@ -168,7 +168,7 @@ TEST(Journal, LosesNothingBeforeAByteThatIsWrong) {
   JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
   for (int i = 0; i < 3; ++i) {
     written.fill();
-    writer.timeCame({i * 250'000'000});
+    writer.timeCame(Instant{} + i * 250ms);
   }
   writer.end();
   const std::vector<std::size_t> blocks = blocksOf(disk.bytes);
