@@ -65,6 +65,13 @@
             <numerusform>%Ln parts of this recording are of a newer version of Deckpipe and were left out.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln times of this log are written with more than nine decimals: only their seconds are kept, so rates and ages are not to be trusted.</source>
+        <translation>
+            <numerusform>%Ln time of this log is written with more than nine decimals: only its seconds are kept, so rates and ages are not to be trusted.</numerusform>
+            <numerusform>%Ln times of this log are written with more than nine decimals: only their seconds are kept, so rates and ages are not to be trusted.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Row</name>

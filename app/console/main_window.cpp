@@ -9,7 +9,9 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -327,7 +329,39 @@ void MainWindow::showEvent(QShowEvent* event) {
   focusNextPane({panes().first()}, false);  // the keyboard begins where the work is, not in the strip above
 }
 
+// What would be broken off by quitting, a line each. A recording that the disk takes is none: it is kept.
+QStringList MainWindow::runningWork() const {
+  QStringList work;
+  const ServiceStatus& services = *m_snapshot.services;
+  if (m_session.holdsUnwritten())
+    work << tr("The disk does not take all of a recording: what is in memory alone is lost.");
+  if (m_recordings->isBusy()) work << tr("A copy of a recording is being saved: it is broken off.");
+  if (m_saveBar->isSaving()) work << tr("A log is being saved: what is written of it so far is discarded.");
+  for (const DeviceServices& device : services.devices) {
+    if (device.pipe && device.pipe->isSendingFile())
+      work << tr("A file is being sent: %1. The device has only a part of it then.")
+                  .arg(QString::fromStdString(device.pipe->file));
+  }
+  if (!services.locked) work << tr("Sending is unlocked. It is locked on quitting.");
+  return work;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+  const QStringList work = m_mayClose ? QStringList() : runningWork();
+  if (!work.isEmpty()) {
+    event->ignore();
+    auto* question = new QMessageBox(QMessageBox::Warning, tr("Quit Deckpipe"), work.join(QLatin1Char('\n')),
+                                     QMessageBox::NoButton, this);
+    question->setObjectName(QStringLiteral("quitQuestion"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* quit = question->addButton(tr("Quit"), QMessageBox::DestructiveRole);
+    question->setDefaultButton(question->addButton(tr("Stay"), QMessageBox::RejectRole));
+    connect(quit, &QPushButton::clicked, this, [this] {
+      m_mayClose = true;
+      close();
+    });
+    return question->open();
+  }
   saveLayout();
   QMainWindow::closeEvent(event);
 }

@@ -78,6 +78,7 @@ class MainWindow : public QMainWindow {
   void follow(Notice::Action action);
   QList<QWidget*> panes() const;
   void saveLayout() const;
+  QStringList runningWork() const;
 
   Session& m_session;
   Snapshot m_snapshot;
@@ -94,6 +95,7 @@ class MainWindow : public QMainWindow {
   QWidget* m_about;
   RecordingsList* m_recordings;
   Notice m_unsavedNotice;                // until the recordings were looked at
+  bool m_mayClose = false;               // the person was asked
   QWidget* m_extra = nullptr;            // one of the pages, while it is seen
   const LogDocument* m_shown = nullptr;  // the last log
   MarkBar* m_markBar;

@@ -2,6 +2,7 @@
 #include "notice_of.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
@@ -110,21 +111,50 @@ Notice recordingNotice(const ReadSummary& read) {
   return {};
 }
 
+QString unreadableText(const QString& path, const SourceError& why) {
+  const QString text =
+      NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(path).fileName(), sourceErrorText(why));
+  const auto* error = std::get_if<ReadError>(&why);
+  if (error == nullptr || error->kind != ReadError::Kind::UnknownFormat) return text;
+  return NoticeText::tr("%1. Deckpipe reads: %2.", "after a reason; names of formats")
+      .arg(text, QString::fromStdString(formatNames(LogUse::Read)));
+}
+
+// Another log was to be opened; what was open stays.
+Notice notOpenedNotice(const NotOpened& log) {
+  if (log.error) return {StatusTone::Fault, unreadableText(log.path, *log.error)};
+  return {StatusTone::Attend,
+          NoticeText::tr("%1 holds no frames and was not opened.").arg(QFileInfo(log.path).fileName())};
+}
+
+Notice leftRecordingNotice(const JournalStatus& recording) {
+  if (recording.fault)
+    return {
+        StatusTone::Fault,
+        NoticeText::tr("The link was left. %1. What is not written yet stays in memory and is tried again "
+                       "every 10 s, until Deckpipe is quit.")
+            .arg(recordingFaultText(recording))};
+  const QString path = QFile::decodeName(recording.path.c_str());
+  return {.tone = StatusTone::Plain,
+          .text = NoticeText::tr("The link was left. What it received is kept under Recordings: %1.")
+                      .arg(QFileInfo(path).fileName()),
+          .action = Notice::Action::ShowRecordings};
+}
+
 Notice fileNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
-  if (source.progress == Progress::Failed) {
-    QString text = NoticeText::tr("%1 cannot be read: %2")
-                       .arg(QFileInfo(source.name).fileName(), sourceErrorText(source.error));
-    const auto* error = std::get_if<ReadError>(&source.error);
-    if (error != nullptr && error->kind == ReadError::Kind::UnknownFormat)
-      text = NoticeText::tr("%1. Deckpipe reads: %2.", "after a reason; names of formats")
-                 .arg(text, QString::fromStdString(formatNames(LogUse::Read)));
-    return {StatusTone::Fault, text};
-  }
+  if (source.progress == Progress::Failed)
+    return {StatusTone::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = recordingNotice(source.read); !notice.text.isEmpty()) return notice;
   if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};
+  if (const auto cut = snapshot.view.document->unkept.content().count(Unkept::Fraction); cut > 0)
+    return {StatusTone::Attend,
+            NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
+                           "only their seconds are kept, so rates and ages are not to be "
+                           "trusted.",
+                           nullptr, forPlural(cut))};
   if (source.notKept > 0) {
     return {StatusTone::Attend, NoticeText::tr("%Ln frames of this log are missing here: CAN FD and CAN XL "
                                                "frames are not held.",
@@ -317,6 +347,21 @@ Notice unsentNotice(Refusal why) {
   return notice;
 }
 
+// Of what is open.
+Notice sourceNotice(const Snapshot& snapshot, const BusRates& rates) {
+  if (!snapshot.view.document) return {};
+  if (snapshot.source.kind == From::File) return fileNotice(snapshot);
+  Notice notice = linkNotice(snapshot, rates);
+  if (notice.tone != StatusTone::Fault || notice.text.isEmpty()) {
+    if (const auto& recording = snapshot.source.recording; recording && recording->fault)
+      return {
+          StatusTone::Fault,
+          NoticeText::tr("%1. What is received is kept in memory only.").arg(recordingFaultText(*recording))};
+    if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
+  }
+  return notice;
+}
+
 }  // namespace
 
 Notice refusedAddressNotice(Address refused, Address used) {
@@ -337,17 +382,10 @@ QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnl
 
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
   if (Notice unsent = unsentNotice(snapshot.notSent); !unsent.text.isEmpty()) return unsent;
-  if (!snapshot.view.document) return {};
-  if (snapshot.source.kind == From::File) return fileNotice(snapshot);
-  Notice notice = linkNotice(snapshot, rates);
-  if (notice.tone != StatusTone::Fault || notice.text.isEmpty()) {
-    if (const auto& recording = snapshot.source.recording; recording && recording->fault)
-      return {
-          StatusTone::Fault,
-          NoticeText::tr("%1. What is received is kept in memory only.").arg(recordingFaultText(*recording))};
-    if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
-  }
-  return notice;
+  if (snapshot.notOpened) return notOpenedNotice(*snapshot.notOpened);
+  const Notice notice = sourceNotice(snapshot, rates);
+  if (!notice.text.isEmpty() || !snapshot.leftRecording) return notice;
+  return leftRecordingNotice(*snapshot.leftRecording);
 }
 
 }  // namespace deckpipe

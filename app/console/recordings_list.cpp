@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recordings_list.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
+#include <QSaveFile>
 #include <QSettings>
 #include <algorithm>
 #include <mutex>
@@ -58,14 +60,21 @@ RecordingRow rowOf(const Recording& recording) {
 }
 
 QString copyFile(const QString& path, const QString& as) {
-  // The copy appears whole or not at all.
+  const auto failed = [&as](const QString& why) {
+    return RecordingsList::tr("%1 cannot be saved: %2").arg(as, why);
+  };
+  if (QFileInfo(as).dir() == QFileInfo(path).dir())
+    return failed(RecordingsList::tr("it would be one of the recordings; choose another folder"));
   QFile from(path);
-  const QString part = as + QStringLiteral(".part");
-  QFile::remove(part);
-  if (!from.copy(part)) return RecordingsList::tr("%1 cannot be saved: %2").arg(as, from.errorString());
-  QFile::remove(as);
-  QFile written(part);
-  if (!written.rename(as)) return RecordingsList::tr("%1 cannot be saved: %2").arg(as, written.errorString());
+  QSaveFile to(as);  // the copy appears whole or not at all
+  if (!from.open(QIODevice::ReadOnly)) return failed(from.errorString());
+  if (!to.open(QIODevice::WriteOnly)) return failed(to.errorString());
+  constexpr qint64 kPiece = 1 << 20;
+  for (QByteArray piece = from.read(kPiece); !piece.isEmpty(); piece = from.read(kPiece)) {
+    if (to.write(piece) != piece.size()) return failed(to.errorString());
+  }
+  if (from.error() != QFileDevice::NoError) return failed(from.errorString());
+  if (!to.commit()) return failed(to.errorString());
   if (const JournalFault fault = markJournalSaved(QFile::encodeName(path).toStdString()))
     return RecordingsList::tr("Saved %1, but the recording cannot be marked as saved: %2")
         .arg(as, QString::fromStdString(fault.detail));
@@ -131,6 +140,7 @@ void RecordingsList::remove(const QString& path) {
 // One after the other; the folder is read after each.
 void RecordingsList::start(std::function<QString()> deed) {
   m_page->setReading();
+  m_isDeed = m_isDeed || deed;
   if (m_work != nullptr) {
     m_waiting.push_back(std::move(deed));
     return;
@@ -166,7 +176,10 @@ void RecordingsList::finish() {
   m_page->setRows(rows, m_folder);
   m_page->setOutcome(work->outcome);
   Q_EMIT changed(work->recordings);
-  if (m_waiting.empty()) return;
+  if (m_waiting.empty()) {
+    m_isDeed = false;
+    return;
+  }
   const auto next = std::move(m_waiting.front());
   m_waiting.erase(m_waiting.begin());
   start(next);

@@ -28,6 +28,8 @@ class RecordingsList : public QObject {
   ~RecordingsList() override;
 
   RecordingsPage* page() const { return m_page; }
+  // A copy is being saved, or something is being deleted.
+  bool isBusy() const { return m_work != nullptr && m_isDeed; }
   // Reads the folder anew.
   void read();
   void saveCopy(const QString& path, const QString& as);
@@ -45,6 +47,7 @@ class RecordingsList : public QObject {
   QString m_folder;
   RecordingsPage* m_page;
   bool m_isTidy = false;
+  bool m_isDeed = false;         // what runs now or waits is more than reading
   std::shared_ptr<Work> m_work;  // the thread's too, while one runs
   std::vector<std::function<QString()>> m_waiting;
   QTimer m_tick;

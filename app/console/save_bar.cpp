@@ -40,15 +40,37 @@ SaveBar::SaveBar(QWidget* parent)
 SaveBar::~SaveBar() = default;
 
 void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part) {
+  const std::uint64_t count = document->frames.count();
+  const bool isWhole = part.begin == 0 && !part.passes && part.end >= count;
+  part.end = std::min(part.end, count);
+  Wanted wanted{std::move(document), path, std::move(part), isWhole};
+  if (!isSaving()) {
+    m_text->setText({});
+    return begin(std::move(wanted));
+  }
+  m_waiting.push_back(std::move(wanted));
+}
+
+// What came of the one before is still said.
+void SaveBar::begin(Wanted wanted) {
+  auto& [document, path, part, isWhole] = wanted;
   const std::vector<Note> notes = document->notes.all();
-  m_marks = static_cast<int>(std::ranges::count_if(
-      notes, [](const Note& note) { return std::holds_alternative<note::Mark>(note.value); }));
-  m_whole = part.begin == 0 && !part.passes && part.end >= document->frames.count() ? document : nullptr;
+  const auto countOf = [&notes](auto kind) {
+    return static_cast<int>(std::ranges::count_if(
+        notes, [](const Note& note) { return std::holds_alternative<decltype(kind)>(note.value); }));
+  };
+  m_marks = countOf(note::Mark{});
+  // What a person said of it is in the recording alone.
+  m_whole = isWhole && m_marks == 0 && countOf(note::DriveSaid{}) == 0 ? document : nullptr;
   m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
   const auto frames = m_saving->frames();
-  m_text->setText(frames ? tr("Saving %1 to %2").arg(frameCountText(*frames), path)
-                         : tr("Saving what passes the filter to %1").arg(path));
+  const QString text = frames ? tr("Saving %1 to %2").arg(frameCountText(*frames), path)
+                              : tr("Saving what passes the filter to %1").arg(path);
+  m_text->setText(
+      m_text->text().isEmpty()
+          ? text
+          : tr("%1. Before: %2", "what is being saved; what came of another log").arg(text, m_text->text()));
   m_button->setText(tr("Cancel"));
   m_button->setAccessibleName(tr("Cancel saving"));
   m_progress->show();
@@ -85,6 +107,10 @@ void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
     case LogSaving::Outcome::Failed: m_text->setText(tr("%1 cannot be saved: %2").arg(path, reason)); break;
   }
   m_whole.reset();
+  if (m_waiting.empty()) return;
+  Wanted next = std::move(m_waiting.front());
+  m_waiting.pop_front();
+  begin(std::move(next));
 }
 
 void SaveBar::cancelOrClose() {

@@ -5,6 +5,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <deque>
 #include <memory>
 
 #include "session/log_saving.h"
@@ -21,7 +22,7 @@ class SaveBar : public QWidget {
   explicit SaveBar(QWidget* parent = nullptr);
   ~SaveBar() override;
 
-  // Gives up what is being saved now.
+  // At once, or behind what is being saved now.
   void save(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part = {});
   bool isSaving() const { return m_saving != nullptr; }
 
@@ -31,11 +32,19 @@ class SaveBar : public QWidget {
   void savedWhole(const std::shared_ptr<const deckpipe::LogDocument>& document, std::uint64_t frames);
 
  private:
+  struct Wanted {
+    std::shared_ptr<const LogDocument> document;
+    QString path;
+    SavedPart part;
+    bool isWhole = false;
+  };
+  void begin(Wanted wanted);
   void showProgress();
   void ended(LogSaving::Outcome outcome, const QString& reason);
   void cancelOrClose();
 
   std::unique_ptr<LogSaving> m_saving;
+  std::deque<Wanted> m_waiting;
   std::shared_ptr<const LogDocument> m_whole;  // that is saved, if it is not a part of it
   int m_marks = 0;                             // of the log that is saved
   QTimer m_tick;

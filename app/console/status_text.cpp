@@ -280,7 +280,10 @@ StatusFact lockFact(const Snapshot& snapshot) {
 QString recordingFaultText(const JournalStatus& recording) {
   const QString why = QString::fromStdString(recording.fault.detail);
   if (recording.path.empty()) return StatusText::tr("No file can be made for this recording: %1").arg(why);
-  return StatusText::tr("%1 cannot be written: %2").arg(QFile::decodeName(recording.path.c_str()), why);
+  const QString path = QFile::decodeName(recording.path.c_str());
+  if (recording.fault.kind == JournalFault::Kind::NoAnswer)
+    return StatusText::tr("%1 cannot be written: the disk does not answer").arg(path);
+  return StatusText::tr("%1 cannot be written: %2").arg(path, why);
 }
 
 StatusFact recordingFact(const Snapshot& snapshot) {
@@ -331,7 +334,7 @@ std::uint64_t missingFrames(const Snapshot& snapshot) {
 StatusFact completenessFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   const std::uint64_t missing = missingFrames(snapshot);
-  const bool isWhole = source.read.cutBytes == 0 && source.read.newerParts == 0;
+  const bool isWhole = source.read.cutBytes == 0 && source.read.newerParts == 0 && !source.read.isOpenEnded;
   if (source.unreadable == 0 && missing == 0 && isWhole) {
     return {StatusTone::Fine, StatusText::tr("Complete"),
             source.kind == From::File

@@ -24,22 +24,31 @@ Instant timeOf(clockid_t clock) {
 
 Instant bootTime() { return timeOf(CLOCK_BOOTTIME); }
 
-LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim)
+LiveBus::Board::Board() {
+  m_published.state = std::make_shared<const State>();
+  m_published.services = std::make_shared<const ServiceStatus>();
+}
+
+LiveBus::Published LiveBus::Board::latest() const {
+  const std::lock_guard lock(m_lock);
+  return m_published;
+}
+
+LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim,
+                 const std::shared_ptr<const Board>& before)
     : m_document(std::move(document)),
       m_settings(std::move(settings)),
       m_services({m_settings.channel, m_settings.bitRate,
                   pluginEchoes(m_settings.plugin, m_settings.interfaceName), claim}),
       m_times(m_document->frames) {
-  m_published.state = std::make_shared<const State>();
-  m_published.services = std::make_shared<const ServiceStatus>();
+  if (before == nullptr) return;
+  const Published last = before->latest();
+  m_state = *last.state;
+  m_notKept = m_board->m_published.notKept = last.notKept;
+  m_board->m_published.state = last.state;
 }
 
 LiveBus::~LiveBus() = default;
-
-LiveBus::Published LiveBus::latest() const {
-  const std::lock_guard lock(m_lock);
-  return m_published;
-}
 
 void LiveBus::start() {
   m_tick = new QTimer(this);
@@ -198,12 +207,13 @@ void LiveBus::publish() {
   m_state.timeCame(bootTime() - kBehind);
   auto state = std::make_shared<const State>(m_state);
   auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));
-  const std::lock_guard lock(m_lock);
-  m_published.state = std::move(state);
-  if (m_link != nullptr) m_published.link = m_link->status();
-  m_published.services = std::move(services);
-  m_published.notKept = m_notKept;
-  m_published.storeFull = m_storeFull;
+  const std::lock_guard lock(m_board->m_lock);
+  Published& published = m_board->m_published;
+  published.state = std::move(state);
+  if (m_link != nullptr) published.link = m_link->status();
+  published.services = std::move(services);
+  published.notKept = m_notKept;
+  published.storeFull = m_storeFull;
 }
 
 }  // namespace deckpipe

@@ -40,10 +40,25 @@ class LiveBus : public QObject, private PortListener {
     bool storeFull = false;
   };
 
-  LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim = {});
+  // Where it publishes: outlives it, so that the last word of a bus that has ended can be read.
+  class Board {
+   public:
+    Board();
+    Published latest() const;
+
+   private:
+    friend class LiveBus;
+    mutable std::mutex m_lock;
+    Published m_published;
+  };
+
+  // `before`: of the bus that has filled the log so far and has ended, with its thread; null for an empty log.
+  LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim = {},
+          const std::shared_ptr<const Board>& before = nullptr);
   ~LiveBus() override;
 
-  Published latest() const;
+  std::shared_ptr<const Board> board() const { return m_board; }
+  Published latest() const { return m_board->latest(); }
 
  public Q_SLOTS:
   void start();
@@ -88,8 +103,7 @@ class LiveBus : public QObject, private PortListener {
   std::vector<OutFrame> m_toSend;
   std::vector<Note> m_toNote;
 
-  mutable std::mutex m_lock;
-  Published m_published;
+  std::shared_ptr<Board> m_board = std::make_shared<Board>();
 };
 
 }  // namespace deckpipe

@@ -49,31 +49,47 @@ void Session::startOnBusThread(QObject* worker, std::function<void()> start, std
 }
 
 void Session::closeSource() {
+  m_candidate.reset();
   const bool hadTwin = m_bench != nullptr;
   endSource();
   if (hadTwin) Q_EMIT twinChanged({});
 }
 
-void Session::endSource() {
-  m_timer.stop();
+bool Session::endBus() {
   LiveBus* live = std::exchange(m_live, nullptr);
   if (live != nullptr) QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
-  endThread(std::exchange(m_busThread, nullptr), live != nullptr ? Quit::ByItself : Quit::Now);
   m_bench = nullptr;
+  return endThread(std::exchange(m_busThread, nullptr), live != nullptr ? Quit::ByItself : Quit::Now);
+}
+
+void Session::endSource() {
+  m_timer.stop();
+  const bool isBusOver = endBus();
+  std::optional<JournalStatus> left;
   if (m_recorder != nullptr) {
-    m_recorder->end();  // once nothing is received any more
+    left = m_recorder->status();
+    if (m_snapshot.source.simulated || left->path.empty()) left.reset();
+    // A bus thread that hangs may still receive.
+    if (isBusOver) m_recorder->end();
     m_oldRecorders.push_back(std::move(m_recorder));
   }
   m_opening.reset();
   m_walker.reset();
   m_document.reset();
   m_snapshot = {};
+  m_snapshot.leftRecording = left;
   m_snapshot.view.state = std::make_shared<const State>();
 }
 
-void Session::beginDocument() {
+void Session::forgetSaid() {
+  m_snapshot.notSent = Refusal::None;
+  m_snapshot.notOpened.reset();
+  m_snapshot.leftRecording.reset();
+}
+
+void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   closeSource();
-  m_document = std::make_shared<LogDocument>();
+  m_document = std::move(document);
   m_indexed = 0;
   m_walker = std::make_unique<StateWalker>(m_document);
   m_snapshot.view.document = m_document;
@@ -87,6 +103,11 @@ void Session::beginRecording() {
   m_snapshot.source.recording.emplace();
 }
 
+bool Session::holdsUnwritten() const {
+  const auto isUnwritten = [](const auto& recorder) { return recorder && recorder->status().fault; };
+  return isUnwritten(m_recorder) || std::ranges::any_of(m_oldRecorders, isUnwritten);
+}
+
 void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
   if (m_recorder != nullptr && m_recorder->isOf(document)) return m_recorder->setSaved(frames);
   for (const auto& recorder : m_oldRecorders) {
@@ -94,25 +115,48 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
   }
   // A recording of earlier that is open as a file.
   const SourceStatus& source = m_snapshot.source;
-  if (document != m_document || source.progress != SourceStatus::Progress::Done ||
-      frames < source.read.frames)
+  const ReadSummary& read = source.read;
+  if (document != m_document || source.progress != SourceStatus::Progress::Done || frames < read.frames ||
+      read.isOpenEnded || read.cutBytes > 0 || read.newerParts > 0)
     return;
   if (source.name.endsWith(QLatin1String(".deckpipe")))
     std::thread([path = QFile::encodeName(source.name).toStdString()] { markJournalSaved(path); }).detach();
 }
 
 void Session::openLog(const QString& path) {
-  beginDocument();
+  forgetSaid();
+  Candidate log{path, std::make_shared<LogDocument>(), nullptr};
+  log.opening = std::make_unique<LogOpening>(log.document, path);
+  const bool isWorthKeeping =
+      m_live != nullptr || m_bench != nullptr || (m_document != nullptr && m_document->frames.count() > 0);
+  if (!isWorthKeeping) return show(std::move(log));
+  m_candidate = std::move(log);
+  Q_EMIT changed();
+}
+
+void Session::show(Candidate log) {
+  beginDocument(log.document);
   m_snapshot.source.kind = SourceStatus::Kind::File;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
-  m_snapshot.source.name = path;
-  m_opening = std::make_unique<LogOpening>(m_document, path);
+  m_snapshot.source.name = log.path;
+  m_opening = std::move(log.opening);
+  Q_EMIT changed();
+}
+
+void Session::followCandidate() {
+  if (!m_candidate) return;
+  const auto* outcome = m_candidate->opening->outcome();
+  if (m_candidate->document->frames.count() > 0) return show(*std::exchange(m_candidate, {}));
+  if (outcome == nullptr) return;
+  m_snapshot.notOpened = NotOpened{m_candidate->path, {}};
+  if (!*outcome) m_snapshot.notOpened->error = outcome->error();
+  m_candidate.reset();
   Q_EMIT changed();
 }
 
 void Session::openLink(const LinkSettings& wanted) {
   const LinkSettings settings = wanted;  // may be our own last ones
-  beginDocument();
+  beginDocument(std::make_shared<LogDocument>());
   m_lastLink = settings;
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
@@ -121,22 +165,32 @@ void Session::openLink(const LinkSettings& wanted) {
   m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
   m_snapshot.source.bitRate = settings.bitRate;
   beginRecording();
-  const QString channelName = settings.interfaceName;
+  startLink(settings);
+  Q_EMIT changed();
+}
+
+void Session::startLink(const LinkSettings& settings, const std::shared_ptr<const LiveBus::Board>& before) {
   LinkSettings onChannel = settings;
-  onChannel.channel = {m_document->frames.channel(channelName.toStdString())};
-  m_live = new LiveBus(m_document, onChannel, m_claim);
+  onChannel.channel = {m_document->frames.channel(settings.interfaceName.toStdString())};
+  m_live = new LiveBus(m_document, onChannel, m_claim, before);
   startOnBusThread(
       m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
-  Q_EMIT changed();
 }
 
 void Session::reconnect() {
   if (m_snapshot.source.simulated) return openDemo();
-  openLink(m_lastLink);
+  if (m_live == nullptr || m_live->latest().storeFull) return openLink(m_lastLink);
+  forgetSaid();
+  const auto board = m_live->board();
+  if (!endBus()) return openLink(m_lastLink);
+  m_snapshot.source.progress = SourceStatus::Progress::Opening;
+  m_snapshot.source.error = {};
+  startLink(m_lastLink, board);
+  Q_EMIT changed();
 }
 
 void Session::openDemo() {
-  beginDocument();
+  beginDocument(std::make_shared<LogDocument>());
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.simulated = true;
@@ -210,7 +264,7 @@ void Session::setCursor(Cursor cursor) {
 
 void Session::play() {
   if (m_document == nullptr || m_snapshot.playing) return;
-  m_snapshot.notSent = Refusal::None;
+  forgetSaid();
   LogView& view = m_snapshot.view;
   if (view.atEnd && grows()) return;  // it goes on by itself
   const Cursor end = endCursor();
@@ -223,7 +277,7 @@ void Session::play() {
 
 void Session::pause() {
   if (m_document == nullptr) return;
-  m_snapshot.notSent = Refusal::None;
+  forgetSaid();
   if (!m_snapshot.playing && !m_snapshot.view.atEnd) return;
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
@@ -232,7 +286,7 @@ void Session::pause() {
 
 void Session::seek(Instant time) {
   if (m_document == nullptr) return;
-  m_snapshot.notSent = Refusal::None;
+  forgetSaid();
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
   setCursor(cursorAt(m_document->frames, std::clamp(time, m_snapshot.view.begin,
@@ -242,7 +296,7 @@ void Session::seek(Instant time) {
 
 void Session::seekFrames(std::uint64_t frames) {
   if (m_document == nullptr) return;
-  m_snapshot.notSent = Refusal::None;
+  forgetSaid();
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = false;
   setCursor(cursorAfter(m_document->frames, std::min(frames, m_document->frames.count())));
@@ -257,7 +311,7 @@ void Session::step(int frames) {
 
 void Session::goToEnd() {
   if (m_document == nullptr) return;
-  m_snapshot.notSent = Refusal::None;
+  forgetSaid();
   m_snapshot.playing = false;
   m_snapshot.view.atEnd = true;
   tick();
@@ -330,6 +384,7 @@ void Session::updateSource() {
 }
 
 void Session::tick() {
+  followCandidate();
   if (m_document == nullptr) return;
   const Snapshot before = m_snapshot;
   updateSource();

@@ -14,6 +14,7 @@
 #include "control/twin_control.h"
 #include "link/can_link.h"
 #include "service/claim_service.h"
+#include "session/live_bus.h"
 #include "session/snapshot.h"
 
 class QThread;
@@ -21,7 +22,6 @@ class QThread;
 namespace deckpipe {
 
 class BenchRunner;
-class LiveBus;
 class LogOpening;
 class Recorder;
 class StateWalker;
@@ -35,12 +35,12 @@ class Session : public QObject {
   explicit Session(QObject* parent = nullptr);
   ~Session() override;
 
-  // Each closes what was open before.
+  // Each closes what was open before; a log only when its first frames were read.
   void openLog(const QString& path);
   void openLink(const LinkSettings& settings);
   // The bench twin behind a virtual bus of its own, and a link to it.
   void openDemo();
-  // The last link once more, in a new log.
+  // The last link once more. Goes on in the same log, after a gap, if that takes more.
   void reconnect();
   void closeSource();
 
@@ -49,6 +49,8 @@ class Session : public QObject {
   // Links that are opened from now on are recorded there; empty, as at first: they are not.
   void setRecordingFolder(const QString& folder) { m_recordingFolder = folder; }
   QString recordingFolder() const { return m_recordingFolder; }
+  // What a faulty disk did not take of a recording is in memory alone, and would be lost by quitting.
+  bool holdsUnwritten() const;
   // The first so many frames of a log were saved in a file of the person's own.
   void setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames);
   // Who we are on a bus; for links opened from now on.
@@ -83,7 +85,20 @@ class Session : public QObject {
   void twinChanged(const deckpipe::TwinStatus& status);
 
  private:
-  void beginDocument();
+  // A log that is being read and not shown yet.
+  struct Candidate {
+    QString path;
+    std::shared_ptr<LogDocument> document;
+    std::unique_ptr<LogOpening> opening;
+  };
+  void show(Candidate log);
+  void followCandidate();
+  void beginDocument(std::shared_ptr<LogDocument> document);
+  void startLink(const LinkSettings& settings, const std::shared_ptr<const LiveBus::Board>& before = nullptr);
+  // False if its thread hangs, and may still write into the log.
+  bool endBus();
+  // What is said until the next deed of the person.
+  void forgetSaid();
   void beginRecording();
   void tick();
   void updateSource();
@@ -100,6 +115,7 @@ class Session : public QObject {
   std::shared_ptr<LogDocument> m_document;
   std::unique_ptr<StateWalker> m_walker;
   std::unique_ptr<LogOpening> m_opening;
+  std::optional<Candidate> m_candidate;
   QThread* m_busThread = nullptr;  // deletes what lives on it when it ends
   LiveBus* m_live = nullptr;
   BenchRunner* m_bench = nullptr;

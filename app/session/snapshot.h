@@ -29,6 +29,13 @@ struct StoreFull {
 using SourceError = std::variant<std::monostate, ReadError, LinkError, StoreFull>;
 
 // Where the frames come from and how that goes: for the status strip alone, never for a view of the log.
+// A log that was to be opened and cannot be read, while what was open stays so.
+struct NotOpened {
+  QString path;
+  std::optional<ReadError> error;  // nothing: it holds no frame
+  friend bool operator==(const NotOpened&, const NotOpened&) = default;
+};
+
 struct SourceStatus {
   enum class Kind : std::uint8_t { Nothing, File, Link };
   enum class Progress : std::uint8_t {
@@ -74,6 +81,9 @@ struct Snapshot {
   // Why the last wish was not handed to the link at all; None again with the next one, or once the cursor is
   // moved by hand.
   Refusal notSent = Refusal::None;
+  // The same of a log that cannot be read, and of the recording of a link that was left.
+  std::optional<NotOpened> notOpened{};
+  std::optional<JournalStatus> leftRecording{};
 };
 
 }  // namespace deckpipe

@@ -11,15 +11,16 @@ constexpr unsigned long kPatience =
 
 }  // namespace
 
-void endThread(QThread* thread, Quit quit) {
-  if (thread == nullptr) return;
+bool endThread(QThread* thread, Quit quit) {
+  if (thread == nullptr) return true;
   if (quit == Quit::Now) thread->quit();
   if (thread->wait(kPatience)) {
     delete thread;
-    return;
+    return true;
   }
   thread->setParent(nullptr);
   QObject::connect(thread, &QThread::finished, thread, &QObject::deleteLater);
+  return false;
 }
 
 }  // namespace deckpipe

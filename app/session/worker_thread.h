@@ -14,7 +14,7 @@ enum class Quit : bool {
 
 // Asks the thread's event loop to end, unless it does so by itself, and waits two seconds at most. A thread
 // that hangs is left to itself: it owns what it works with (by its finished signal) and is gone when that
-// returns. Null: nothing to do.
-void endThread(QThread* thread, Quit quit = Quit::Now);
+// returns; then this returns false. Null: nothing to do.
+bool endThread(QThread* thread, Quit quit = Quit::Now);
 
 }  // namespace deckpipe

@@ -4,12 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "link/virtual_bus.h"
+#include "support/frames.h"
 #include "support/patience.h"
+#include "support/recording_listener.h"
 
 namespace deckpipe {
 namespace {
@@ -52,6 +56,30 @@ class OpenedLog : public testing::Test {
   Session m_session;
 };
 
+TEST_F(OpenedLog, StaysOpenWhereAnotherCannotBeRead) {
+  const auto before = m_session.snapshot().view.document;
+  m_session.openLog(QStringLiteral("/no/such/file.log"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().notOpened.has_value(); }, kPatience));
+  EXPECT_EQ(m_session.snapshot().notOpened->path, QStringLiteral("/no/such/file.log"));
+  EXPECT_EQ(m_session.snapshot().notOpened->error->kind, ReadError::Kind::CannotOpen);
+  EXPECT_EQ(m_session.snapshot().view.document, before);
+  EXPECT_EQ(m_session.snapshot().source.progress, SourceStatus::Progress::Done);
+  m_session.seekFrames(1);
+  EXPECT_FALSE(m_session.snapshot().notOpened) << "until the next deed";
+}
+
+TEST_F(OpenedLog, GivesWayToAnotherOnceItsFramesAreThere) {
+  const QString other = m_dir.filePath(QStringLiteral("other.log"));
+  QFile file(other);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("(1.000000) can0 123#\n");
+  file.close();
+  m_session.openLog(other);
+  EXPECT_EQ(m_session.snapshot().view.frameCount, 3u) << "not before";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.frameCount == 1; }, kPatience));
+  EXPECT_EQ(m_session.snapshot().source.name, other);
+}
+
 TEST_F(OpenedLog, StandsAtItsEndWithTheStateThere) {
   EXPECT_TRUE(view().atEnd);
   EXPECT_EQ(view().frameCount, 3u);
@@ -89,14 +117,6 @@ TEST_F(OpenedLog, PlaysFromTheStartWhenItStoodAtTheEndAndStopsThere) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().playing; }, kPatience));
   EXPECT_TRUE(view().atEnd);
   EXPECT_EQ(view().cursor.frames, 3u);
-}
-
-TEST_F(OpenedLog, ClosesWhenAnotherIsOpened) {
-  m_session.openLog(m_dir.filePath(QStringLiteral("absent.log")));
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
-  EXPECT_EQ(view().frameCount, 0u);
-  EXPECT_TRUE(std::holds_alternative<ReadError>(m_session.snapshot().source.error));
 }
 
 TEST(SessionOnABadLog, SaysThatItIsNoLog) {
@@ -194,6 +214,57 @@ TEST(Demo, RunsTwiceAtOnceWithoutMixing) {
   one.closeSource();
   const std::uint64_t before = two.snapshot().view.frameCount;
   EXPECT_TRUE(QTest::qWaitFor([&] { return two.snapshot().view.frameCount > before + 50; }, kPatience));
+}
+
+TEST(Demo, GoesOnWhereALogCannotBeReadOrHoldsNoFrame) {
+  const QTemporaryDir dir;
+  Session session;
+  session.openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(session); }, kPatience));
+  for (const QString& path : {QStringLiteral("/no/such/file.log"), writeLog(dir, "no log\n")}) {
+    session.openLog(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session.snapshot().notOpened.has_value(); }, kPatience));
+    EXPECT_EQ(session.snapshot().notOpened->path, path);
+    EXPECT_EQ(session.snapshot().source.kind, SourceStatus::Kind::Link);
+    const std::uint64_t before = session.snapshot().view.frameCount;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return session.snapshot().view.frameCount > before; }, kPatience));
+  }
+}
+
+TEST(Link, ConnectedAgainGoesOnInTheSameLogAndFileAfterAGap) {
+  const QTemporaryDir dir;
+  VirtualBus bus;
+  ASSERT_TRUE(bus.start());
+  RecordingListener peer;
+  CanLink peerLink({QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}});
+  peerLink.open(peer);
+  Session session;
+  session.setRecordingFolder(dir.path());
+  session.openLink({QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}});
+  const auto isRunning = [&] {
+    return session.snapshot().source.progress == SourceStatus::Progress::Running;
+  };
+  const auto hears = [&](std::uint64_t frames) {
+    peerLink.write(test::frame("18EFFF80", "FF83150206021A0B"));
+    return QTest::qWaitFor([&] { return session.snapshot().view.frameCount == frames; }, kPatience);
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isRunning() && peer.state() == LinkState::Up; }, kPatience));
+  ASSERT_TRUE(hears(1));
+  const auto document = session.snapshot().view.document;
+  session.reconnect();
+  EXPECT_EQ(session.snapshot().source.progress, SourceStatus::Progress::Opening);
+  ASSERT_TRUE(QTest::qWaitFor(isRunning, kPatience));
+  EXPECT_EQ(session.snapshot().view.document, document);
+  EXPECT_NE(session.snapshot().view.state->devices().byPin(kMonitor), nullptr) << "known from before the gap";
+  ASSERT_TRUE(hears(2));
+  std::vector<std::string_view> keys;
+  for (const Note& note : document->notes.all()) keys.push_back(noteKey(note.value));
+  EXPECT_EQ(keys, (std::vector<std::string_view>{"link_up", "link_down", "link_up"}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session.snapshot().source.recording->frames == 2; }, kPatience));
+  session.closeSource();
+  ASSERT_TRUE(session.snapshot().leftRecording);
+  EXPECT_TRUE(session.snapshot().leftRecording->path.starts_with(dir.path().toStdString()));
+  EXPECT_EQ(QDir(dir.path()).entryList(QDir::Files).size(), 1);
 }
 
 TEST(Link, SaysWhyAnAdapterCannotBeOpened) {
