@@ -153,7 +153,7 @@ void Asker::frameCame(const Frame& frame, const Classified& what) {
 }
 
 void Asker::echoCame(const Frame& frame, const Classified& what) {
-  if ((frame.flags & Frame::kConfirmed) == 0 || !what.isDecoded()) return;
+  if ((frame.flags & Frame::kConfirmed) == 0 || !m_run.services().echoes || !what.isDecoded()) return;
   const J1939Id id = J1939Id::of(frame.identifier());
   for (Open& at : m_open) {
     const DeviceServices* now = m_run.services().find(at.device);

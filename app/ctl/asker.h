@@ -36,7 +36,7 @@ class Asker {
     Ask ask;
     unsigned heard = 0;    // bit n: the rule's n-th answer came
     Name holder{};         // of the address, when the device was first asked
-    bool isOnBus = false;  // our request came back as an echo
+    bool isOnBus = false;  // our request came back as an echo that proves it
   };
   void stop();
   void sendNext();

@@ -52,8 +52,10 @@ QCommandLineOption deltasOption() {
 ExitStatus LogInput::read(const std::function<bool()>& more) {
   if (path == "-") return readStream(STDIN_FILENO, more);
   struct stat facts {};
-  if (::stat(path.c_str(), &facts) != 0 || S_ISREG(facts.st_mode) || S_ISDIR(facts.st_mode))
+  if (::stat(path.c_str(), &facts) != 0 || S_ISREG(facts.st_mode) || S_ISDIR(facts.st_mode)) {
+    m_hasBytes = facts.st_size > 0;
     return readFile(more);
+  }
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return ended(Failure{ReadError{ReadError::Kind::CannotOpen, std::strerror(errno)}});
   const ExitStatus status = readStream(descriptor, more);
@@ -103,6 +105,7 @@ ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& mor
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) failure = std::strerror(errno);
     if (got <= 0) break;
+    m_hasBytes = true;
     if (!stream.feed({buffer.data(), static_cast<std::size_t>(got)}) || !more()) break;
   }
   auto outcome = stream.finish();
@@ -134,11 +137,12 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const 
     return frames.count() > 0 ? kNotWhole : kCannotRead;
   }
   const bool isWhole = sayMissing(outcome.value());
-  if (!isWhole || content.unreadable() > 0 || content.skipped() > 0 || content.count(Unkept::Fraction) > 0)
-    return kNotWhole;
-  if (frames.count() > 0 || outcome.value().cancelled) return kDone;
-  complain(name(), outcome.value().lines == 0 ? "it is empty" : "it holds no frame");
-  return kNothingRead;
+  const bool hasMissed = content.unreadable() > 0 || content.skipped() > 0;
+  if (frames.count() == 0 && !hasMissed && !outcome.value().cancelled) {
+    complain(name(), m_hasBytes ? "it holds no frame" : "it is empty");
+    return kNothingRead;
+  }
+  return isWhole && !hasMissed && content.count(Unkept::Fraction) == 0 ? kDone : kNotWhole;
 }
 
 void LogInput::sayUnkept(const UnkeptPlaces& content) const {

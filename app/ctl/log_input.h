@@ -46,6 +46,7 @@ struct LogInput {
   // Says what came of it.
   ExitStatus ended(const Result<ReadSummary, ReadError>& outcome) const;
   void sayUnkept(const UnkeptPlaces& content) const;
+  bool m_hasBytes = false;  // the file or pipe is not empty
   // Of a recording; false if something of it is missing.
   bool sayMissing(const ReadSummary& summary) const;
 };

@@ -12,6 +12,7 @@
 #include "ask_words.h"
 #include "bus/j1939.h"
 #include "command.h"
+#include "control/pipe_event.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -33,6 +34,10 @@ PipeTalk::PipeTalk(LiveRun& run, PipePlan plan)
   run.onTick = [this] { tick(); };
   run.onStop = [this] { return stop(); };
   run.follower().onFrame = [this](const Frame& frame, const Classified&) { frameCame(frame); };
+  run.follower().onNote = [this](const Note& note) {
+    const auto* pipe = std::get_if<note::Pipe>(&note.value);
+    if (pipe != nullptr && pipe->event == PipeEvent::Stalled) ++m_stalls;
+  };
 }
 
 PipeTalk::~PipeTalk() = default;
@@ -180,14 +185,18 @@ void PipeTalk::ackMissing(const PipeStatus& pipe) {
                 pipe);
   if (pipe.stall == PipeStatus::Stall::NotOnBus)
     return fail(QStringLiteral("the packet is not on the bus yet; it may still go out"), pipe);
+  const bool wasSent = pipe.stall != PipeStatus::Stall::NotTaken;
+  const QString why = wasSent ? QStringLiteral("no acknowledgement")
+                              : QStringLiteral("the adapter did not take the packet: it was not sent");
   if (m_isStopping || m_plan.missingAck == PipePlan::MissingAck::Stop || m_inARow >= kMostInARow)
-    return fail(QStringLiteral("no acknowledgement"), pipe);
-  if (pipe.skipped + pipe.resent < m_actions) return;  // it is on its way
-  ++m_actions;
+    return fail(why, pipe);
+  if (m_decided == m_stalls) return;  // what was decided is on its way
+  m_decided = m_stalls;
   ++m_inARow;
   const bool resends = m_plan.missingAck == PipePlan::MissingAck::Resend;
-  m_run.say(resends ? QStringLiteral("no acknowledgement; sending the packet again, it may arrive twice")
-                    : QStringLiteral("no acknowledgement; going on with the next packet"));
+  m_run.say(why + (!resends  ? QStringLiteral("; going on with the next packet")
+                   : wasSent ? QStringLiteral("; sending the packet again, it may arrive twice")
+                             : QStringLiteral("; sending the packet again")));
   act(resends ? What::Resend : What::Skip);
 }
 

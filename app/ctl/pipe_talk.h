@@ -65,7 +65,8 @@ class PipeTalk {
   bool m_inputEnded = false, m_isStopping = false;
   std::uint64_t m_handed = 0;       // characters handed to the pipe service, no file
   std::uint64_t m_firstSerial = 0;  // of our intents
-  std::uint32_t m_actions = 0;      // skipped and resent
+  // Packets at which the pipe stalled, a resent one anew; those of them that were answered by an action.
+  std::uint32_t m_stalls = 0, m_decided = 0;
   std::uint32_t m_acks = 0;
   unsigned m_inARow = 0;
   QElapsedTimer m_quiet;     // since the device said something, or all was sent

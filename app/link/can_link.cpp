@@ -65,7 +65,7 @@ CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock,
     happened(LinkEvent::Missing, LinkFault::Gone, tr("The interface was removed."));
   });
   connect(m_hardware.get(), &HardwareFacts::lost, this, [this](std::uint32_t frames) {
-    m_delivery.lost(frames);
+    m_delivery.overran(frames);
     postDelivery();
   });
 }
@@ -198,7 +198,7 @@ void CanLink::takeFrames() {
 void CanLink::deliver() {
   m_isDeliveryPosted = false;
   takeFrames();
-  m_delivery.lost(m_device->takeDrops());
+  m_delivery.dropped(m_device->takeDrops());
   m_delivery.handOver();
 }
 

@@ -65,8 +65,8 @@ class CanLink : public QObject, public Port {
 
   const LinkSettings& settings() const { return m_settings; }
   const LinkStatus& status() const { return m_status; }
-  // The kernel's, of socketcan while it is open. Frames that the kernel drops, and those that controller and
-  // driver lose, come to the listener as NotKept::Overflow.
+  // The kernel's, of socketcan while it is open. Frames that the kernel drops come to the listener as
+  // NotKept::Overflow, those that controller or driver lose as NotKept::Overrun.
   std::optional<ReceiveBuffer> receiveBuffer() const;
 
   static std::int64_t systemClock();

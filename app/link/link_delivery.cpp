@@ -29,7 +29,7 @@ void LinkDelivery::clear() {
   m_strays.clear();
   m_batch.clear();
   m_missing.clear();
-  m_lost = 0;
+  m_dropped = m_overrun = 0;
 }
 
 void LinkDelivery::take(const QCanBusFrame& frame) {
@@ -64,8 +64,8 @@ void LinkDelivery::wrote(const Frame& frame, std::int64_t time) {
 void LinkDelivery::handOver() {
   auto batch = std::exchange(m_batch, {});
   const auto missing = std::exchange(m_missing, {});
-  const std::uint32_t lost = std::exchange(m_lost, 0);
-  m_status.notKept += missing.size() + lost;
+  const std::uint32_t dropped = std::exchange(m_dropped, 0), overrun = std::exchange(m_overrun, 0);
+  m_status.notKept += missing.size() + dropped + overrun;
   const int listeners = m_listeners;
   const auto isHeard = [&] { return m_listener != nullptr && m_listeners == listeners; };
   std::size_t from = 0;
@@ -80,7 +80,8 @@ void LinkDelivery::handOver() {
     if (isHeard()) m_listener->framesNotKept(reason, 1);
   }
   hand(batch.size());
-  if (isHeard() && lost > 0) m_listener->framesNotKept(NotKept::Overflow, lost);
+  if (isHeard() && dropped > 0) m_listener->framesNotKept(NotKept::Overflow, dropped);
+  if (isHeard() && overrun > 0) m_listener->framesNotKept(NotKept::Overrun, overrun);
   if (m_batch.empty()) {
     batch.clear();
     m_batch = std::move(batch);  // its memory serves again

@@ -34,12 +34,14 @@ class LinkDelivery {
   void take(const QCanBusFrame& frame);
   // A frame that the adapter accepted at `time`, ns since 1970.
   void wrote(const Frame& frame, std::int64_t time);
-  // So many frames were dropped before they could be read.
-  void lost(std::uint32_t frames) { m_lost += frames; }
+  // The kernel dropped so many frames.
+  void dropped(std::uint32_t frames) { m_dropped += frames; }
+  // Controller or driver lost so many frames.
+  void overran(std::uint32_t frames) { m_overrun += frames; }
   // The device is gone: nothing more comes from it.
   void clear();
 
-  bool isEmpty() const { return m_batch.empty() && m_missing.empty() && m_lost == 0; }
+  bool isEmpty() const { return m_batch.empty() && m_missing.empty() && m_dropped == 0 && m_overrun == 0; }
   void handOver();
   void tell(LinkState state, const std::string& reason);
 
@@ -52,7 +54,7 @@ class LinkDelivery {
   OwnFrames m_strays;   // written; a plugin that is known not to echo may give them back all the same
   std::vector<Frame> m_batch;
   std::vector<std::pair<std::size_t, NotKept>> m_missing;  // place in m_batch
-  std::uint32_t m_lost = 0;
+  std::uint32_t m_dropped = 0, m_overrun = 0;
 };
 
 }  // namespace deckpipe

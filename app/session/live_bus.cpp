@@ -171,6 +171,7 @@ void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
       m_services.echoesLost(bootTime(), m_state);
       serve();
       break;
+    case NotKept::Overrun: write(note::Dropped{m_settings.channel, count}); break;
     case NotKept::FlexibleDataRate:
       for (std::uint32_t i = 0; i < count; ++i) {
         m_document->unkept.add(m_document->frames.count(), Unkept::CanFd);

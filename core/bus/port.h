@@ -36,7 +36,8 @@ enum class WriteResult : std::uint8_t {
 enum class NotKept : std::uint8_t {
   FlexibleDataRate,  // a CAN FD frame
   Invalid,           // what the adapter handed over is no classic CAN frame
-  Overflow,          // dropped before we could read it: a receive buffer was full
+  Overflow,          // the kernel dropped it, as its receive buffer was full; echoes of own frames too
+  Overrun,           // controller or driver lost it on its way from the bus; never an echo
 };
 
 class PortListener {

@@ -21,7 +21,9 @@
 //     note, it stands at the end of the log; a note at an earlier frame was written down later.
 //  3. A block that is cut, or whose CRC is wrong, ends the journal: what stands before it counts.
 //  4. Types and layouts are never changed and never used again. A later minor version may add types, and
-//     versions of types, which this one skips. A later major version is refused.
+//     versions of types. This one skips a type or a version of notes that it does not know; a version of
+//     channels, clocks or frames that it does not know ends what it reads, since what follows depends on them.
+//     All that was left out is counted as parts of a newer version. A later major version is refused.
 #pragma once
 
 #include <cstddef>

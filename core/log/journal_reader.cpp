@@ -71,8 +71,9 @@ class JournalReading {
   }
 
   Outcome take(const JournalBlockHead& block, Bytes content) {
-    if (block.version == 0) {
-      switch (static_cast<JournalBlock>(block.type)) {
+    const auto type = static_cast<JournalBlock>(block.type);
+    if (block.version == 0 && (!m_isBeyond || type == JournalBlock::End)) {
+      switch (type) {
         case JournalBlock::Channel: return takeChannel(content);
         case JournalBlock::Clock:
           return takeClockBlock(content, m_offsets) ? Outcome::Taken : Outcome::Damaged;
@@ -81,6 +82,8 @@ class JournalReading {
         case JournalBlock::End: m_summary.isOpenEnded = false; return Outcome::Taken;
       }
     }
+    using enum JournalBlock;
+    if (type == Channel || type == Clock || type == Frames) m_isBeyond = true;
     ++m_summary.newerParts;
     return Outcome::Taken;
   }
@@ -165,6 +168,7 @@ class JournalReading {
   std::vector<Frame> m_frames;
   std::vector<ChannelOffset> m_offsets;  // of the next frames
   std::vector<Note> m_notes;             // of frames that were not read yet
+  bool m_isBeyond = false;               // behind a block whose version is not known and is needed
   ReadSummary m_summary;
 };
 

@@ -37,9 +37,12 @@ void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, Wri
   if (handed != m_commands.end()) {
     const Handed command = *handed;
     m_commands.erase(handed);
-    if (isOnBus && command.isSaid) {
-      Ask late{};
-      if (Asked* at = openWith(tag, late)) at->status(late).sent = now;
+    // A lock or a lost address says of every command that it waits: that alone does not make it late.
+    const bool isLate = isOnBus && command.isSaid && now >= command.since + kOnBusTime;
+    // The controller may have thrown the command away: it is not waited for as one that was sent.
+    if (isLate || outcome == WriteOutcome::EchoLost) {
+      Ask open{};
+      if (Asked* at = openWith(tag, open)) at->status(open).sent = now;
       const bool isProven = outcome == WriteOutcome::OnBus;
       return commandEnded(now, live, command, isProven ? RequestEnd::WentOutLate : RequestEnd::CannotTell,
                           out);
@@ -56,6 +59,7 @@ void RequestService::writeEnded(Instant now, const Live& live, FrameTag tag, Wri
     if (!timing.wasOnBus) end(now, live, *at, ask, RequestEnd::NotOnBus, out);
     return;
   }
+  status.progress = Progress::Waiting;
   timing.isOnBus = timing.wasOnBus = true;
   timing.deadline = now + ruleOf(ask).patience;
   timing.lastStatus = now;

@@ -122,7 +122,7 @@ void Services::complete(Instant now, const Live& live) {
     entry.source = kNullAddress;
     entry.hasEnded = true;
   }
-  noteWaiting(live);
+  noteWaiting(live, m_out.frames.size());  // what was said last is about to be handed to the adapter
   m_out.note(note::Locked{live.channel});
 }
 
@@ -171,13 +171,12 @@ void Services::followAddresses(Instant now, const Live& live) {
     callAt(i, [&](Service& service) { service.end(now, live, EndReason::AddressLost, m_out); });
     isLost = true;
   }
-  if (isLost) noteWaiting(live);
+  if (isLost) noteWaiting(live, 0);  // what is about to be handed over is the claim of the next address
 }
 
-// Nothing takes back what the adapter has. What was said last is about to be handed to it.
-void Services::noteWaiting(const Live& live) {
+void Services::noteWaiting(const Live& live, std::size_t unwritten) {
   if (!m_settings.echoes) return;
-  const std::size_t waiting = m_own.waiting() + m_out.frames.size();
+  const std::size_t waiting = m_own.waiting() + unwritten;
   if (waiting > 0) m_out.note(note::StillWaits{live.channel, waiting});
 }
 

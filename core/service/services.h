@@ -84,7 +84,8 @@ class Services {
   void dropUnwritten(Instant now, const Live& live);
   // What a full queue refused is not tried again.
   void giveUpAgain(Instant now, const Live& live);
-  void noteWaiting(const Live& live);
+  // Nothing takes back what the adapter has, nor `unwritten` frames that it is about to get.
+  void noteWaiting(const Live& live, std::size_t unwritten);
   // Calls every service that has not ended, in order or backwards, as the owner of what it sends.
   template <typename F>
   void forEach(F&& call);

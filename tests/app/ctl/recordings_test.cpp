@@ -61,11 +61,27 @@ TEST_F(RecordingsOfTheTool, AreReadByInfoAndDecodeWhileTheyGrow) {
 
 TEST_F(RecordingsOfTheTool, ThatWereCutOffSayHowMuchIsMissing) {
   record();
+  m_writer->end();
   QFile file(m_path);
   ASSERT_TRUE(file.resize(file.size() - 1));
   const Outcome r = run({QStringLiteral("info"), m_path});
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("bytes are not whole and were left out")) << r.err.constData();
+}
+
+TEST_F(RecordingsOfTheTool, ThatWereCutBeforeTheirFirstFrameHoldNoneAndHaveNoReport) {
+  record();
+  QFile file(m_path);
+  for (const qint64 size : {44, 28, 10}) {
+    ASSERT_TRUE(file.resize(size));
+    for (const char* command : {"info", "decode"}) {
+      const Outcome r = run({QLatin1String(command), m_path});
+      EXPECT_EQ(r.status, 4) << command << size;
+      EXPECT_TRUE(r.out.isEmpty()) << r.out.constData();
+      EXPECT_TRUE(r.err.contains("it holds no frame")) << r.err.constData();
+      EXPECT_EQ(r.err.contains("bytes are not whole"), size != 28) << r.err.constData();
+    }
+  }
 }
 
 TEST_F(RecordingsOfTheTool, AreListedWithWhatIsInThem) {

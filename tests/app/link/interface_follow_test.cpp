@@ -152,13 +152,13 @@ TEST_F(FollowedLink, TheControllersStateIsReadAgainAndBusOffToldOnce) {
   EXPECT_FALSE(heard.reason().empty());
 }
 
-TEST_F(FollowedLink, WhatTheDriverLostIsCountedAsNotKept) {
+TEST_F(FollowedLink, WhatTheDriverLostIsCountedAsAnOverrunWhichLosesNoEcho) {
   fake->setSilently([](CanInterface& facts) { facts.overruns = 10; });  // before our time
   open();
   fake->set([](CanInterface& facts) { facts.overruns = 13; });
   fake->set([](CanInterface&) {});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.notKept.empty(); }, kPatience));
-  EXPECT_EQ(heard.notKept, (std::vector{std::pair{NotKept::Overflow, 3u}}));
+  EXPECT_EQ(heard.notKept, (std::vector{std::pair{NotKept::Overrun, 3u}}));
   EXPECT_EQ(link->status().notKept, 3u);
 }
 

@@ -38,7 +38,7 @@ struct Story : PortListener {
     onFrames();
   }
   void framesNotKept(NotKept reason, std::uint32_t count) override {
-    const char* names[] = {"flexible", "invalid", "overflow"};
+    const char* names[] = {"flexible", "invalid", "overflow", "overrun"};
     told.push_back(std::string(names[static_cast<int>(reason)]) + ' ' + std::to_string(count));
   }
   void linkChanged(LinkState, const std::string& reason) override { told.push_back(reason); }
@@ -58,16 +58,17 @@ TEST_F(Delivery, IsInOrderOfArrivalWithEachLossAtItsPlace) {
   echoing.take(toCanBusFrame(frameOf(0x101, {})));
   echoing.take(flexible());
   echoing.take(toCanBusFrame(frameOf(0x103, {})));
-  echoing.lost(2);
-  echoing.lost(3);
+  echoing.dropped(2);
+  echoing.dropped(3);
+  echoing.overran(4);
   EXPECT_TRUE(story.told.empty());
   echoing.handOver();
-  EXPECT_EQ(story.told, (Lines{"101", "flexible 1", "103", "overflow 5"}));
+  EXPECT_EQ(story.told, (Lines{"101", "flexible 1", "103", "overflow 5", "overrun 4"}));
   EXPECT_EQ(status.received, 2u);
-  EXPECT_EQ(status.notKept, 6u);
+  EXPECT_EQ(status.notKept, 10u);
   EXPECT_TRUE(echoing.isEmpty());
   echoing.handOver();
-  EXPECT_EQ(story.told.size(), 4u);
+  EXPECT_EQ(story.told.size(), 5u);
 }
 
 TEST_F(Delivery, WithEchoAnOwnFrameComesOnItsEchoConfirmed) {
@@ -99,7 +100,7 @@ TEST_F(Delivery, WhatIsClearedIsNotHandedOver) {
   echoing.begin(story);
   echoing.take(toCanBusFrame(frameOf(0x101, {})));
   echoing.take(flexible());
-  echoing.lost(1);
+  echoing.dropped(1);
   echoing.wrote(frameOf(0x102, {}), kTime);
   echoing.clear();
   EXPECT_TRUE(echoing.isEmpty());
@@ -127,7 +128,7 @@ TEST_F(Delivery, AListenerThatEndsFromInsideHearsNoMoreAndTheNextOneNothingOfIt)
   echoing.take(toCanBusFrame(frameOf(0x101, {})));
   echoing.take(flexible());
   echoing.take(toCanBusFrame(frameOf(0x103, {})));
-  echoing.lost(1);
+  echoing.dropped(1);
   story.onFrames = [&] {
     EXPECT_EQ(echoing.end(), &story);
     echoing.begin(later);

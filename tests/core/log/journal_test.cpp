@@ -254,6 +254,34 @@ TEST(Journal, SkipsAndCountsWhatANewerMinorVersionAdded) {
   EXPECT_EQ(read.result.value().newerParts, 1u);
 }
 
+TEST(Journal, EndsAtANewerVersionOfWhatTheRestNeedsAndSaysSo) {
+  Recording written;
+  test::FakeDisk disk;
+  JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
+  for (int i = 0; i < 3; ++i) {
+    writer.timeCame({i * 2'000'000'000ll});
+    written.fill();
+  }
+  writer.end();
+  const std::vector<std::size_t> blocks = blocksOf(disk.bytes);
+  for (const JournalBlock type : {JournalBlock::Channel, JournalBlock::Clock, JournalBlock::Frames}) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const std::size_t at = blocks[i];
+      if (journalBlockHead(std::span(disk.bytes).subspan(at)).type != static_cast<std::uint16_t>(type))
+        continue;
+      const std::string what = "block " + std::to_string(i);
+      Recording before, read;
+      before.read(std::span(disk.bytes).first(at));
+      read.read(withBlock(disk.bytes, at, 2, 1));
+      ASSERT_TRUE(read.result) << what;
+      EXPECT_EQ(told(read.frames), told(before.frames)) << what;
+      EXPECT_EQ(read.result.value().cutBytes, 0u) << what << ": newer, not damaged";
+      EXPECT_EQ(read.result.value().newerParts, blocks.size() - 1 - i) << what << ": all but the end";
+      EXPECT_FALSE(read.result.value().isOpenEnded) << what;
+    }
+  }
+}
+
 TEST(Journal, LeavesOutNotesOfFramesThatWereNotWritten) {
   Recording written;
   written.fill();

@@ -290,6 +290,45 @@ TEST_F(KeptCommand, IsSaidWhenOurAddressIsLost) {
   EXPECT_EQ(notes<note::StillWaits>(), 1);
 }
 
+TEST_F(OnBus, ACommandWhoseEchoComesInTimeAfterALockDidNotGoOutLate) {
+  pair.unlock();
+  keep(kZeroAxes, kOnBusTime / 2);
+  ask(Ask::ZeroAxes);
+  pair.run(10ms);
+  pair.want(wish::Lock{});
+  pair.run(1s);
+  EXPECT_TRUE(all().waitingCommands.empty());
+  EXPECT_EQ(ends(), std::vector{RequestEnd::Cancelled}) << "its echo is no news";
+}
+
+TEST_F(OnBus, ALostAddressLeavesNothingWaitingThatWasOnTheBus) {
+  pair.unlock();
+  pair.inject(frame("18EEFFF9", "0100000000000000"));
+  pair.run(10ms);
+  EXPECT_NE(pair.claim().address, Address{0xF9});
+  EXPECT_EQ(notes<note::StillWaits>(), 0) << "the claim of the next address is not counted";
+}
+
+TEST_F(OnBus, ACommandWhoseEchoIsLostBeforeItWasSaidToWaitEndsTheSameWay) {
+  Frame restarted;
+  restarted.id = kErrorBit | kRestartedClass;
+  restarted.length = 8;
+  for (const bool isBusOff : {false, true}) {
+    TruckPair truck;
+    truck.unlock();
+    truck.console().leaves = [](const Frame&) { return std::nullopt; };
+    truck.want(wish::AskDevice{monitor, AskSet{Ask::ZeroAxes}});
+    truck.run(10ms);
+    if (isBusOff) {
+      truck.inject(restarted);
+    } else {
+      truck.loseEchoes(truck.console());
+    }
+    truck.run(10ms);
+    EXPECT_EQ(truck.console().request(truck.now(), monitor, Ask::ZeroAxes).end, RequestEnd::CannotTell);
+  }
+}
+
 TEST_F(KeptCommand, WaitsAloneEvenAfterItWasGivenUp) {
   pair.run(500ms);
   pair.want(wish::Cancel{monitor});
