@@ -39,6 +39,7 @@ enum class HealthCause : std::uint8_t {
   Malformed,          // it sent messages of a wrong length
   FaultsNotAnswered,  // asked, and no answer came
   Idle,               // not heard for a while, and no periodic message is expected of it
+  FaultsAwaited,      // asked just now, and never answered before
   FaultsOld,          // answered before its last restart or silence
   FaultsNeverAsked,
   NotAnnounced,   // Akron's by its NAME, but it has not said its PIN
@@ -70,6 +71,7 @@ inline constexpr EnumTable<HealthCause, HealthCauseFacts> kHealthCauses{{
     {HealthCause::Malformed, {"malformed", HealthSeverity::Attend}},
     {HealthCause::FaultsNotAnswered, {"faults_not_answered", HealthSeverity::Attend}},
     {HealthCause::Idle, {"idle", HealthSeverity::Unknown}},
+    {HealthCause::FaultsAwaited, {"faults_awaited", HealthSeverity::Unknown}},
     {HealthCause::FaultsOld, {"faults_old", HealthSeverity::Unknown}},
     {HealthCause::FaultsNeverAsked, {"faults_never_asked", HealthSeverity::Unknown}},
     {HealthCause::NotAnnounced, {"not_announced", HealthSeverity::Unknown}},

@@ -200,6 +200,11 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        const Instant last = s.lastHeard();
        return !sendsByItself(s) && (last == kNotYet || s.now() - last >= kSilentAfter);
      }},
+    {HealthCause::FaultsAwaited,
+     [](const Subject& s, const Health& h) {
+       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) != kNotYet &&
+              !isUnanswered(*s.device, Ask::Fault, s.now());
+     }},
     {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return isFaultAnswer(s, h, false); }},
     {HealthCause::FaultsNeverAsked,
      [](const Subject& s, const Health& h) {

@@ -107,7 +107,12 @@ INSTANTIATE_TEST_SUITE_P(
         // Faults asked for or not.
         Case{"AMonitorThatWasNeverAsked", [](Bus& b) { b.monitor(); }, "faults_never_asked"},
         Case{"AMonitorWithoutFaults", [](Bus& b) { b.monitor().answered(); }, "fine"},
-        Case{"APollThatMayBeAnsweredYet", [](Bus& b) { b.monitor().asked().pass(100ms).statuses(); }, "fine"},
+        Case{"AFirstPollThatMayBeAnsweredYet",
+             [](Bus& b) { b.monitor().asked().pass(100ms).statuses(); }, "faults_awaited"},
+        Case{"AFirstPollThatMayBeAnsweredAtTheLastMoment",
+             [](Bus& b) { b.monitor().asked().pass(1500ms - 1ns).statuses(); }, "faults_awaited"},
+        Case{"ALaterPollThatMayBeAnsweredYet",
+             [](Bus& b) { b.monitor().answered().pass(1s).statuses().asked().pass(100ms).statuses(); }, "fine"},
         Case{"APollWithoutAnswer", [](Bus& b) { b.monitor().asked().goOn(1600ms); }, "faults_not_answered"},
         Case{"PollsWithoutAnswerThatGoOn",
              [](Bus& b) {
