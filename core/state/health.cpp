@@ -96,20 +96,25 @@ Address sharedAddress(const Subject& s) {
   return address != kNullAddress && isShared(s, address) ? address : kNullAddress;
 }
 
-bool hasFaults(const Health& h) { return h.faults != 0 || h.errorCode != 0; }
-
-bool isFaultAnswer(const Subject& s, const Health& h, bool isCurrent) {
-  return canBeAsked(s) && h.answered != kNotYet && (h.answer == AnswerAge::Current) == isCurrent;
-}
+bool isOld(const Health& h) { return h.answered != kNotYet && h.answer != AnswerAge::Current; }
 
 ClaimState claimOf(const Subject& s) {
   return s.hasAddress() ? s.channel.book.claim(s.address, s.now()) : ClaimState::NoClaim;
 }
 
-std::uint16_t codeOf(const Device& d) {
-  if (d.operationalErrorCode.isKnown() && d.operationalErrorCode.value != 0)
-    return d.operationalErrorCode.value;
-  return d.faults().isKnown() ? d.faults().value().pcodeError.value_or(0) : std::uint16_t{0};
+// A node answers for its faults and for its error code apart, each at its own time.
+void takeAnswers(const Subject& s, Health& h) {
+  const Device& d = *s.device;
+  if (const auto faults = d.faults(); faults.isKnown()) {
+    h.answered = faults.at;
+    h.answer = ageOf(s, faults.at);
+    const FaultStatus status = faults.value();
+    const NamedFaults named{status.map, status.pcodeError.value_or(0)};
+    (isOld(h) ? h.oldFaults : h.faults) = named;
+  }
+  const auto& code = d.operationalErrorCode;
+  if (code.isKnown() && code.value != 0 && ageOf(s, code.at) == AnswerAge::Current)
+    h.faults.errorCode = code.value;
 }
 
 Health factsOf(const Subject& s) {
@@ -117,10 +122,7 @@ Health factsOf(const Subject& s) {
   h.sharedAddress = sharedAddress(s);
   if (s.device == nullptr) return h;
   const Device& d = *s.device;
-  h.answered = std::max(d.faults().at, d.operationalErrorCode.at);
-  if (h.answered != kNotYet) h.answer = ageOf(s, h.answered);
-  if (d.faults().isKnown()) h.faults = d.faults().value().map;
-  h.errorCode = codeOf(d);
+  takeAnswers(s, h);
   for (const MessageId id : kOwnPeriodicReports) {
     if (d.isStale(id)) h.late.add(id);
   }
@@ -160,7 +162,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     {HealthCause::TwoAtOneAddress,
      [](const Subject&, const Health& h) { return h.sharedAddress != kNullAddress; }},
     {HealthCause::FaultsNamed,
-     [](const Subject& s, const Health& h) { return isFaultAnswer(s, h, true) && hasFaults(h); }},
+     [](const Subject& s, const Health& h) { return canBeAsked(s) && !h.faults.isEmpty(); }},
     {HealthCause::SensorError,
      [](const Subject& s, const Health&) { return anyAxis(s, PositionState::SensorError); }},
     {HealthCause::OperationalError,
@@ -205,7 +207,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) != kNotYet &&
               !isUnanswered(*s.device, Ask::Fault, s.now());
      }},
-    {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return isFaultAnswer(s, h, false); }},
+    {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return canBeAsked(s) && isOld(h); }},
     {HealthCause::FaultsNeverAsked,
      [](const Subject& s, const Health& h) {
        return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet;
@@ -228,7 +230,10 @@ Health judge(const Subject& s) {
   // Only where a cause speaks of it, so that a health changes only when its words do.
   if (h.has(HealthCause::Silent)) h.since = lastBeat(s);
   if (h.has(HealthCause::Idle)) h.since = s.lastHeard();
-  if (!h.has(HealthCause::FaultsOld)) h.answered = kNotYet;
+  if (!h.has(HealthCause::FaultsOld)) {
+    h.answered = kNotYet;
+    h.answer = AnswerAge::Current;
+  }
   if (!h.has(HealthCause::Late)) h.late = {};
   if (h.has(HealthCause::FaultsNotAnswered)) h.asked = s.device->askedInVain(Ask::Fault);
   return h;

@@ -107,12 +107,13 @@ INSTANTIATE_TEST_SUITE_P(
         // Faults asked for or not.
         Case{"AMonitorThatWasNeverAsked", [](Bus& b) { b.monitor(); }, "faults_never_asked"},
         Case{"AMonitorWithoutFaults", [](Bus& b) { b.monitor().answered(); }, "fine"},
-        Case{"AFirstPollThatMayBeAnsweredYet",
-             [](Bus& b) { b.monitor().asked().pass(100ms).statuses(); }, "faults_awaited"},
+        Case{"AFirstPollThatMayBeAnsweredYet", [](Bus& b) { b.monitor().asked().pass(100ms).statuses(); },
+             "faults_awaited"},
         Case{"AFirstPollThatMayBeAnsweredAtTheLastMoment",
              [](Bus& b) { b.monitor().asked().pass(1500ms - 1ns).statuses(); }, "faults_awaited"},
         Case{"ALaterPollThatMayBeAnsweredYet",
-             [](Bus& b) { b.monitor().answered().pass(1s).statuses().asked().pass(100ms).statuses(); }, "fine"},
+             [](Bus& b) { b.monitor().answered().pass(1s).statuses().asked().pass(100ms).statuses(); },
+             "fine"},
         Case{"APollWithoutAnswer", [](Bus& b) { b.monitor().asked().goOn(1600ms); }, "faults_not_answered"},
         Case{"PollsWithoutAnswerThatGoOn",
              [](Bus& b) {
@@ -218,7 +219,27 @@ INSTANTIATE_TEST_SUITE_P(
              "not_operational cannot_be_asked"},
         Case{"NodeWithAnErrorCode",
              [](Bus& b) { b.hear("724", "05").hear("5A4", "4300500116699803").hear("5A4", "4B0150020B00"); },
-             "faults"},
+             "faults faults_never_asked"},
+        Case{"NodeOfWhichOnlyTheErrorCodeWasRead",
+             [](Bus& b) { b.hear("1A4", kPosition).hear("5A4", "4B0150020000"); }, "faults_never_asked"},
+        Case{"NodeWhoseErrorCodeWasReadAgainAfterItBooted",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+               b.hear("724", "05").hear("5A4", "4B0150020000");
+             },
+             "faults_old"},
+        Case{"NodeWithANewErrorCodeAndOldFaults",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+               b.hear("724", "05").hear("5A4", "4B0150020B00");
+             },
+             "faults faults_old"},
+        Case{"NodeWithAnErrorCodeOfBeforeItBooted",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("5A4", "4B0150020B00").pass(1ms).hear("724", "00");
+               b.hear("724", "05").hear("5A4", "4301500100000000");
+             },
+             "fine"},
         Case{"NodeThatWasAsked",
              [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4301500100000000"); },
              "fine"},
@@ -383,6 +404,16 @@ TEST(Health, KnowsTheWorstAndItsKey) {
   EXPECT_EQ(health.worst(), HealthCause::SensorError);
   EXPECT_EQ(health.key(), "sensor_error");
   EXPECT_EQ(health.severity(), HealthSeverity::Fault);
+}
+
+TEST(Health, KeepsOldFaultsAndANewErrorCodeApart) {
+  Bus bus;
+  bus.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+  bus.hear("724", "05").hear("5A4", "4B0150020B00");
+  const Health health = healthOf(bus.state(), bus.state().devices().all().front());
+  EXPECT_EQ(health.faults, (NamedFaults{.map = 0, .errorCode = 11}));
+  EXPECT_NE(health.oldFaults.map, 0u);
+  EXPECT_EQ(health.oldFaults.errorCode, 0);
 }
 
 TEST(Health, KnowsWhyAnAnswerIsOld) {
