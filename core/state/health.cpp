@@ -117,6 +117,12 @@ void takeAnswers(const Subject& s, Health& h) {
     h.faults.errorCode = code.value;
 }
 
+Axes axesThatAre(const Subject& s, PositionState state) {
+  if (!s.hasPosition()) return {};
+  const PositionLimitStatus p = s.position();
+  return {p.rotation.state == state, p.elevation.state == state};
+}
+
 Health factsOf(const Subject& s) {
   Health h;
   h.sharedAddress = sharedAddress(s);
@@ -126,19 +132,9 @@ Health factsOf(const Subject& s) {
   for (const MessageId id : kOwnPeriodicReports) {
     if (d.isStale(id)) h.late.add(id);
   }
-  if (s.hasPosition()) {
-    const PositionLimitStatus p = s.position();
-    const auto isBad = [](const PositionReading& r) {
-      return r.state == PositionState::SensorError || r.state == PositionState::Invalid;
-    };
-    h.rotation = isBad(p.rotation);
-    h.elevation = isBad(p.elevation);
-  }
+  h.sensorError = axesThatAre(s, PositionState::SensorError);
+  h.invalid = axesThatAre(s, PositionState::Invalid);
   return h;
-}
-
-bool anyAxis(const Subject& s, PositionState state) {
-  return s.hasPosition() && (s.position().rotation.state == state || s.position().elevation.state == state);
 }
 
 bool anyStop(const Subject& s, Status2 status) {
@@ -163,8 +159,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      [](const Subject&, const Health& h) { return h.sharedAddress != kNullAddress; }},
     {HealthCause::FaultsNamed,
      [](const Subject& s, const Health& h) { return canBeAsked(s) && !h.faults.isEmpty(); }},
-    {HealthCause::SensorError,
-     [](const Subject& s, const Health&) { return anyAxis(s, PositionState::SensorError); }},
+    {HealthCause::SensorError, [](const Subject&, const Health& h) { return !h.sensorError.isEmpty(); }},
     {HealthCause::OperationalError,
      [](const Subject& s, const Health&) {
        return s.hasPosition() && s.position().operationalError == Status2::On;
@@ -178,8 +173,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      [](const Subject& s, const Health&) {
        return s.has(MessageId::DigitalOutputs) && !s.device->outputs().value().enable;
      }},
-    {HealthCause::PositionInvalid,
-     [](const Subject& s, const Health&) { return anyAxis(s, PositionState::Invalid); }},
+    {HealthCause::PositionInvalid, [](const Subject&, const Health& h) { return !h.invalid.isEmpty(); }},
     {HealthCause::Late, [](const Subject& s, const Health& h) { return !h.late.isEmpty() && !isSilent(s); }},
     {HealthCause::NotOperational,
      [](const Subject& s, const Health&) {

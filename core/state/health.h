@@ -28,14 +28,23 @@ struct NamedFaults {
   friend bool operator==(const NamedFaults&, const NamedFaults&) = default;
 };
 
+// Which axes of a monitor.
+struct Axes {
+  bool rotation = false;
+  bool elevation = false;
+
+  bool isEmpty() const { return !rotation && !elevation; }
+  friend bool operator==(const Axes&, const Axes&) = default;
+};
+
 struct Health {
   EnumSet<HealthCause> causes;
   // What the causes speak of.
   NamedFaults faults;          // FaultsNamed, OperationalError: of the answers that may still be believed
   NamedFaults oldFaults;       // FaultsOld
   EnumSet<MessageId> late;     // Late
-  bool rotation = false;       // SensorError, PositionInvalid: of which axis
-  bool elevation = false;      // …
+  Axes sensorError;            // SensorError
+  Axes invalid;                // PositionInvalid
   Instant since = kNotYet;     // Silent, Idle: when it was heard last; not set otherwise
   Instant asked = kNotYet;     // FaultsNotAnswered: the first try
   Instant answered = kNotYet;  // FaultsOld: when the answer came

@@ -21,10 +21,10 @@ static_assert(kUnansweredAfter == kAskFacts[Ask::Fault].patience * kAskFacts[Ask
 
 const QString kComma = QStringLiteral(", ");
 
-QString axesText(const Health& health) {
+QString axesText(const Axes& which) {
   QStringList axes;
-  if (health.rotation) axes << HealthWords::tr("rotation");
-  if (health.elevation) axes << HealthWords::tr("elevation");
+  if (which.rotation) axes << HealthWords::tr("rotation");
+  if (which.elevation) axes << HealthWords::tr("elevation");
   return axes.join(kComma);
 }
 
@@ -57,8 +57,8 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
     case HealthCause::TwoAtOneAddress: return addressText(health.sharedAddress);
     case HealthCause::FaultsNamed: return faultSummary(health.faults.map, health.faults.errorCode);
-    case HealthCause::SensorError:
-    case HealthCause::PositionInvalid: return axesText(health);
+    case HealthCause::SensorError: return axesText(health.sensorError);
+    case HealthCause::PositionInvalid: return axesText(health.invalid);
     case HealthCause::OperationalError:
       return hasCode(health) ? pcodeErrorText(health.faults.errorCode)
                              : HealthWords::tr("ask for its faults");

@@ -416,6 +416,14 @@ TEST(Health, KeepsOldFaultsAndANewErrorCodeApart) {
   EXPECT_EQ(health.oldFaults.errorCode, 0);
 }
 
+TEST(Health, NamesTheAxisOfEachCause) {
+  Bus bus;
+  bus.monitor("01FFF41235000000");
+  const Health health = healthOf(bus.state(), *bus.device(kPinA));
+  EXPECT_EQ(health.sensorError, (Axes{.rotation = true}));
+  EXPECT_EQ(health.invalid, (Axes{.elevation = true}));
+}
+
 TEST(Health, KnowsWhyAnAnswerIsOld) {
   Bus bus;
   bus.monitor().answered();
