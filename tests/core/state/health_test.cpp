@@ -139,6 +139,12 @@ INSTANTIATE_TEST_SUITE_P(
                b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
              },
              "fine"},
+        Case{"AnAnnouncementThatWasAskedForInEightBytes",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EAFF80", "00EE00FFFFFFFFFF").pass(100ms).statuses();
+               b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
+             },
+             "fine"},
         Case{"AnAddressThatWasDefended",
              [](Bus& b) {
                b.monitor().answered().goOn(2s).hear("18EEFF80", kHigherForeignName).pass(50ms).statuses();
