@@ -37,8 +37,7 @@ struct Subject {
 // 38 hex that no message ties to their PIN.
 bool sendsByItself(const Subject& s) {
   if (s.joystick() != nullptr) return true;
-  if (s.device == nullptr)
-    return s.address != s.channel.ownAddress && s.channel.nodes[s.address].rate.isSteady();
+  if (s.device == nullptr) return !s.channel.wereOwn[s.address.value] && s.channel.nodes[s.address].isSteady;
   if (s.device->lastStatus != kNotYet) return true;
   const unsigned type = s.device->kind == Device::Kind::Pin ? s.device->pin.deviceType() : 0;
   return type == 1032 || type == 1033 || type == 1040 || type == 1042 || type == 1052;

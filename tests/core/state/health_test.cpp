@@ -39,6 +39,10 @@ class Bus {
     m_state.apply(f, m_now);
     return *this;
   }
+  Bus& note(note::OwnAddress note) {
+    m_state.apply(Note{.time = m_now, .value = note});
+    return *this;
+  }
   Bus& pass(Duration d) {
     m_now = m_now + d;
     m_state.timeCame(m_now);
@@ -191,6 +195,30 @@ INSTANTIATE_TEST_SUITE_P(
              "cannot_be_asked"},
         Case{"ANodeOfAnotherMakerHeardNowAndThen",
              [](Bus& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatOnlyAnswered",
+             [](Bus& b) {
+               for (int i = 0; i < 50; ++i) {
+                 b.hear("18EA21F9", "DAFE00").hear("18E8FF21", "01FFFFFFF9DAFE00").hear("18EFF921", "11");
+                 b.pass(100ms);
+               }
+               b.pass(3s);
+             },
+             "idle cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatOnlyAskedForNames",
+             [](Bus& b) {
+               for (int i = 0; i < 50; ++i) b.hear("18EAFF21", kAsksForNames).pass(100ms);
+               b.pass(3s);
+             },
+             "idle cannot_be_asked"},
+        Case{"AnAddressThatWasOurOwn",
+             [](Bus& b) {
+               b.note(
+                   {.channel = Channel{0}, .address = Address{0x21}, .how = note::OwnAddress::How::Claimed});
+               for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
+               b.note({.channel = Channel{0}, .address = kNullAddress, .how = note::OwnAddress::How::Locked});
+               b.pass(3s);
+             },
+             "idle cannot_be_asked"},
         Case{"AControlFromTheAddressOfItsPin",
              [](Bus& b) { b.hear("18EFFF80", "FF82EA02D0000002").pass(1h); }, "idle faults_never_asked"},
         // What it reports.
