@@ -190,6 +190,11 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      [](const Subject& s, const Health&) {
        return canBeAsked(s) && isUnanswered(*s.device, Ask::Fault, s.now());
      }},
+    {HealthCause::FaultsRefused,
+     [](const Subject& s, const Health&) {
+       return canBeAsked(s) && s.device->hasRefused(Ask::Fault) &&
+              !isUnanswered(*s.device, Ask::Fault, s.now());
+     }},
     {HealthCause::Idle,
      [](const Subject& s, const Health&) {
        const Instant last = s.lastHeard();
@@ -198,12 +203,13 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     {HealthCause::FaultsAwaited,
      [](const Subject& s, const Health& h) {
        return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) != kNotYet &&
-              !isUnanswered(*s.device, Ask::Fault, s.now());
+              !s.device->hasRefused(Ask::Fault) && !isUnanswered(*s.device, Ask::Fault, s.now());
      }},
     {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return canBeAsked(s) && isOld(h); }},
     {HealthCause::FaultsNeverAsked,
      [](const Subject& s, const Health& h) {
-       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet;
+       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet &&
+              !s.device->hasRefused(Ask::Fault);
      }},
     {HealthCause::NotAnnounced,
      [](const Subject& s, const Health&) {

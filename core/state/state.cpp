@@ -127,7 +127,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
   }
   if (sender != nullptr) {
     sender->heard(time);
-    if (what.malformed) ++sender->malformed;
+    if (what.malformed) sender->takeMalformed(frame, what.message);
   }
 }
 
@@ -163,7 +163,7 @@ void State::applyStandard(const Frame& frame, Instant time, const Classified& wh
                                : const_cast<Device*>(m_devices.byNode(channel, cob.node));
   if (device == nullptr) return;
   if (what.malformed) {
-    ++device->malformed;
+    device->takeMalformed(frame, what.message);
   } else {
     device->take(frame, what.message, time);
   }

@@ -129,6 +129,12 @@ INSTANTIATE_TEST_SUITE_P(
              "faults_not_answered"},
         Case{"AnAnswerAfterAll", [](Bus& b) { b.monitor().asked().goOn(2s).hear("18EFF980", kNoFaults); },
              "fine"},
+        Case{"AnAnswerOfAWrongLength",
+             [](Bus& b) { b.monitor().asked().hear("18EFF980", "020000").goOn(2s); },
+             "malformed faults_refused"},
+        Case{"AnAnswerOfAWrongLengthAndNoneToTheNextPoll",
+             [](Bus& b) { b.monitor().asked().hear("18EFF980", "020000").asked().goOn(2s); },
+             "malformed faults_not_answered"},
         Case{"Faults", [](Bus& b) { b.monitor().answered("02002000000000"); }, "faults"},
         Case{"AnErrorCodeAlone", [](Bus& b) { b.monitor().answered("0200000000000B"); }, "faults"},
         // Old answers.
@@ -276,6 +282,25 @@ INSTANTIATE_TEST_SUITE_P(
              "fine"},
         Case{"NodeThatWasAsked",
              [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4301500100000000"); },
+             "fine"},
+        Case{"NodeThatAborts",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "8001500100000206").pass(2s);
+             },
+             "late faults_refused"},
+        Case{"NodeWhoseMasterAborts",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("624", "40015001").hear("624", "8001500100000405").pass(2s);
+             },
+             "late faults_not_answered"},
+        Case{"NodeThatAnswersInAnotherSize",
+             [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4B0150010000"); },
+             "faults_refused"},
+        Case{"NodeThatAnswersAfterAnAbort",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "8001500100000206");
+               b.hear("5A4", "4301500100000000");
+             },
              "fine"},
         Case{"NodeThatBootedSince",
              [](Bus& b) {
