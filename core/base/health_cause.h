@@ -38,7 +38,9 @@ enum class HealthCause : std::uint8_t {
   CannotClaim,        // any address
   Malformed,          // it sent messages of a wrong length
   FaultsNotAnswered,  // asked, and no answer came
+  FaultsRefused,      // asked, and an SDO abort or an answer of a wrong length came
   Idle,               // not heard for a while, and no periodic message is expected of it
+  FaultsAwaited,      // asked just now, and never answered before
   FaultsOld,          // answered before its last restart or silence
   FaultsNeverAsked,
   NotAnnounced,   // Akron's by its NAME, but it has not said its PIN
@@ -69,7 +71,9 @@ inline constexpr EnumTable<HealthCause, HealthCauseFacts> kHealthCauses{{
     {HealthCause::CannotClaim, {"cannot_claim", HealthSeverity::Attend}},
     {HealthCause::Malformed, {"malformed", HealthSeverity::Attend}},
     {HealthCause::FaultsNotAnswered, {"faults_not_answered", HealthSeverity::Attend}},
+    {HealthCause::FaultsRefused, {"faults_refused", HealthSeverity::Attend}},
     {HealthCause::Idle, {"idle", HealthSeverity::Unknown}},
+    {HealthCause::FaultsAwaited, {"faults_awaited", HealthSeverity::Unknown}},
     {HealthCause::FaultsOld, {"faults_old", HealthSeverity::Unknown}},
     {HealthCause::FaultsNeverAsked, {"faults_never_asked", HealthSeverity::Unknown}},
     {HealthCause::NotAnnounced, {"not_announced", HealthSeverity::Unknown}},

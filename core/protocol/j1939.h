@@ -10,8 +10,11 @@
 
 namespace deckpipe::j1939 {
 
+// A request is three bytes; some tools pad it to eight.
+inline constexpr unsigned kRequestLength = 3;
 inline constexpr std::array kRequestFields{
     number("pgn", "Requested PGN", little(1, 24)),
+    reserved(little(4, 40)),
 };
 
 // One 64-bit number, low byte first.
@@ -93,7 +96,7 @@ inline constexpr std::array kMessages{
             .name = "Request for a PGN",
             .family = Family::J1939,
             .selector = pgn::kRequest,
-            .lengths = lengths(3),
+            .lengths = lengthsFrom(kRequestLength, 8),
             .fields = kRequestFields,
             .source = "CAN Messaging manual, PGN 59904 Field Request"},
     Message{.id = MessageId::Name,

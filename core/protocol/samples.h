@@ -62,6 +62,7 @@ inline constexpr Sample kSamples[] = {
     {"manual_permissive_three_bytes", "18EF8005", "A10009", MessageId::SoePermissive,
      "axis1_plus=on; axis1_minus=off; axis2_plus=off; axis2_minus=on"},
     {"manual_request", "18EAFFFF", "00EE00", MessageId::Request, "pgn=60928"},
+    {"request_padded_to_eight_bytes", "18EAFFFF", "00EE000000000000", MessageId::Request, "pgn=60928"},
     {"manual_name", "18EEFF80", "0B1AC22800420090", MessageId::Name,
      "identity_number=137739; manufacturer_code=326; ecu_instance=0; function_instance=0; function=66; "
      "vehicle_system=0; system_instance=0; industry_group=1; arbitrary_address_capable=on"},

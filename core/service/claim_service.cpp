@@ -73,7 +73,7 @@ void ClaimService::noteAddress(const Live& live, Address address, How how, Outgo
 
 // From our address, or the null address before there is one.
 void ClaimService::askNames(const Live& live, Outgoing& out) {
-  Encoded data{.length = 3};
+  Encoded data{.length = j1939::kRequestLength};
   writeBits(data.data, kRequested, pgn::kAddressClaimed);
   out.send(live, address(), MessageId::Request, kGlobalAddress, data);
 }
@@ -160,7 +160,7 @@ void ClaimService::received(Instant now, const Live& live, const Frame& frame, O
   const bool hasAddress = m_status.address != kNullAddress;
   if (m_echoes && hasAddress && id.source == m_status.address && id.pgn != pgn::kAddressClaimed)
     return strangerHeard(now, live, out);
-  if (id.pgn != pgn::kRequest || frame.length != 3 ||
+  if (id.pgn != pgn::kRequest || frame.length < j1939::kRequestLength ||
       readBits(frame.data, kRequested) != pgn::kAddressClaimed)
     return;
   if (id.destination != kGlobalAddress && (!hasAddress || id.destination != m_status.address)) return;

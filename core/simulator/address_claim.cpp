@@ -51,7 +51,7 @@ AddressClaim::Event AddressClaim::received(Instant now, const J1939Id& id, const
   if (id.pgn == pgn::kAddressClaimed && frame.length == 8)
     return claimHeard(now, id.source, Name::of(frame), out);
   constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
-  if (id.pgn == pgn::kRequest && frame.length == 3 &&
+  if (id.pgn == pgn::kRequest && frame.length >= j1939::kRequestLength &&
       readBits(frame.data, kRequested) == pgn::kAddressClaimed)
     return requestHeard(now, id.destination, out);
   return Event::None;

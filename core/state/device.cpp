@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "protocol/gateway.h"
 
@@ -26,6 +27,11 @@ bool isLeap(const PositionLimitStatus& a, const PositionLimitStatus& b) {
 
 std::uint64_t objectOf(const Frame& frame) {
   return readBits(frame.data, gateway::kIndex.bits) << 8 | readBits(frame.data, gateway::kSubindex.bits);
+}
+
+// A master aborts too, on another identifier.
+bool isFromNode(const Frame& frame) {
+  return CobId::of(frame.identifier()).function == static_cast<std::uint16_t>(CobFunction::SdoResponse);
 }
 
 }  // namespace
@@ -62,7 +68,7 @@ void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
 
 void Device::take(const Frame& frame, MessageId id, Instant time) {
   if (isOwnPeriodicReport(messageOf(id))) takeStatus(frame, id, time);
-  if (const std::optional<Ask> ask = askAnsweredBy(id)) m_askedInVain[*ask] = kNotYet;
+  if (const std::optional<Ask> ask = askAnsweredBy(id)) answered(*ask);
   if (const std::size_t place = kReportPlaces[id]; place < kReports.size()) {
     m_reports[place].set(frame, time);
     m_stale.remove(id);
@@ -74,6 +80,9 @@ void Device::take(const Frame& frame, MessageId id, Instant time) {
       if (objectOf(frame) == sdo::kFaultStatus) asked(Ask::Fault, time);
       break;
     case MessageId::SdoReadResponse: takeSdo(frame, time); break;
+    case MessageId::SdoAbort:
+      if (isFromNode(frame) && objectOf(frame) == sdo::kFaultStatus) refused(Ask::Fault);
+      break;
     case MessageId::Heartbeat:
       if (heartbeatState(frame) == gateway::kBooting) restarted = time;
       break;
@@ -88,10 +97,21 @@ void Device::takeSdo(const Frame& frame, Instant time) {
     partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
   } else if (object == sdo::kFaultStatus && size == 4) {
     m_reports[kReportPlaces[MessageId::FaultResponse]].set(frame, time);
-    m_askedInVain[Ask::Fault] = kNotYet;
+    answered(Ask::Fault);
+  } else if (object == sdo::kFaultStatus) {
+    refused(Ask::Fault);
   } else if (object == sdo::kOperationalError && size == 2) {
     operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
   }
+}
+
+void Device::takeMalformed(const Frame& frame, MessageId id) {
+  ++malformed;
+  const Ask ask = messageOf(id).ask;
+  if (isKnown(ask)) refused(ask);
+  // Shorter than four bytes it names no object.
+  if (id == MessageId::SdoReadResponse && frame.length >= 4 && objectOf(frame) == sdo::kFaultStatus)
+    refused(Ask::Fault);
 }
 
 }  // namespace deckpipe

@@ -90,6 +90,9 @@ struct Device {
     if (m_askedInVain[ask] == kNotYet) m_askedInVain[ask] = time;
   }
 
+  // Whether it was asked for something and the last answer does not say it: an SDO abort, or a wrong length.
+  bool hasRefused(Ask ask) const { return m_refused.has(ask); }
+
   // Whether one of kPeriodicReports came and is older than three of its periods.
   bool isStale(MessageId id) const { return m_stale.has(id); }
   const EnumSet<MessageId>& stale() const { return m_stale; }
@@ -99,9 +102,21 @@ struct Device {
   // Takes what a decoded frame of this device says. `id` is a message that the device sends or receives.
   void take(const Frame& frame, MessageId id, Instant time);
 
+  // Takes a message of a wrong length that this device sent, or a node's master sent to it.
+  void takeMalformed(const Frame& frame, MessageId id);
+
   friend bool operator==(const Device&, const Device&) = default;
 
  private:
+  void answered(Ask ask) {
+    m_askedInVain[ask] = kNotYet;
+    m_refused.remove(ask);
+  }
+  // What was not asked cannot be refused.
+  void refused(Ask ask) {
+    if (m_askedInVain[ask] != kNotYet) m_refused.add(ask);
+    m_askedInVain[ask] = kNotYet;
+  }
   void takeStatus(const Frame& frame, MessageId id, Instant time);
   void takeSdo(const Frame& frame, Instant time);
 
@@ -112,6 +127,7 @@ struct Device {
     for (Instant& time : never) time = kNotYet;
     return never;
   }();
+  EnumSet<Ask> m_refused;
   EnumSet<MessageId> m_stale;
 };
 

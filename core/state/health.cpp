@@ -37,8 +37,7 @@ struct Subject {
 // 38 hex that no message ties to their PIN.
 bool sendsByItself(const Subject& s) {
   if (s.joystick() != nullptr) return true;
-  if (s.device == nullptr)
-    return s.address != s.channel.ownAddress && s.channel.nodes[s.address].rate.isSteady();
+  if (s.device == nullptr) return !s.channel.wereOwn[s.address.value] && s.channel.nodes[s.address].isSteady;
   if (s.device->lastStatus != kNotYet) return true;
   const unsigned type = s.device->kind == Device::Kind::Pin ? s.device->pin.deviceType() : 0;
   return type == 1032 || type == 1033 || type == 1040 || type == 1042 || type == 1052;
@@ -96,20 +95,31 @@ Address sharedAddress(const Subject& s) {
   return address != kNullAddress && isShared(s, address) ? address : kNullAddress;
 }
 
-bool hasFaults(const Health& h) { return h.faults != 0 || h.errorCode != 0; }
-
-bool isFaultAnswer(const Subject& s, const Health& h, bool isCurrent) {
-  return canBeAsked(s) && h.answered != kNotYet && (h.answer == AnswerAge::Current) == isCurrent;
-}
+bool isOld(const Health& h) { return h.answered != kNotYet && h.answer != AnswerAge::Current; }
 
 ClaimState claimOf(const Subject& s) {
   return s.hasAddress() ? s.channel.book.claim(s.address, s.now()) : ClaimState::NoClaim;
 }
 
-std::uint16_t codeOf(const Device& d) {
-  if (d.operationalErrorCode.isKnown() && d.operationalErrorCode.value != 0)
-    return d.operationalErrorCode.value;
-  return d.faults().isKnown() ? d.faults().value().pcodeError.value_or(0) : std::uint16_t{0};
+// A node answers for its faults and for its error code apart, each at its own time.
+void takeAnswers(const Subject& s, Health& h) {
+  const Device& d = *s.device;
+  if (const auto faults = d.faults(); faults.isKnown()) {
+    h.answered = faults.at;
+    h.answer = ageOf(s, faults.at);
+    const FaultStatus status = faults.value();
+    const NamedFaults named{status.map, status.pcodeError.value_or(0)};
+    (isOld(h) ? h.oldFaults : h.faults) = named;
+  }
+  const auto& code = d.operationalErrorCode;
+  if (code.isKnown() && code.value != 0 && ageOf(s, code.at) == AnswerAge::Current)
+    h.faults.errorCode = code.value;
+}
+
+Axes axesThatAre(const Subject& s, PositionState state) {
+  if (!s.hasPosition()) return {};
+  const PositionLimitStatus p = s.position();
+  return {p.rotation.state == state, p.elevation.state == state};
 }
 
 Health factsOf(const Subject& s) {
@@ -117,26 +127,13 @@ Health factsOf(const Subject& s) {
   h.sharedAddress = sharedAddress(s);
   if (s.device == nullptr) return h;
   const Device& d = *s.device;
-  h.answered = std::max(d.faults().at, d.operationalErrorCode.at);
-  if (h.answered != kNotYet) h.answer = ageOf(s, h.answered);
-  if (d.faults().isKnown()) h.faults = d.faults().value().map;
-  h.errorCode = codeOf(d);
+  takeAnswers(s, h);
   for (const MessageId id : kOwnPeriodicReports) {
     if (d.isStale(id)) h.late.add(id);
   }
-  if (s.hasPosition()) {
-    const PositionLimitStatus p = s.position();
-    const auto isBad = [](const PositionReading& r) {
-      return r.state == PositionState::SensorError || r.state == PositionState::Invalid;
-    };
-    h.rotation = isBad(p.rotation);
-    h.elevation = isBad(p.elevation);
-  }
+  h.sensorError = axesThatAre(s, PositionState::SensorError);
+  h.invalid = axesThatAre(s, PositionState::Invalid);
   return h;
-}
-
-bool anyAxis(const Subject& s, PositionState state) {
-  return s.hasPosition() && (s.position().rotation.state == state || s.position().elevation.state == state);
 }
 
 bool anyStop(const Subject& s, Status2 status) {
@@ -160,9 +157,8 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     {HealthCause::TwoAtOneAddress,
      [](const Subject&, const Health& h) { return h.sharedAddress != kNullAddress; }},
     {HealthCause::FaultsNamed,
-     [](const Subject& s, const Health& h) { return isFaultAnswer(s, h, true) && hasFaults(h); }},
-    {HealthCause::SensorError,
-     [](const Subject& s, const Health&) { return anyAxis(s, PositionState::SensorError); }},
+     [](const Subject& s, const Health& h) { return canBeAsked(s) && !h.faults.isEmpty(); }},
+    {HealthCause::SensorError, [](const Subject&, const Health& h) { return !h.sensorError.isEmpty(); }},
     {HealthCause::OperationalError,
      [](const Subject& s, const Health&) {
        return s.hasPosition() && s.position().operationalError == Status2::On;
@@ -176,8 +172,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      [](const Subject& s, const Health&) {
        return s.has(MessageId::DigitalOutputs) && !s.device->outputs().value().enable;
      }},
-    {HealthCause::PositionInvalid,
-     [](const Subject& s, const Health&) { return anyAxis(s, PositionState::Invalid); }},
+    {HealthCause::PositionInvalid, [](const Subject&, const Health& h) { return !h.invalid.isEmpty(); }},
     {HealthCause::Late, [](const Subject& s, const Health& h) { return !h.late.isEmpty() && !isSilent(s); }},
     {HealthCause::NotOperational,
      [](const Subject& s, const Health&) {
@@ -195,15 +190,26 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      [](const Subject& s, const Health&) {
        return canBeAsked(s) && isUnanswered(*s.device, Ask::Fault, s.now());
      }},
+    {HealthCause::FaultsRefused,
+     [](const Subject& s, const Health&) {
+       return canBeAsked(s) && s.device->hasRefused(Ask::Fault) &&
+              !isUnanswered(*s.device, Ask::Fault, s.now());
+     }},
     {HealthCause::Idle,
      [](const Subject& s, const Health&) {
        const Instant last = s.lastHeard();
        return !sendsByItself(s) && (last == kNotYet || s.now() - last >= kSilentAfter);
      }},
-    {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return isFaultAnswer(s, h, false); }},
+    {HealthCause::FaultsAwaited,
+     [](const Subject& s, const Health& h) {
+       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) != kNotYet &&
+              !s.device->hasRefused(Ask::Fault) && !isUnanswered(*s.device, Ask::Fault, s.now());
+     }},
+    {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return canBeAsked(s) && isOld(h); }},
     {HealthCause::FaultsNeverAsked,
      [](const Subject& s, const Health& h) {
-       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet;
+       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet &&
+              !s.device->hasRefused(Ask::Fault);
      }},
     {HealthCause::NotAnnounced,
      [](const Subject& s, const Health&) {
@@ -223,7 +229,10 @@ Health judge(const Subject& s) {
   // Only where a cause speaks of it, so that a health changes only when its words do.
   if (h.has(HealthCause::Silent)) h.since = lastBeat(s);
   if (h.has(HealthCause::Idle)) h.since = s.lastHeard();
-  if (!h.has(HealthCause::FaultsOld)) h.answered = kNotYet;
+  if (!h.has(HealthCause::FaultsOld)) {
+    h.answered = kNotYet;
+    h.answer = AnswerAge::Current;
+  }
   if (!h.has(HealthCause::Late)) h.late = {};
   if (h.has(HealthCause::FaultsNotAnswered)) h.asked = s.device->askedInVain(Ask::Fault);
   return h;

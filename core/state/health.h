@@ -19,19 +19,37 @@ enum class AnswerAge : std::uint8_t {
   BeforeSilence,  // the device's periodic messages stopped after it, even if they came back
 };
 
+// What an answer said of faults.
+struct NamedFaults {
+  std::uint32_t map = 0;
+  std::uint16_t errorCode = 0;  // of a pCode error; 0 if there is none, or it was not said
+
+  bool isEmpty() const { return map == 0 && errorCode == 0; }
+  friend bool operator==(const NamedFaults&, const NamedFaults&) = default;
+};
+
+// Which axes of a monitor.
+struct Axes {
+  bool rotation = false;
+  bool elevation = false;
+
+  bool isEmpty() const { return !rotation && !elevation; }
+  friend bool operator==(const Axes&, const Axes&) = default;
+};
+
 struct Health {
   EnumSet<HealthCause> causes;
   // What the causes speak of.
-  std::uint32_t faults = 0;     // FaultsNamed, FaultsOld: the map
-  std::uint16_t errorCode = 0;  // … and of a pCode error, also OperationalError; 0 if it is not known
-  EnumSet<MessageId> late;      // Late
-  bool rotation = false;        // SensorError, PositionInvalid: of which axis
-  bool elevation = false;       // …
-  Instant since = kNotYet;      // Silent, Idle: when it was heard last; not set otherwise
-  Instant asked = kNotYet;      // FaultsNotAnswered: the first try
-  Instant answered = kNotYet;   // FaultsOld: when the answer came
-  AnswerAge answer = AnswerAge::Current;
-  Address sharedAddress;  // TwoAtOneAddress: which; null otherwise
+  NamedFaults faults;          // FaultsNamed, OperationalError: of the answers that may still be believed
+  NamedFaults oldFaults;       // FaultsOld
+  EnumSet<MessageId> late;     // Late
+  Axes sensorError;            // SensorError
+  Axes invalid;                // PositionInvalid
+  Instant since = kNotYet;     // Silent, Idle: when it was heard last; not set otherwise
+  Instant asked = kNotYet;     // FaultsNotAnswered: the first try
+  Instant answered = kNotYet;  // FaultsOld: when the answer came
+  AnswerAge answer = AnswerAge::Current;  // FaultsOld: why it is old
+  Address sharedAddress;                  // TwoAtOneAddress: which; null otherwise
 
   bool isFine() const { return causes.isEmpty(); }
   bool has(HealthCause cause) const { return causes.has(cause); }

@@ -24,6 +24,14 @@ constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
 // An announcement this long after a cause to say its NAME is none of its own accord.
 constexpr Duration kAskedWithin = 1s;
 
+constexpr std::uint32_t kAcknowledgement = 0xE800;  // SAE J1939-21
+
+// Sent to all, and neither a request nor what one may cause.
+bool isOfItsOwnAccord(const J1939Id& id) {
+  return id.destination == kGlobalAddress && id.pgn != pgn::kRequest && id.pgn != pgn::kAddressClaimed &&
+         id.pgn != kAcknowledgement;
+}
+
 bool isNode(Address a) { return a != kNullAddress && a != kGlobalAddress; }
 
 }  // namespace
@@ -82,7 +90,10 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
   const Channel channelId{frame.channel};
   ChannelState& channel = m_channels[frame.channel];
   const J1939Id id = J1939Id::of(frame.identifier());
-  if (isNode(id.source)) channel.nodes.heard(id.source, time);
+  if (isNode(id.source)) {
+    channel.nodes.heard(id.source, time);
+    if (isOfItsOwnAccord(id)) channel.nodes.broadcast(id.source, time);
+  }
   Device* sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
   if (what.malformed) channel.nodes.countMalformed(id.source);
 
@@ -116,7 +127,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
   }
   if (sender != nullptr) {
     sender->heard(time);
-    if (what.malformed) ++sender->malformed;
+    if (what.malformed) sender->takeMalformed(frame, what.message);
   }
 }
 
@@ -152,7 +163,7 @@ void State::applyStandard(const Frame& frame, Instant time, const Classified& wh
                                : const_cast<Device*>(m_devices.byNode(channel, cob.node));
   if (device == nullptr) return;
   if (what.malformed) {
-    ++device->malformed;
+    device->takeMalformed(frame, what.message);
   } else {
     device->take(frame, what.message, time);
   }
@@ -174,7 +185,10 @@ void State::apply(const Note& note) {
                       [&](const note::LinkDown&) { channel.link = ChannelLink::Down; },
                       [&](const note::Dropped& n) { channel.dropped += n.count; },
                       [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
-                      [&](const note::OwnAddress& n) { channel.ownAddress = n.address; },
+                      [&](const note::OwnAddress& n) {
+                        channel.ownAddress = n.address;
+                        if (isNode(n.address)) channel.wereOwn.set(n.address.value);
+                      },
                       [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
                       [](const note::Asked&) {}, [](const note::AskWaits&) {}, [](const note::AskEnded&) {},
                       [](const note::StillWaits&) {}, [](const note::Pipe&) {}},

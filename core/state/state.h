@@ -9,6 +9,7 @@
 //   3. Channels beyond kMaxChannels are counted, not followed.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -51,7 +52,8 @@ struct ChannelState {
   // When a node last had cause to say its NAME: a request for NAMEs, or a contest for an address.
   Instant namesAsked = kNotYet;
   ChannelLink link = ChannelLink::Unknown;
-  Address ownAddress;  // of the console that recorded this; null while it held none
+  Address ownAddress;        // of the console that recorded this; null while it held none
+  std::bitset<256> wereOwn;  // addresses that it ever held
   ControllerState controller = ControllerState::Unknown;  // of the adapter, as its error frames said last
   friend bool operator==(const ChannelState&, const ChannelState&) = default;
 };

@@ -21,10 +21,10 @@ static_assert(kUnansweredAfter == kAskFacts[Ask::Fault].patience * kAskFacts[Ask
 
 const QString kComma = QStringLiteral(", ");
 
-QString axesText(const Health& health) {
+QString axesText(const Axes& which) {
   QStringList axes;
-  if (health.rotation) axes << HealthWords::tr("rotation");
-  if (health.elevation) axes << HealthWords::tr("elevation");
+  if (which.rotation) axes << HealthWords::tr("rotation");
+  if (which.elevation) axes << HealthWords::tr("elevation");
   return axes.join(kComma);
 }
 
@@ -40,13 +40,13 @@ QString agoOf(Instant at, Instant now) {
   return at == kNotYet ? HealthWords::tr("some time ago") : agoText(now - at);
 }
 
-bool hasCode(const Health& health) { return health.errorCode != 0 && health.answer == AnswerAge::Current; }
+bool hasCode(const Health& health) { return health.faults.errorCode != 0; }
 
 // "No faults, asked 93 s ago, silent since"
 QString oldAnswerText(const Health& health, Instant now) {
   QString text = HealthWords::tr("%1, asked %2, %3", "what an old answer said, its age, why it is old")
-                     .arg(faultSummary(health.faults, health.errorCode), agoOf(health.answered, now),
-                          answerAgeText(health.answer));
+                     .arg(faultSummary(health.oldFaults.map, health.oldFaults.errorCode),
+                          agoOf(health.answered, now), answerAgeText(health.answer));
   return text.replace(0, 1, text.at(0).toUpper());
 }
 
@@ -56,11 +56,12 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
     case HealthCause::Idle: return agoOf(health.since, now);
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
     case HealthCause::TwoAtOneAddress: return addressText(health.sharedAddress);
-    case HealthCause::FaultsNamed: return faultSummary(health.faults, health.errorCode);
-    case HealthCause::SensorError:
-    case HealthCause::PositionInvalid: return axesText(health);
+    case HealthCause::FaultsNamed: return faultSummary(health.faults.map, health.faults.errorCode);
+    case HealthCause::SensorError: return axesText(health.sensorError);
+    case HealthCause::PositionInvalid: return axesText(health.invalid);
     case HealthCause::OperationalError:
-      return hasCode(health) ? pcodeErrorText(health.errorCode) : HealthWords::tr("ask for its faults");
+      return hasCode(health) ? pcodeErrorText(health.faults.errorCode)
+                             : HealthWords::tr("ask for its faults");
     case HealthCause::Late: return lateText(health);
     case HealthCause::FaultsOld: return oldAnswerText(health, now);
     default: return {};
@@ -69,8 +70,9 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
 
 QString wordOf(HealthCause cause, const Health& health) {
   const bool isOfCode =
-      cause == HealthCause::OperationalError || (cause == HealthCause::FaultsNamed && health.faults == 0);
-  return isOfCode && hasCode(health) ? HealthWords::tr("error %1").arg(health.errorCode) : healthWord(cause);
+      cause == HealthCause::OperationalError || (cause == HealthCause::FaultsNamed && health.faults.map == 0);
+  return isOfCode && hasCode(health) ? HealthWords::tr("error %1").arg(health.faults.errorCode)
+                                     : healthWord(cause);
 }
 
 template <typename Take>

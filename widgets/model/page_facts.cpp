@@ -59,6 +59,7 @@ class Answers {
   QString missing(std::optional<Ask> ask, bool isMissing) const {
     if (isMissing) return Facts::tr("no answer, asked %1").arg(askedAgo(*ask));
     if (ask && m_device.askedInVain(*ask) != kNotYet) return Facts::tr("asked just now");
+    if (ask && m_device.hasRefused(*ask)) return Facts::tr("refused, or answered in a wrong length");
     return Facts::tr("never asked");
   }
   QString withMissing(const QString& value, std::optional<Ask> ask, bool isMissing) const {

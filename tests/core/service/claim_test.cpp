@@ -154,6 +154,15 @@ TEST_F(Claim, WhereNoneIsFreeItSaysSoOnceAndWhenAsked) {
   EXPECT_EQ(pair.want(wish::AskDevice{{}, kPolls}), Refusal::NoAddress);
 }
 
+TEST_F(Claim, RequestsForItsNameThatArePaddedAreAnswered) {
+  pair.unlock();
+  const Instant before = pair.now();
+  pair.inject(frame("18EAFF80", "00EE00FF"));
+  pair.inject(frame("18EAFF80", "00EE00FFFFFFFFFF"));
+  pair.run(50ms);
+  EXPECT_EQ(names(before).size(), 2u);
+}
+
 TEST_F(Claim, RequestsForItsNameAreAnsweredToAllAndToItself) {
   pair.unlock();
   for (const std::uint8_t destination : {std::uint8_t{0xFF}, std::uint8_t{0xF9}}) {

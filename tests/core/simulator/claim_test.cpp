@@ -183,6 +183,8 @@ TEST(Claim, AnswersARequestForItsNameAndAnnouncesItself) {
       {"to_another", "18EA81F9", "00EE00", false},
       {"for_another_pgn", "18EAFFF9", "00EB00", false},
       {"two_bytes", "18EAFFF9", "00EE", false},
+      {"padded_to_four_bytes", "18EAFFF9", "00EE00FF", true},
+      {"padded_to_eight_bytes", "18EAFFF9", "00EE00FFFFFFFFFF", true},
   };
   for (const Row& row : rows) {
     MonitorRig rig;

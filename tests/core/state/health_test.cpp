@@ -39,6 +39,10 @@ class Bus {
     m_state.apply(f, m_now);
     return *this;
   }
+  Bus& note(note::OwnAddress note) {
+    m_state.apply(Note{.time = m_now, .value = note});
+    return *this;
+  }
   Bus& pass(Duration d) {
     m_now = m_now + d;
     m_state.timeCame(m_now);
@@ -107,7 +111,13 @@ INSTANTIATE_TEST_SUITE_P(
         // Faults asked for or not.
         Case{"AMonitorThatWasNeverAsked", [](Bus& b) { b.monitor(); }, "faults_never_asked"},
         Case{"AMonitorWithoutFaults", [](Bus& b) { b.monitor().answered(); }, "fine"},
-        Case{"APollThatMayBeAnsweredYet", [](Bus& b) { b.monitor().asked().pass(100ms).statuses(); }, "fine"},
+        Case{"AFirstPollThatMayBeAnsweredYet", [](Bus& b) { b.monitor().asked().pass(100ms).statuses(); },
+             "faults_awaited"},
+        Case{"AFirstPollThatMayBeAnsweredAtTheLastMoment",
+             [](Bus& b) { b.monitor().asked().pass(1500ms - 1ns).statuses(); }, "faults_awaited"},
+        Case{"ALaterPollThatMayBeAnsweredYet",
+             [](Bus& b) { b.monitor().answered().pass(1s).statuses().asked().pass(100ms).statuses(); },
+             "fine"},
         Case{"APollWithoutAnswer", [](Bus& b) { b.monitor().asked().goOn(1600ms); }, "faults_not_answered"},
         Case{"PollsWithoutAnswerThatGoOn",
              [](Bus& b) {
@@ -119,6 +129,12 @@ INSTANTIATE_TEST_SUITE_P(
              "faults_not_answered"},
         Case{"AnAnswerAfterAll", [](Bus& b) { b.monitor().asked().goOn(2s).hear("18EFF980", kNoFaults); },
              "fine"},
+        Case{"AnAnswerOfAWrongLength",
+             [](Bus& b) { b.monitor().asked().hear("18EFF980", "020000").goOn(2s); },
+             "malformed faults_refused"},
+        Case{"AnAnswerOfAWrongLengthAndNoneToTheNextPoll",
+             [](Bus& b) { b.monitor().asked().hear("18EFF980", "020000").asked().goOn(2s); },
+             "malformed faults_not_answered"},
         Case{"Faults", [](Bus& b) { b.monitor().answered("02002000000000"); }, "faults"},
         Case{"AnErrorCodeAlone", [](Bus& b) { b.monitor().answered("0200000000000B"); }, "faults"},
         // Old answers.
@@ -130,6 +146,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"AnAnnouncementThatWasAskedFor",
              [](Bus& b) {
                b.monitor().answered().goOn(2s).hear("18EAFFF9", kAsksForNames).pass(100ms).statuses();
+               b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
+             },
+             "fine"},
+        Case{"AnAnnouncementThatWasAskedForInEightBytes",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EAFF80", "00EE00FFFFFFFFFF").pass(100ms).statuses();
                b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
              },
              "fine"},
@@ -179,6 +201,30 @@ INSTANTIATE_TEST_SUITE_P(
              "cannot_be_asked"},
         Case{"ANodeOfAnotherMakerHeardNowAndThen",
              [](Bus& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatOnlyAnswered",
+             [](Bus& b) {
+               for (int i = 0; i < 50; ++i) {
+                 b.hear("18EA21F9", "DAFE00").hear("18E8FF21", "01FFFFFFF9DAFE00").hear("18EFF921", "11");
+                 b.pass(100ms);
+               }
+               b.pass(3s);
+             },
+             "idle cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatOnlyAskedForNames",
+             [](Bus& b) {
+               for (int i = 0; i < 50; ++i) b.hear("18EAFF21", kAsksForNames).pass(100ms);
+               b.pass(3s);
+             },
+             "idle cannot_be_asked"},
+        Case{"AnAddressThatWasOurOwn",
+             [](Bus& b) {
+               b.note(
+                   {.channel = Channel{0}, .address = Address{0x21}, .how = note::OwnAddress::How::Claimed});
+               for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
+               b.note({.channel = Channel{0}, .address = kNullAddress, .how = note::OwnAddress::How::Locked});
+               b.pass(3s);
+             },
+             "idle cannot_be_asked"},
         Case{"AControlFromTheAddressOfItsPin",
              [](Bus& b) { b.hear("18EFFF80", "FF82EA02D0000002").pass(1h); }, "idle faults_never_asked"},
         // What it reports.
@@ -213,9 +259,48 @@ INSTANTIATE_TEST_SUITE_P(
              "not_operational cannot_be_asked"},
         Case{"NodeWithAnErrorCode",
              [](Bus& b) { b.hear("724", "05").hear("5A4", "4300500116699803").hear("5A4", "4B0150020B00"); },
-             "faults"},
+             "faults faults_never_asked"},
+        Case{"NodeOfWhichOnlyTheErrorCodeWasRead",
+             [](Bus& b) { b.hear("1A4", kPosition).hear("5A4", "4B0150020000"); }, "faults_never_asked"},
+        Case{"NodeWhoseErrorCodeWasReadAgainAfterItBooted",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+               b.hear("724", "05").hear("5A4", "4B0150020000");
+             },
+             "faults_old"},
+        Case{"NodeWithANewErrorCodeAndOldFaults",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+               b.hear("724", "05").hear("5A4", "4B0150020B00");
+             },
+             "faults faults_old"},
+        Case{"NodeWithAnErrorCodeOfBeforeItBooted",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("5A4", "4B0150020B00").pass(1ms).hear("724", "00");
+               b.hear("724", "05").hear("5A4", "4301500100000000");
+             },
+             "fine"},
         Case{"NodeThatWasAsked",
              [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4301500100000000"); },
+             "fine"},
+        Case{"NodeThatAborts",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "8001500100000206").pass(2s);
+             },
+             "late faults_refused"},
+        Case{"NodeWhoseMasterAborts",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("624", "40015001").hear("624", "8001500100000405").pass(2s);
+             },
+             "late faults_not_answered"},
+        Case{"NodeThatAnswersInAnotherSize",
+             [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4B0150010000"); },
+             "faults_refused"},
+        Case{"NodeThatAnswersAfterAnAbort",
+             [](Bus& b) {
+               b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "8001500100000206");
+               b.hear("5A4", "4301500100000000");
+             },
              "fine"},
         Case{"NodeThatBootedSince",
              [](Bus& b) {
@@ -378,6 +463,24 @@ TEST(Health, KnowsTheWorstAndItsKey) {
   EXPECT_EQ(health.worst(), HealthCause::SensorError);
   EXPECT_EQ(health.key(), "sensor_error");
   EXPECT_EQ(health.severity(), HealthSeverity::Fault);
+}
+
+TEST(Health, KeepsOldFaultsAndANewErrorCodeApart) {
+  Bus bus;
+  bus.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+  bus.hear("724", "05").hear("5A4", "4B0150020B00");
+  const Health health = healthOf(bus.state(), bus.state().devices().all().front());
+  EXPECT_EQ(health.faults, (NamedFaults{.map = 0, .errorCode = 11}));
+  EXPECT_NE(health.oldFaults.map, 0u);
+  EXPECT_EQ(health.oldFaults.errorCode, 0);
+}
+
+TEST(Health, NamesTheAxisOfEachCause) {
+  Bus bus;
+  bus.monitor("01FFF41235000000");
+  const Health health = healthOf(bus.state(), *bus.device(kPinA));
+  EXPECT_EQ(health.sensorError, (Axes{.rotation = true}));
+  EXPECT_EQ(health.invalid, (Axes{.elevation = true}));
 }
 
 TEST(Health, KnowsWhyAnAnswerIsOld) {
