@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
@@ -42,6 +43,54 @@ TEST_F(LogActions, SaveTheWholeLogAsItWasRead) {
   EXPECT_EQ(read(path), QByteArray(kTruck).replace("(10", "(0000000010"));
   QTest::mouseClick(named<QPushButton>("saveButton"), Qt::LeftButton);
   EXPECT_FALSE(named<QWidget>("saveBar")->isVisible());
+}
+
+TEST_F(LogActions, ASecondSaveWaitsForTheFirst) {
+  openLog(kTruck);
+  const QString first = m_dir.filePath(QStringLiteral("first.log"));
+  const QString second = m_dir.filePath(QStringLiteral("second.log"));
+  m_window.saveLog(first);
+  m_window.saveLog(second);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("saveText").startsWith(QStringLiteral("Saved 3 frames to ") + second); }, kPatience))
+      << qPrintable(text("saveText"));
+  EXPECT_EQ(read(first), read(second));
+  EXPECT_FALSE(read(first).isEmpty());
+}
+
+TEST_F(LogActions, QuittingAsksOnlyWhereWorkWouldBeLost) {
+  openLog(kTruck);
+  Snapshot unlocked = m_session.snapshot();
+  auto services = std::make_shared<ServiceStatus>();
+  services->locked = false;
+  unlocked.services = services;
+  m_window.setSnapshot(unlocked);
+  const auto answer = [this](QMessageBox::ButtonRole role) {
+    auto* question = named<QMessageBox>("quitQuestion");
+    EXPECT_TRUE(question->text().contains(QStringLiteral("unlocked")));
+    for (QAbstractButton* button : question->buttons())
+      if (question->buttonRole(button) == role) button->click();
+  };
+  EXPECT_FALSE(m_window.close());
+  answer(QMessageBox::RejectRole);
+  EXPECT_TRUE(m_window.isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.findChild<QMessageBox*>() == nullptr; }, kPatience));
+  m_window.setSnapshot(m_session.snapshot());
+  EXPECT_TRUE(m_window.close()) << "a log at rest is no work";
+  m_window.show();
+  m_window.setSnapshot(unlocked);
+  EXPECT_FALSE(m_window.close());
+  answer(QMessageBox::DestructiveRole);
+  EXPECT_FALSE(m_window.isVisible());
+}
+
+TEST_F(LogActions, AFileThatCannotBeReadLeavesTheOpenLogAndIsSaid) {
+  openLog(kTruck);
+  m_session.openLog(writeLog("no log\n", QStringLiteral("other.log")));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("noticeText").contains(QStringLiteral("other.log cannot be read")); }, kPatience));
+  EXPECT_EQ(m_session.snapshot().view.frameCount, 3u);
+  EXPECT_TRUE(m_window.windowTitle().startsWith(QStringLiteral("truck.log")));
 }
 
 TEST_F(LogActions, SaveWhatIsSelectedInTheTraceOrPassesItsFilter) {

@@ -110,6 +110,22 @@ TEST_F(RecordingsPageTest, ACopyMarksTheRecordingAsSaved) {
   EXPECT_TRUE(readRecording(path).isSaved);
 }
 
+TEST_F(RecordingsPageTest, ACopyOntoTheRecordingItselfIsRefusedAndSavesNothing) {
+  const QString path = record();
+  start();
+  showPage();
+  ASSERT_TRUE(waitFor([&] { return rows() == 1; }));
+  click("recordingSave");
+  auto* dialog = named<QFileDialog>("fileDialog");
+  Q_EMIT dialog->fileSelected(path);
+  delete dialog;
+  ASSERT_TRUE(waitFor([&] {
+    return named<QLabel>("recordingsOutcome")->text().contains(QStringLiteral("cannot be saved"));
+  }));
+  EXPECT_EQ(readRecording(path).frames, 2u);
+  EXPECT_FALSE(readRecording(path).isSaved);
+}
+
 TEST_F(RecordingsPageTest, DeletingAsksFirst) {
   const QString path = record();
   start();
@@ -137,6 +153,18 @@ TEST_F(RecordingsPageTest, TheFirstLookDeletesSavedOnesBeyondTheLimits) {
   ASSERT_TRUE(waitFor([&] { return !QFile::exists(saved); }));
   EXPECT_TRUE(waitFor([&] { return notice().contains(QStringLiteral("was not saved")); }));
   EXPECT_TRUE(QFile::exists(unsaved));
+}
+
+TEST_F(RecordingsPageTest, SavingALogWithoutItsMarksDoesNotMarkItsRecording) {
+  const QString path = record();
+  start();
+  session->openLog(path);
+  ASSERT_TRUE(waitFor([&] { return session->snapshot().source.progress == SourceStatus::Progress::Done; }));
+  session->mark(session->snapshot().view.cursor, QStringLiteral("water on"));
+  window->saveLog(dir.filePath(QStringLiteral("mine.log")));
+  EXPECT_TRUE(waitFor([&] { return named<QLabel>("saveText")->text().startsWith(QStringLiteral("Saved")); }));
+  QTest::qWait(0);
+  EXPECT_FALSE(readRecording(path).isSaved) << "the mark is in the recording alone";
 }
 
 TEST_F(RecordingsPageTest, SavingTheOpenLogMarksItsRecording) {
