@@ -229,13 +229,19 @@ bool AddressBook::giveUpContests(Name challenger, Address except) {
   return hasChanged;
 }
 
+// In the order in which they fall due, however late this is called.
 bool AddressBook::decide(Instant time, Lost& lost) {
   bool hasChanged = false;
-  for (const Contest& contest : m_contests) {
-    if (contest.since == kNotYet || contest.since + kClaimTime > time) continue;
-    const Contest due = contest;
-    ++m_lost[due.address.value];
-    take(due.address, due.challenger, due.since, lost);
+  for (std::size_t n = 0; n < kContests; ++n) {
+    const Contest* due = nullptr;
+    for (const Contest& contest : m_contests) {
+      if (contest.since == kNotYet || contest.since + kClaimTime > time) continue;
+      if (due == nullptr || contest.since < due->since) due = &contest;
+    }
+    if (due == nullptr) break;
+    const Contest decided = *due;
+    ++m_lost[decided.address.value];
+    take(decided.address, decided.challenger, decided.since, lost);
     hasChanged = true;
   }
   return hasChanged;
