@@ -20,7 +20,7 @@ void MainWindow::connectRecordings() {
   connect(page, &RecordingsPage::saveRequested, this, &MainWindow::saveRecordingByHand);
   connect(page, &RecordingsPage::deleteRequested, this, &MainWindow::deleteRecordingByHand);
   if (m_session.recordingFolder().isEmpty()) return;
-  // Of the start alone: what is recorded from now on is said on the status strip.
+  // The notice is for the start alone: the status strip says what is recorded from now on.
   connect(
       m_recordings, &RecordingsList::changed, this,
       [this](const std::vector<Recording>& recordings) {

@@ -329,7 +329,7 @@ void MainWindow::showEvent(QShowEvent* event) {
   focusNextPane({panes().first()}, false);  // the keyboard begins where the work is, not in the strip above
 }
 
-// What would be broken off by quitting, a line each. A recording that the disk takes is none: it is kept.
+// Quitting would break these off; a line each. A recording that the disk takes is kept, and is not among them.
 QStringList MainWindow::runningWork() const {
   QStringList work;
   const ServiceStatus& services = *m_snapshot.services;

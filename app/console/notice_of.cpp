@@ -347,7 +347,7 @@ Notice unsentNotice(Refusal why) {
   return notice;
 }
 
-// Of what is open.
+// The notice about the log or link that is open.
 Notice sourceNotice(const Snapshot& snapshot, const BusRates& rates) {
   if (!snapshot.view.document) return {};
   if (snapshot.source.kind == From::File) return fileNotice(snapshot);

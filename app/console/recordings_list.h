@@ -18,7 +18,7 @@ class RecordingsPage;
 
 // Settings "recordings/mostMegabytes" and "recordings/mostDays".
 RecordingLimits recordingLimits();
-// Of the recordings that nobody saved; without text if there is none.
+// The notice about recordings that nobody saved; it has no text if there is none.
 Notice unsavedNotice(const std::vector<Recording>& recordings);
 
 class RecordingsList : public QObject {

@@ -51,7 +51,7 @@ void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& p
   m_waiting.push_back(std::move(wanted));
 }
 
-// What came of the one before is still said.
+// The line keeps the outcome of the save before, which nobody may have read yet.
 void SaveBar::begin(Wanted wanted) {
   auto& [document, path, part, isWhole] = wanted;
   const std::vector<Note> notes = document->notes.all();
@@ -60,7 +60,7 @@ void SaveBar::begin(Wanted wanted) {
         notes, [](const Note& note) { return std::holds_alternative<decltype(kind)>(note.value); }));
   };
   m_marks = countOf(note::Mark{});
-  // What a person said of it is in the recording alone.
+  // A copy without marks or drives is no substitute for the recording, which has them.
   m_whole = isWhole && m_marks == 0 && countOf(note::DriveSaid{}) == 0 ? document : nullptr;
   m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);

@@ -79,7 +79,7 @@ bool LiveRun::isLinkUp() {
     finish(kNotWhole);
   } else if (m_follower.linkDowns() != m_linkDowns) {
     m_linkDowns = m_follower.linkDowns();
-    // Of a link that is back already only the note tells.
+    // A link that is back already has no error any more; only its note tells the reason.
     const auto* error = std::get_if<LinkError>(&source.error);
     linkWentDown(error != nullptr && !error->detail.empty()
                      ? QString::fromStdString(error->detail)
@@ -150,7 +150,7 @@ void LiveRun::saySent() {
 
 void LiveRun::changed() {
   if (m_isOver) return;
-  // What the link's end did to requests is written before the end.
+  // The requests that the link took along get their lines before the run ends.
   m_follower.follow(snapshot().view);
   const bool isUp = isLinkUp();
   if (m_isOver) return;

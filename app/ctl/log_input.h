@@ -47,7 +47,7 @@ struct LogInput {
   ExitStatus ended(const Result<ReadSummary, ReadError>& outcome) const;
   void sayUnkept(const UnkeptPlaces& content) const;
   bool m_hasBytes = false;  // the file or pipe is not empty
-  // Of a recording; false if something of it is missing.
+  // Says which parts of a recording are missing; false if any is.
   bool sayMissing(const ReadSummary& summary) const;
 };
 

@@ -12,7 +12,7 @@ void NodeCounts::count(const Frame& frame, Instant time, const Classified& what,
   const bool isClaim = what.message == MessageId::Name && what.isDecoded();
   const Name name = isClaim ? Name::of(frame) : book.lastHolder(source);
   NodeCount& count = m_counts[{source.value, name.value}];
-  // What spoke before any NAME was heard there is the first NAME's.
+  // The first NAME takes over the frames that came before any NAME was heard there.
   if (name.value != 0 && count.frames == 0) {
     if (const auto before = m_counts.extract({source.value, 0}); !before.empty()) count = before.mapped();
   }

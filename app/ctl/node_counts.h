@@ -20,7 +20,7 @@ class NodeCounts {
  public:
   // Each frame of the bus in order; `book` knows the frame already.
   void count(const Frame& frame, Instant time, const Classified& what, const AddressBook& book);
-  // Of the node with this NAME, or without any, at this address.
+  // The count of the node with this NAME at this address; the null NAME stands for a node without one.
   NodeCount at(Address address, Name name) const;
 
  private:

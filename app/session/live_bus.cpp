@@ -91,7 +91,7 @@ void LiveBus::sayDrive(Address address, bool isDrive) {
 }
 
 void LiveBus::serve() {
-  // What became of one frame may lead to another.
+  // The outcome of one write may make a service send another frame.
   for (m_services.takeFrames(m_toSend); !m_toSend.empty(); m_services.takeFrames(m_toSend)) {
     for (const OutFrame& out : std::exchange(m_toSend, {})) {
       const WriteResult result = m_link != nullptr ? m_link->write(out.frame) : WriteResult::NotOpen;

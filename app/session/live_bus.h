@@ -65,8 +65,8 @@ class LiveBus : public QObject, private PortListener {
   // Closes the link and writes down what came until then. To be called before the bus is destroyed, which
   // writes and publishes nothing.
   void stop();
-  // Carried out or refused at once; a refusal is in the next Published. Where the log takes no more nothing
-  // is begun.
+  // Carries the intent out or refuses it at once; a refusal is in the next Published. A full log lets nothing
+  // begin.
   void apply(const deckpipe::Intent& intent);
   // By the person: only a drive's own manual tells.
   void sayDrive(deckpipe::Address address, bool isDrive);
