@@ -49,6 +49,7 @@ ExitStatus LiveRun::run() {
   const auto log = snapshot().view.document;
   const std::size_t before = log->notes.count();
   m_session.closeSource();
+  m_session.waitForEnd();
   std::vector<Note> notes = log->notes.all();
   notes.erase(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(std::min(before, notes.size())));
   for (const Note& note : notes) {

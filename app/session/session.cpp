@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QThread>
 #include <algorithm>
@@ -32,7 +33,10 @@ Session::Session(QObject* parent) : QObject(parent) {
   connect(&m_timer, &QTimer::timeout, this, &Session::tick);
 }
 
-Session::~Session() { endSource(); }
+Session::~Session() {
+  endSource();
+  waitForEnd();
+}
 
 // Links, and in the demo the twin, live on one thread with an event loop. When it ends, each is stopped and
 // deleted there.
@@ -55,22 +59,72 @@ void Session::closeSource() {
   if (hadTwin) Q_EMIT twinChanged({});
 }
 
-bool Session::endBus() {
+void Session::endBus() {
   LiveBus* live = std::exchange(m_live, nullptr);
-  if (live != nullptr) QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
   m_bench = nullptr;
-  return endThread(std::exchange(m_busThread, nullptr), live != nullptr ? Quit::ByItself : Quit::Now);
+  QThread* thread = std::exchange(m_busThread, nullptr);
+  if (thread == nullptr) return;
+  const std::uint64_t number = ++m_busNumber;
+  m_ending.push_back({number, thread, m_document});
+  connect(thread, &QThread::finished, this, [this, number] { busHasEnded(number); });
+  QTimer::singleShot(kThreadPatience, this, [this, number] { busHangs(number); });
+  if (live != nullptr) {
+    QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
+  } else {
+    thread->quit();
+  }
+}
+
+void Session::busHasEnded(std::uint64_t number) {
+  const auto ended = std::ranges::find(m_ending, number, &EndingBus::number);
+  if (ended == m_ending.end()) return;
+  const auto document = ended->document;
+  ended->thread->deleteLater();
+  m_ending.erase(ended);
+  if (!isWrittenByEndingBus(document)) {
+    for (const auto& recorder : m_oldRecorders) {
+      if (recorder->isOf(document)) recorder->end();
+    }
+  }
+  whenBusHasEnded(std::exchange(m_whenBusHasEnded, nullptr));
+}
+
+void Session::busHangs(std::uint64_t number) {
+  const auto found = std::ranges::find(m_ending, number, &EndingBus::number);
+  if (found == m_ending.end()) return;
+  found->hangs = true;
+  leaveThread(found->thread);
+  whenBusHasEnded(std::exchange(m_whenBusHasEnded, nullptr));
+}
+
+void Session::waitForEnd() {
+  const QDeadlineTimer deadline(kThreadPatience);
+  for (const EndingBus& bus : std::vector(m_ending)) {
+    if (bus.hangs) continue;
+    bus.thread->wait(deadline) ? busHasEnded(bus.number) : busHangs(bus.number);
+  }
+}
+
+bool Session::isWrittenByEndingBus(const std::shared_ptr<LogDocument>& document) const {
+  return std::ranges::find(m_ending, document, &EndingBus::document) != m_ending.end();
+}
+
+void Session::whenBusHasEnded(std::function<void()> start) {
+  m_whenBusHasEnded = std::move(start);
+  if (m_whenBusHasEnded && std::ranges::all_of(m_ending, &EndingBus::hangs))
+    std::exchange(m_whenBusHasEnded, nullptr)();
 }
 
 void Session::endSource() {
   m_timer.stop();
-  const bool isBusOver = endBus();
+  m_whenBusHasEnded = nullptr;
+  endBus();
+  m_board.reset();
   std::optional<JournalStatus> left;
   if (m_recorder != nullptr) {
     left = m_recorder->status();
     if (m_snapshot.source.simulated || left->path.empty()) left.reset();
-    // A bus thread that hangs may still receive.
-    if (isBusOver) m_recorder->end();
+    if (!isWrittenByEndingBus(m_document)) m_recorder->end();
     m_oldRecorders.push_back(std::move(m_recorder));
   }
   m_opening.reset();
@@ -127,8 +181,8 @@ void Session::openLog(const QString& path) {
   forgetSaid();
   Candidate log{path, std::make_shared<LogDocument>(), nullptr};
   log.opening = std::make_unique<LogOpening>(log.document, path);
-  const bool isWorthKeeping =
-      m_live != nullptr || m_bench != nullptr || (m_document != nullptr && m_document->frames.count() > 0);
+  const bool isWorthKeeping = m_board != nullptr || m_bench != nullptr || m_whenBusHasEnded != nullptr ||
+                              (m_document != nullptr && m_document->frames.count() > 0);
   if (!isWorthKeeping) return show(std::move(log));
   m_candidate = std::move(log);
   Q_EMIT changed();
@@ -165,27 +219,33 @@ void Session::openLink(const LinkSettings& wanted) {
   m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
   m_snapshot.source.bitRate = settings.bitRate;
   beginRecording();
-  startLink(settings);
+  whenBusHasEnded([this] { startLink(m_lastLink, m_lastLink.interfaceName); });
   Q_EMIT changed();
 }
 
-void Session::startLink(const LinkSettings& settings, const std::shared_ptr<const LiveBus::Board>& before) {
-  LinkSettings onChannel = settings;
-  onChannel.channel = {m_document->frames.channel(settings.interfaceName.toStdString())};
-  m_live = new LiveBus(m_document, onChannel, m_claim, before);
+void Session::startLink(LinkSettings settings, const QString& channelName) {
+  settings.channel = {m_document->frames.channel(channelName.toStdString())};
+  m_live = new LiveBus(m_document, settings, m_claim, m_board);
+  m_board = m_live->board();
   startOnBusThread(
       m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
 }
 
 void Session::reconnect() {
   if (m_snapshot.source.simulated) return openDemo();
-  if (m_live == nullptr || m_live->latest().storeFull) return openLink(m_lastLink);
+  if (m_board == nullptr || m_board->latest().storeFull) return openLink(m_lastLink);
   forgetSaid();
-  const auto board = m_live->board();
-  if (!endBus()) return openLink(m_lastLink);
+  endBus();
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.error = {};
-  startLink(m_lastLink, board);
+  m_snapshot.services = std::make_shared<const ServiceStatus>();
+  whenBusHasEnded([this] {
+    if (!isWrittenByEndingBus(m_document)) return startLink(m_lastLink, m_lastLink.interfaceName);
+    // A bus that hangs may still write into the log, and one log has one writer.
+    std::optional<Candidate> candidate = std::exchange(m_candidate, {});
+    openLink(m_lastLink);
+    m_candidate = std::move(candidate);
+  });
   Q_EMIT changed();
 }
 
@@ -205,11 +265,8 @@ void Session::openDemo() {
   const std::weak_ptr<LogDocument> own = m_document;
   connect(m_bench, &BenchRunner::busReady, this, [this, own](const QString& interfaceName) {
     if (m_document == nullptr || own.lock() != m_document || m_live != nullptr) return;
-    const Channel channel{m_document->frames.channel("can0")};
-    m_live = new LiveBus(
-        m_document, {QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, channel}, m_claim);
-    startOnBusThread(
-        m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
+    startLink({QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, {}},
+              QStringLiteral("can0"));
   });
   connect(m_bench, &BenchRunner::twinChanged, this, [this, own](const TwinStatus& status) {
     if (m_document != nullptr && own.lock() == m_document) Q_EMIT twinChanged(status);
@@ -227,13 +284,13 @@ void Session::openDemo() {
 
 std::uint64_t Session::want(Wish wish) {
   const auto refusal = [&] {
-    if (m_live == nullptr) return Refusal::NoLink;
     if (onlyStops(wish)) return Refusal::None;
+    if (m_live == nullptr) return Refusal::NoLink;
     if (!m_snapshot.view.atEnd) return Refusal::NotLive;
     return m_live->latest().storeFull ? Refusal::LogFull : Refusal::None;
   }();
   if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
-  if (refusal != Refusal::None) return 0;
+  if (refusal != Refusal::None || m_live == nullptr) return 0;
   const Intent intent{std::move(wish), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(
       m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
@@ -253,7 +310,7 @@ void Session::wantOfTwin(const TwinWish& wish) {
 }
 
 Cursor Session::endCursor() const {
-  if (grows()) return m_live->latest().state->cursor();
+  if (grows()) return m_board->latest().state->cursor();
   return m_document == nullptr ? Cursor{} : cursorAfter(m_document->frames, m_document->frames.count());
 }
 
@@ -400,7 +457,7 @@ void Session::tick() {
     movePlayingCursor();
   }
   if (view.atEnd && grows()) {
-    view.state = m_live->latest().state;
+    view.state = m_board->latest().state;
     view.cursor = view.state->cursor();
   } else {
     m_walker->request(view.cursor);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one object that the window talks to: opens a source (log file, adapter, demo), moves the cursor, and
 // makes a snapshot on its tick. It composes store, bus thread, walker and bench; it lives on the window's
-// thread and waits for none of them, but for their end when a source is closed.
+// thread. It waits for no bus, nor for a bus to end. A link that is opened next waits until the old bus has
+// ended.
 #pragma once
 
 #include <QElapsedTimer>
@@ -43,6 +44,9 @@ class Session : public QObject {
   // The last link once more. Goes on in the same log, after a gap, if that takes more.
   void reconnect();
   void closeSource();
+  // Waits for the buses that are ending, kThreadPatience at most. For a program that is about to end: the
+  // window goes on without.
+  void waitForEnd();
 
   // A person's note at a place of the log.
   void mark(Cursor at, const QString& text);
@@ -94,9 +98,21 @@ class Session : public QObject {
   void show(Candidate log);
   void followCandidate();
   void beginDocument(std::shared_ptr<LogDocument> document);
-  void startLink(const LinkSettings& settings, const std::shared_ptr<const LiveBus::Board>& before = nullptr);
-  // False if its thread hangs, and may still write into the log.
-  bool endBus();
+  void startLink(LinkSettings settings, const QString& channelName);
+  // A bus that has still to end, on its thread.
+  struct EndingBus {
+    std::uint64_t number;  // never that of an earlier one
+    QThread* thread;
+    std::shared_ptr<LogDocument> document;  // it may still receive into that
+    bool hangs = false;                     // has taken longer than kThreadPatience
+  };
+  void endBus();
+  void busHasEnded(std::uint64_t number);
+  void busHangs(std::uint64_t number);
+  bool isWrittenByEndingBus(const std::shared_ptr<LogDocument>& document) const;
+  // Calls `start` once each ending bus has ended, so that the adapter is free, or was given up. A source that
+  // is opened or closed before then replaces it.
+  void whenBusHasEnded(std::function<void()> start);
   // What is said until the next deed of the person.
   void forgetSaid();
   void beginRecording();
@@ -105,7 +121,8 @@ class Session : public QObject {
   void movePlayingCursor();
   void setCursor(Cursor cursor);
   Cursor endCursor() const;
-  bool grows() const { return m_live != nullptr; }
+  // Also between two links of reconnect().
+  bool grows() const { return m_board != nullptr; }
   // `stop` is called there before the worker is deleted.
   void startOnBusThread(QObject* worker, std::function<void()> start, std::function<void()> stop);
   void endSource();
@@ -118,6 +135,10 @@ class Session : public QObject {
   std::optional<Candidate> m_candidate;
   QThread* m_busThread = nullptr;  // deletes what lives on it when it ends
   LiveBus* m_live = nullptr;
+  std::shared_ptr<const LiveBus::Board> m_board;  // of m_live, or of the one before while the next one waits
+  std::vector<EndingBus> m_ending;
+  std::uint64_t m_busNumber = 0;
+  std::function<void()> m_whenBusHasEnded;
   BenchRunner* m_bench = nullptr;
   ClaimSettings m_claim;
   QString m_recordingFolder;

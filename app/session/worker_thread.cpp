@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/worker_thread.h"
 
+#include <QDeadlineTimer>
 #include <QThread>
 
 namespace deckpipe {
-namespace {
 
-constexpr unsigned long kPatience =
-    2'000;  // ms; links close within a few, what is said at the end takes 1 s at most
-
-}  // namespace
-
-bool endThread(QThread* thread, Quit quit) {
-  if (thread == nullptr) return true;
-  if (quit == Quit::Now) thread->quit();
-  if (thread->wait(kPatience)) {
-    delete thread;
-    return true;
-  }
+void leaveThread(QThread* thread) {
   thread->setParent(nullptr);
   QObject::connect(thread, &QThread::finished, thread, &QObject::deleteLater);
-  return false;
+}
+
+void endThread(QThread* thread) {
+  if (thread == nullptr) return;
+  thread->quit();
+  if (thread->wait(QDeadlineTimer(kThreadPatience))) {
+    delete thread;
+  } else {
+    leaveThread(thread);
+  }
 }
 
 }  // namespace deckpipe

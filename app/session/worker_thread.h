@@ -3,18 +3,21 @@
 // or lists, and the window must not hang with it.
 #pragma once
 
+#include <chrono>
+
 class QThread;
 
 namespace deckpipe {
 
-enum class Quit : bool {
-  Now,
-  ByItself,  // it was told before to end its work and then its event loop
-};
+// How long a thread that works with an adapter is waited for: links close within a few ms, and what services
+// say at the end takes 1 s at most.
+inline constexpr std::chrono::milliseconds kThreadPatience{2'000};
 
-// Asks the thread's event loop to end, unless it does so by itself, and waits two seconds at most. A thread
-// that hangs is left to itself: it owns what it works with (by its finished signal) and is gone when that
-// returns; then this returns false. Null: nothing to do.
-bool endThread(QThread* thread, Quit quit = Quit::Now);
+// A thread that hangs owns what it works with (by its finished signal). It is gone when that returns.
+void leaveThread(QThread* thread);
+
+// Asks the thread's event loop to end, waits kThreadPatience at most, and leaves a thread that hangs. Null:
+// nothing to do.
+void endThread(QThread* thread);
 
 }  // namespace deckpipe

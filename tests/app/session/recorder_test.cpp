@@ -305,6 +305,10 @@ TEST_F(RecordedDemo, IsMarkedAsSavedAlsoOnceAnotherSourceIsOpen) {
   const auto log = session.snapshot().view.document;
   const QString path = QString::fromStdString(session.snapshot().source.recording->path);
   session.closeSource();
+  ASSERT_TRUE(waitFor([&] {
+    const std::vector<Note> notes = log->notes.all();
+    return !notes.empty() && noteKey(notes.back().value) == "link_down";
+  })) << "no frame comes after that";
   session.setSaved(log, log->frames.count());
   EXPECT_TRUE(waitFor([&] { return readRecording(path).isSaved; }));
 }

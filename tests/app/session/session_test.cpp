@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 
 #include "link/virtual_bus.h"
 #include "support/frames.h"
@@ -265,6 +266,92 @@ TEST(Link, ConnectedAgainGoesOnInTheSameLogAndFileAfterAGap) {
   ASSERT_TRUE(session.snapshot().leftRecording);
   EXPECT_TRUE(session.snapshot().leftRecording->path.starts_with(dir.path().toStdString()));
   EXPECT_EQ(QDir(dir.path()).entryList(QDir::Files).size(), 1);
+}
+
+// Keeps a bus thread from its event loop, as an adapter's library can that does not return.
+class HeldBus {
+ public:
+  explicit HeldBus(Session& session) : m_thread(session.findChild<QThread*>(QStringLiteral("bus"))) {
+    auto* onThread = new QObject;
+    onThread->moveToThread(m_thread);
+    QObject::connect(m_thread, &QThread::finished, onThread, &QObject::deleteLater);
+    QMetaObject::invokeMethod(
+        onThread, [released = m_released] { released->acquire(); }, Qt::QueuedConnection);
+  }
+  ~HeldBus() { release(); }
+  void release() {
+    if (!std::exchange(m_isReleased, true)) m_released->release();
+  }
+  QThread* thread() const { return m_thread; }
+
+ private:
+  QThread* m_thread;
+  std::shared_ptr<std::binary_semaphore> m_released = std::make_shared<std::binary_semaphore>(0);
+  bool m_isReleased = false;
+};
+
+class LinkThatHangs : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(m_bus.start());
+    m_settings = {QStringLiteral("virtualcan"), m_bus.interfaceName(0), 250'000, {}};
+    m_session.openLink(m_settings);
+    ASSERT_TRUE(isRunning());
+  }
+  bool isRunning() {
+    return QTest::qWaitFor(
+        [this] { return m_session.snapshot().source.progress == SourceStatus::Progress::Running; },
+        kPatience);
+  }
+  VirtualBus m_bus;
+  LinkSettings m_settings;
+  Session m_session;
+};
+
+TEST_F(LinkThatHangs, IsNotWaitedForAndTheNextOneOpensWhenItHasEnded) {
+  HeldBus held(m_session);
+  m_session.openLink(m_settings);
+  EXPECT_EQ(m_session.snapshot().source.progress, SourceStatus::Progress::Opening);
+  EXPECT_EQ(m_session.findChildren<QThread*>(QStringLiteral("bus")), QList<QThread*>{held.thread()})
+      << "the adapter is not free, and the bus not given up";
+  held.release();
+  EXPECT_TRUE(isRunning());
+}
+
+TEST_F(LinkThatHangs, KeepsNoLogFromBeingOpened) {
+  const QTemporaryDir dir;
+  HeldBus held(m_session);
+  m_session.openLog(writeLog(dir, "(1.000000) can0 18EFFF80#FF83150206021A0B\n"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.frameCount == 1; }, kPatience));
+  EXPECT_EQ(held.thread()->parent(), &m_session) << "given up, after a while";
+}
+
+TEST_F(LinkThatHangs, WaitsUnseenWhileALogIsTriedThatCannotBeRead) {
+  HeldBus held(m_session);
+  m_session.openLink(m_settings);
+  m_session.openLog(QStringLiteral("/no/such/file.log"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().notOpened.has_value(); }, kPatience));
+  held.release();
+  EXPECT_TRUE(isRunning());
+}
+
+TEST_F(LinkThatHangs, IsLockedWhileItIsConnectedAgain) {
+  m_session.want(wish::Unlock{});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().services->locked; }, kPatience));
+  HeldBus held(m_session);
+  m_session.reconnect();
+  EXPECT_TRUE(m_session.snapshot().services->locked);
+  EXPECT_EQ(m_session.want(wish::Lock{}), 0u);
+  EXPECT_EQ(m_session.snapshot().notSent, Refusal::None) << "it is locked";
+}
+
+TEST_F(LinkThatHangs, IsGivenUpAndLeavesItsLogToItself) {
+  const auto document = m_session.snapshot().view.document;
+  HeldBus held(m_session);
+  m_session.reconnect();
+  EXPECT_EQ(m_session.snapshot().view.document, document);
+  ASSERT_TRUE(isRunning());
+  EXPECT_NE(m_session.snapshot().view.document, document) << "the old bus may still write there";
 }
 
 TEST(Link, SaysWhyAnAdapterCannotBeOpened) {
