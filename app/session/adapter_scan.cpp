@@ -3,6 +3,7 @@
 
 #include <QThread>
 #include <algorithm>
+#include <utility>
 
 #include "link/interface_watch.h"
 #include "session/worker_thread.h"
@@ -34,6 +35,11 @@ void AdapterScan::setRunning(bool isRunning) {
 void AdapterScan::search() {
   if (m_isSearching) return;
   m_isSearching = true;
+  ask(&listAdapters, &AdapterScan::found);
+  Q_EMIT changed();
+}
+
+void AdapterScan::ask(std::function<AdapterList()> question, void (AdapterScan::*answered)(AdapterList)) {
   if (m_thread == nullptr) {
     m_thread = new QThread(this);
     m_thread->setObjectName(QStringLiteral("adapters"));
@@ -47,24 +53,34 @@ void AdapterScan::search() {
   const auto list = std::make_shared<AdapterList>();
   const auto answer = std::make_shared<QObject>();
   connect(
-      answer.get(), &QObject::destroyed, this, [this, list] { found(*list); }, Qt::QueuedConnection);
+      answer.get(), &QObject::destroyed, this, [this, list, answered] { (this->*answered)(*list); },
+      Qt::QueuedConnection);
   answer->moveToThread(m_thread);
   QMetaObject::invokeMethod(
-      m_worker, [answer, list] { *list = listAdapters(); }, Qt::QueuedConnection);
-  Q_EMIT changed();
+      m_worker, [answer, list, question = std::move(question)] { *list = question(); }, Qt::QueuedConnection);
 }
 
-void AdapterScan::found(const AdapterList& list) {
+void AdapterScan::found(AdapterList list) {
   m_isSearching = false;
-  m_list = list;
   m_before = list;
+  m_list = std::move(list);
   Q_EMIT changed();
 }
 
 void AdapterScan::look() {
-  if (m_isSearching) return;
-  m_before = m_list;
-  refreshInterfaces(m_list);
+  if (m_isSearching || std::exchange(m_isLooking, true)) return;
+  ask(
+      [list = m_list] {
+        AdapterList now = list;
+        refreshInterfaces(now);
+        return now;
+      },
+      &AdapterScan::looked);
+}
+
+void AdapterScan::looked(AdapterList list) {
+  m_isLooking = false;
+  m_before = std::exchange(m_list, std::move(list));
   Q_EMIT changed();
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looks for adapters on a thread of its own, for makers' libraries take their time, and keeps what Linux says
-// of its interfaces up to date while it is asked to. The connection page's console side owns one and runs it
-// while the page is seen.
+// Looks for adapters on a thread of its own, as makers' libraries and the kernel's network lock take their
+// time, and keeps what Linux says of its interfaces up to date while it is asked to. The connection page's
+// console side owns one and runs it while the page is seen.
 #pragma once
 
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "link/adapters.h"
@@ -39,10 +40,15 @@ class AdapterScan : public QObject {
 
  private:
   void look();
-  void found(const AdapterList& list);
+  void found(AdapterList list);
+  void looked(AdapterList list);
+  // Puts the question on the worker's thread, and hands over its answer here. Answers come in the order of
+  // the questions.
+  void ask(std::function<AdapterList()> question, void (AdapterScan::*answered)(AdapterList));
 
   AdapterList m_list, m_before;
   bool m_isSearching = false;
+  bool m_isLooking = false;
   QThread* m_thread = nullptr;
   QObject* m_worker = nullptr;  // lives on the thread
   std::unique_ptr<InterfaceWatch> m_watch;
