@@ -265,6 +265,8 @@ void MainWindow::follow(Notice::Action action) {
   if (action == Notice::Action::GoToEnd) m_session.goToEnd();
   if (action == Notice::Action::Reconnect) m_session.reconnect();
   if (action == Notice::Action::ShowRecordings) showRecordings();
+  if (action == Notice::Action::AddUpTimes)
+    m_session.openLog(m_snapshot.source.name, Session::TimesOf::Differences);
 }
 
 void MainWindow::setDensity(Density density) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "log/delta_times.h"
 #include "log/log_format.h"
 #include "model/device_rows.h"
 #include "status_text.h"
@@ -146,6 +147,14 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.progress == Progress::Failed)
     return {StatusTone::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
+  // First, as nothing else that is said of times is true before they are added up.
+  if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
+    return {
+        .tone = StatusTone::Attend,
+        .text = NoticeText::tr("The times of this log look like differences, each to the frame before, as "
+                               "candump -t d prints them."),
+        .action = Notice::Action::AddUpTimes};
+  }
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = recordingNotice(source.read); !notice.text.isEmpty()) return notice;
   if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};

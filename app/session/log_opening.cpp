@@ -5,10 +5,11 @@
 
 namespace deckpipe {
 
-LogOpening::LogOpening(std::shared_ptr<LogDocument> document, const QString& path)
-    : m_thread([this, document = std::move(document),
+LogOpening::LogOpening(std::shared_ptr<LogDocument> document, const QString& path, bool addsUpTimes)
+    : m_thread([this, addsUpTimes, document = std::move(document),
                 file = QFile::encodeName(path).toStdString()](const std::stop_token& stop) {
         ReadOptions options;
+        options.addsUpTimes = addsUpTimes;
         options.threads = 2;
         options.onProgress = [&](const ReadProgress& progress) {
           if (progress.bytesTotal != 0) {

@@ -14,7 +14,7 @@ namespace deckpipe {
 
 class LogOpening {
  public:
-  LogOpening(std::shared_ptr<LogDocument> document, const QString& path);
+  LogOpening(std::shared_ptr<LogDocument> document, const QString& path, bool addsUpTimes = false);
   ~LogOpening();  // gives up what is not read yet
 
   double fraction() const { return m_fraction.load(std::memory_order_relaxed); }

@@ -177,10 +177,10 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
     std::thread([path = QFile::encodeName(source.name).toStdString()] { markJournalSaved(path); }).detach();
 }
 
-void Session::openLog(const QString& path) {
+void Session::openLog(const QString& path, TimesOf times) {
   forgetSaid();
-  Candidate log{path, std::make_shared<LogDocument>(), nullptr};
-  log.opening = std::make_unique<LogOpening>(log.document, path);
+  Candidate log{path, times, std::make_shared<LogDocument>(), nullptr};
+  log.opening = std::make_unique<LogOpening>(log.document, path, times == TimesOf::Differences);
   const bool isWorthKeeping = m_board != nullptr || m_bench != nullptr || m_whenBusHasEnded != nullptr ||
                               (m_document != nullptr && m_document->frames.count() > 0);
   if (!isWorthKeeping) return show(std::move(log));
@@ -193,6 +193,7 @@ void Session::show(Candidate log) {
   m_snapshot.source.kind = SourceStatus::Kind::File;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.name = log.path;
+  m_snapshot.source.addsUpTimes = log.times == TimesOf::Differences;
   m_opening = std::move(log.opening);
   Q_EMIT changed();
 }

@@ -33,11 +33,14 @@ class Session : public QObject {
   static constexpr std::chrono::milliseconds kTick{33};
   static constexpr double kSlowest = 0.25, kFastest = 16;
 
+  // What the times of a log file are.
+  enum class TimesOf : bool { Clock, Differences };
+
   explicit Session(QObject* parent = nullptr);
   ~Session() override;
 
   // Each closes what was open before; a log only when its first frames were read.
-  void openLog(const QString& path);
+  void openLog(const QString& path, TimesOf times = TimesOf::Clock);
   void openLink(const LinkSettings& settings);
   // The bench twin behind a virtual bus of its own, and a link to it.
   void openDemo();
@@ -92,6 +95,7 @@ class Session : public QObject {
   // A log that is being read and not shown yet.
   struct Candidate {
     QString path;
+    TimesOf times = TimesOf::Clock;
     std::shared_ptr<LogDocument> document;
     std::unique_ptr<LogOpening> opening;
   };

@@ -28,7 +28,6 @@ struct StoreFull {
 // What went wrong with a source. The window translates it (app/console/status_text.h).
 using SourceError = std::variant<std::monostate, ReadError, LinkError, StoreFull>;
 
-// Where the frames come from and how that goes: for the status strip alone, never for a view of the log.
 // A log that was to be opened and cannot be read, while what was open stays so.
 struct NotOpened {
   QString path;
@@ -36,6 +35,7 @@ struct NotOpened {
   friend bool operator==(const NotOpened&, const NotOpened&) = default;
 };
 
+// Where the frames come from and how that goes: for the status strip alone, never for a view of the log.
 struct SourceStatus {
   enum class Kind : std::uint8_t { Nothing, File, Link };
   enum class Progress : std::uint8_t {
@@ -53,6 +53,7 @@ struct SourceStatus {
   double fraction = 0;           // of a file being read, 0..1
   std::uint64_t unreadable = 0;  // lines of a file
   ReadSummary read{};            // of a file, once it was read
+  bool addsUpTimes = false;      // of a file: its times are differences, and were added up
   std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
   int bitRate = 0;               // bit/s that it runs at, or that was asked for; 0 = not applicable
   QString plugin;                // of a link

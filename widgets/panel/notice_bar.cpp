@@ -22,6 +22,7 @@ QString actionText(Notice::Action action) {
     case Notice::Action::Reconnect: return NoticeBar::tr("Connect again");
     case Notice::Action::CopyDetails: return NoticeBar::tr("Copy the list");
     case Notice::Action::ShowRecordings: return NoticeBar::tr("Recordings…");
+    case Notice::Action::AddUpTimes: return NoticeBar::tr("Add them up");
   }
   return {};
 }

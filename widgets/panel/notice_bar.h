@@ -14,7 +14,7 @@ class QPushButton;
 namespace deckpipe {
 
 struct Notice {
-  enum class Action : std::uint8_t { None, GoToEnd, Reconnect, CopyDetails, ShowRecordings };
+  enum class Action : std::uint8_t { None, GoToEnd, Reconnect, CopyDetails, ShowRecordings, AddUpTimes };
 
   StatusTone tone = StatusTone::Plain;
   QString text{};     // empty: no notice

@@ -223,6 +223,19 @@ TEST_F(LogActions, DialogsOfferWhatTheTableOfFormatsHas) {
   }
 }
 
+TEST_F(LogActions, TimesThatAreDifferencesAreAddedUpWhenAskedFor) {
+  m_session.openLog(
+      writeLog("(000.000000) can0 18EFFF80#FF83150206021A0B\n(000.100000) can0 18EFFF80#FF83150206021A0B\n"
+               "(000.100000) can0 18EFFF80#FF83150206021A0B\n(000.050000) can0 18EFFF80#FF83150206021A0B\n"
+               "(000.100000) can0 18EFFF80#FF83150206021A0B\n"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("noticeText").contains(QStringLiteral("look like differences")); }, kPatience));
+  QTest::mouseClick(named<QPushButton>("noticeAction"), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.end == Instant{} + 350ms; }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return text("noticeText").isEmpty(); }, kPatience))
+      << qPrintable(text("noticeText"));
+}
+
 TEST_F(LogActions, WhatIsNoLogIsSaidWithTheFormatsThatAre) {
   m_session.openLog(writeLog("no log\n"));
   ASSERT_TRUE(QTest::qWaitFor(
