@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Handed over is not on the bus: an adapter that keeps what it is given, one whose queue is full, one that
 // only listens. We are on can0, the twin on can1.
+#include <algorithm>
+
 #include "guest_bench.h"
 
 namespace deckpipe::guest {
@@ -9,11 +11,13 @@ namespace {
 constexpr auto kMonitorPin = "1032AE100801035";
 
 // An emulated card sends at once, so the kernel's queue before it stands still: one frame has 16 bytes, and
-// one byte a second goes out. It holds so many frames.
+// one byte a second goes out: the next frame after 16 s. It holds so many frames.
 bool freeze(int frames) {
   return shell(QStringLiteral("tc qdisc replace dev can0 root tbf rate 8bit burst 16 limit %1")
                    .arg(16 * frames)) == 0;
 }
+bool isQueueEmpty() { return shell(QStringLiteral("tc -s qdisc show dev can0 | grep -q 'backlog 0b'")) == 0; }
+
 struct Stuck : ::testing::Test {
   Stuck()
       : twin(programOfBuild(QStringLiteral("deckpipectl")) +
@@ -52,6 +56,60 @@ TEST_F(Stuck, ACommandInAFrozenAdapterIsSaidToWaitBeyondALockUntilTheInterfaceGo
   EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::GoneWithInterface; }));
   EXPECT_TRUE(services().waitingCommands.empty());
   ASSERT_TRUE(setInterfaceUp("can0", true));
+}
+
+// What a second card hears of us, in order, behind the frame by which candump shows that it listens.
+class SecondCard {
+ public:
+  bool listens() const {
+    return QTest::qWaitFor(
+        [this] { return shell(QStringLiteral("cansend can1 7FE#")) == 0 && !heard().isEmpty(); }, kPatience);
+  }
+  QStringList heard() const { return linesOf(fileInResults(m_file)); }
+  // Waits for a command to the monitor. True if exactly one came, and nothing of ours after it.
+  bool hearsOneCommandLast() const {
+    const QString command = QStringLiteral("EF80F9#");
+    const bool came = QTest::qWaitFor([&] { return !heard().filter(command).isEmpty(); }, kPatience);
+    QTest::qWait(1'000);  // for what must not follow
+    return came && heard().filter(command).size() == 1 && heard().last().contains(command);
+  }
+
+ private:
+  const QString m_file = QStringLiteral("candump-of-us.log");
+  const Program m_candump{QStringLiteral("candump -L can1,000000F9:000000FF,7FE:7FF"), m_file};
+};
+
+TEST_F(Stuck, ACommandThatWaitsAtALockIsTheLastThatASecondCardHears) {
+  SecondCard second;
+  ASSERT_TRUE(second.listens() && begin());
+  if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
+  console.session.want(wish::AskNames{});  // takes what the queue lets pass at once
+  ask();
+  ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
+  console.session.want(wish::Lock{});
+  ASSERT_TRUE(console.waitUntil([&] { return services().locked; }));
+  ASSERT_EQ(services().waitingCommands.size(), 1u) << "the queue was to hold it until after the lock";
+  EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::WentOutLate; }));
+  EXPECT_TRUE(console.waitUntil(&isQueueEmpty));
+  EXPECT_TRUE(second.hearsOneCommandLast()) << qPrintable(second.heard().join(QLatin1Char('\n')));
+}
+
+TEST_F(Stuck, ACommandThatWaitsInTheKernelOutlivesTheLinkAndNothingFollowsIt) {
+  SecondCard second;
+  ASSERT_TRUE(second.listens() && begin());
+  if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
+  console.session.want(wish::AskNames{});
+  ask();
+  ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
+  const auto log = console.session.snapshot().view.document;
+  console.session.closeSource();
+  console.session.waitForEnd();
+  ASSERT_FALSE(isQueueEmpty()) << "the queue was to hold it until after the end";
+  const std::vector<Note> notes = log->notes.all();
+  EXPECT_TRUE(std::ranges::any_of(
+      notes, [](const Note& note) { return std::holds_alternative<note::StillWaits>(note.value); }));
+  EXPECT_TRUE(console.waitUntil(&isQueueEmpty));
+  EXPECT_TRUE(second.hearsOneCommandLast()) << qPrintable(second.heard().join(QLatin1Char('\n')));
 }
 
 TEST_F(Stuck, WhatAFullQueueRefusesWasNotSent) {
