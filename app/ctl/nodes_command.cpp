@@ -20,7 +20,8 @@ ExitStatus nodesCommand(const QStringList& arguments) {
       "device_type, type_name, claim, name and its parts, part_number, frames and malformed (of who holds "
       "the\n"
       "address, since then), last_heard (seconds since 1970), health (fine, or the worst of what keeps it\n"
-      "from being fine). An interface that is lost ends it with 1."));
+      "from being fine). An interface that is lost ends it with 1, after the lines of who was heard so "
+      "far."));
   const LiveOptions live(parser);
   const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("Listen so long; 3 by default."),
                                    QStringLiteral("N"), QStringLiteral("3"));
@@ -43,11 +44,16 @@ ExitStatus nodesCommand(const QStringList& arguments) {
     const State& state = run.follower().state();
     counts.count(frame, state.cursor().time, what, state.channel(run.channel()).book);
   };
-  const auto tell = [&] {
-    run.follower().follow(run.snapshot().view);
+  bool isTold = false;
+  const auto tellFollowed = [&] {
+    isTold = true;
     run.output().text() +=
         nodeLines(run.follower().state(), counts, run.channel(), settings->link.interfaceName.toStdString(),
                   asText ? NodeFormat::Text : NodeFormat::JsonLines);
+  };
+  const auto tell = [&] {
+    run.follower().follow(run.snapshot().view);
+    tellFollowed();
     return kDone;
   };
   run.onStop = tell;
@@ -59,7 +65,13 @@ ExitStatus nodesCommand(const QStringList& arguments) {
     QTimer::singleShot(std::chrono::milliseconds(static_cast<int>(*length * 1000)), &run,
                        [&] { run.finish(tell()); });
   };
-  return run.run();
+  const ExitStatus status = run.run();
+  // Who was heard before the interface was lost.
+  if (!isTold) {
+    tellFollowed();
+    run.output().flush();
+  }
+  return status;
 }
 
 }  // namespace deckpipe::ctl

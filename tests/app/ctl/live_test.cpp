@@ -10,6 +10,7 @@
 #include "run_ctl.h"
 #include "session/bench_runner.h"
 #include "simulator/crc32.h"
+#include "support/frames.h"
 #include "support/recording_listener.h"
 
 namespace deckpipe {
@@ -515,6 +516,30 @@ INSTANTIATE_TEST_SUITE_P(Ctl, BusGone,
                          testing::Values("watch", "watch --unlock", "nodes --seconds 100",
                                          "poll --unlock --all --every 1", "pipe --unlock --address 80",
                                          "command reset --yes --unlock --address 80", "simulate"));
+
+TEST(NodesOfABusThatGoes, AreToldAsFarAsTheyWereHeard) {
+  VirtualBus bus;
+  ASSERT_TRUE(bus.start());
+  RecordingListener peer;
+  CanLink link({QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}});
+  link.open(peer);
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL),
+                words("nodes --unlock --seconds 100 --plugin virtualcan --interface") +
+                    QStringList{bus.interfaceName(0)});
+  const auto asksAgain = [&] {
+    peer.forget();
+    return QTest::qWaitFor([&] { return !peer.frames.empty(); }, kPatience);
+  };
+  ASSERT_TRUE(asksAgain());
+  link.write(test::frame("18EFFF80", "FF83150206021A0B"));
+  ASSERT_TRUE(asksAgain() && asksAgain()) << "the frame has arrived by then";
+  bus.stop();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kPatience));
+  const Outcome r = test::outcomeOf(process);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.out.contains("1032AE100801035")) << r.out.constData();
+}
 
 }  // namespace
 }  // namespace deckpipe
