@@ -170,6 +170,16 @@ Other devices in the list: %n.</numerusform>
     </message>
 </context>
 <context>
+    <name>deckpipe::PipeInput</name>
+    <message numerus="yes">
+        <source>Send %Ln lines</source>
+        <translation>
+            <numerusform>Send %Ln line</numerusform>
+            <numerusform>Send %Ln lines</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::RecordingsList</name>
     <message numerus="yes">
         <source>%Ln earlier ones were not saved either.</source>

@@ -97,7 +97,10 @@ QString readErrorWords(const ReadError& error) {
   switch (error.kind) {
     case ReadError::Kind::CannotOpen: return withDetail(StatusText::tr("cannot be opened"));
     case ReadError::Kind::CannotRead: return withDetail(StatusText::tr("cannot be read further"));
-    case ReadError::Kind::UnknownFormat: return StatusText::tr("not a log of a known format");
+    case ReadError::Kind::UnknownFormat:
+      return error.format.empty() ? StatusText::tr("not a log of a known format")
+                                  : StatusText::tr("it seems to be %1, which cannot be read")
+                                        .arg(QString::fromStdString(error.format));
     case ReadError::Kind::NewerVersion: return StatusText::tr("written by a newer version of Deckpipe");
     case ReadError::Kind::NoPipe:
       return StatusText::tr("a log of this format is read from a file only, not from a pipe");
@@ -178,10 +181,11 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
   const int bitRate = loadBitRate(snapshot.source);
   const auto percent = std::lround(loadPercent(rates, bitRate));
   StatusFact fact;
-  fact.text = loadWords(percent);
+  fact.text = rates.isKnown ? loadWords(percent) : StatusText::tr("Load –");
   QStringList story{StatusText::tr("How much of the bus was taken in the last second, of %1 kbit/s.\n"
                                    "Reckoned from the frames; stuff bits are estimated.")
                         .arg(bitRate / 1000)};
+  if (!rates.isKnown) story += StatusText::tr("Without times no load is known.");
   if (snapshot.source.bitRate == 0)
     story += StatusText::tr("The log does not say its bit rate: this takes it for J1939.");
   if (const auto& document = snapshot.view.document; document && document->frames.channelCount() > 1) {
@@ -198,6 +202,9 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
 }
 
 StatusFact rateFact(const BusRates& rates) {
+  if (!rates.isKnown)
+    return {StatusTone::Plain, StatusText::tr("– frames/s"),
+            StatusText::tr("Without times no rate is known.")};
   return {StatusTone::Plain, rateWords(std::lround(rates.framesASecond)),
           StatusText::tr("Frames in the last second before the cursor, of all buses.")};
 }
@@ -292,7 +299,12 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   const QString shortLength = length.left(length.size() - 4);
   if (snapshot.source.kind == From::File) {
     const QString frames = frameCountText(view.frameCount);
-    return {StatusTone::Plain, frames, StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)};
+    const bool hasTimes = view.frameCount == 0 || view.document->frames[0].hasStamp();
+    if (snapshot.source.progress == Progress::Opening)
+      return {StatusTone::Plain, frames, StatusText::tr("%1 have been read so far.").arg(frames)};
+    return {StatusTone::Plain, frames,
+            hasTimes ? StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)
+                     : StatusText::tr("The log holds %1, without times.").arg(frames)};
   }
   const SourceStatus& source = snapshot.source;
   const bool isRunning = source.progress == Progress::Running && source.isRecorded();
@@ -334,8 +346,15 @@ std::uint64_t missingFrames(const Snapshot& snapshot) {
 StatusFact completenessFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   const std::uint64_t missing = missingFrames(snapshot);
-  const bool isWhole = source.read.cutBytes == 0 && source.read.newerParts == 0 && !source.read.isOpenEnded;
+  const bool isWhole = source.read.cutBytes == 0 && source.read.newerParts == 0 && !source.read.isOpenEnded &&
+                       source.progress != Progress::Failed;
   if (source.unreadable == 0 && missing == 0 && isWhole) {
+    if (source.progress == Progress::Opening)
+      return {StatusTone::Plain, StatusText::tr("Not complete yet"),
+              StatusText::tr("Nothing is known to be missing in what has come so far.")};
+    if (source.progress == Progress::Lost)
+      return {StatusTone::Attend, StatusText::tr("Link lost"),
+              StatusText::tr("What is sent on the bus while the link is lost is missing here.")};
     return {StatusTone::Fine, StatusText::tr("Complete"),
             source.kind == From::File
                 ? StatusText::tr("Every line of the log was read and is held.")

@@ -11,10 +11,10 @@ namespace deckpipe::ctl {
 
 constexpr std::string_view askWord(Ask ask) { return kAskFacts[ask].key; }
 
-constexpr std::string_view endWord(RequestEnd end) {
+constexpr std::string_view endWord(Ask ask, RequestEnd end) {
   switch (end) {
     case RequestEnd::None: break;
-    case RequestEnd::Answered: return "answered";
+    case RequestEnd::Answered: return ask == Ask::Reset ? "restarted" : "answered";
     case RequestEnd::WrongAnswer: return "wrong_answer";
     case RequestEnd::NoAnswer: return "no_answer";
     case RequestEnd::Cancelled: return "cancelled";

@@ -204,13 +204,13 @@ void Asker::noteCame(const Note& note) {
   };
   if (end == RequestEnd::AnsweredLate) {  // after its end
     const auto asked = std::ranges::find_if(m_asked, isMeant);
-    if (asked != m_asked.end()) endLine(*asked, endWord(end));
+    if (asked != m_asked.end()) endLine(*asked, endWord(asked->ask, end));
     return;
   }
   const auto open = std::ranges::find_if(m_open, isMeant);
   if (open == m_open.end()) return;
   if (end != RequestEnd::Answered) ++m_unanswered;
-  if (end != RequestEnd::Answered || m_saysAnswered) endLine(*open, endWord(end));
+  if (end != RequestEnd::Answered || m_saysAnswered) endLine(*open, endWord(open->ask, end));
   m_open.erase(open);
 }
 

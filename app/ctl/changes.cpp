@@ -21,6 +21,7 @@ std::string_view ownAddressWord(note::OwnAddress::How how) {
     case How::Locked: return "locked";
     case How::LinkLost: return "link lost";
     case How::InUse: return "in use";
+    case How::Disputed: return "disputed";
   }
   return {};
 }

@@ -26,9 +26,9 @@ ExitStatus commandCommand(const QStringList& arguments) {
   parser.setApplicationDescription(QStringLiteral(
       "Sends one command to one device, once, and waits for its acknowledgement; for a reset, up to 10 s\n"
       "for its announcing itself anew. Without --yes it names the device and does nothing (status 2). One\n"
-      "line: pin, address, ask (zero_axes, reset, setup_mode), end (answered, no_answer, …; not_on_bus_yet:\n"
-      "it may still go out; stopped by Ctrl+C, with on_bus: true, false, or null if the adapter cannot\n"
-      "tell), tries, latency_ms. Status 0 only if it was acknowledged or seen."));
+      "line: pin, address, ask (zero_axes, reset, setup_mode), end (answered, of a reset restarted,\n"
+      "no_answer, …; not_on_bus_yet: it may still go out; stopped by Ctrl+C, with on_bus: true, false, or\n"
+      "null if the adapter cannot tell), tries, latency_ms. Status 0 only if it was acknowledged or seen."));
   parser.addPositionalArgument(QStringLiteral("COMMAND"), QStringLiteral("zero-axes, reset or setup-mode."));
   const LiveOptions live(parser);
   const DeviceOptions device(parser, false);

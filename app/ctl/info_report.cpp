@@ -2,6 +2,7 @@
 #include "info_report.h"
 
 #include <cstdio>
+#include <utility>
 
 #include "protocol/device_types.h"
 #include "report/json.h"
@@ -19,6 +20,35 @@ std::string hex(unsigned value, unsigned digits) {
   std::string text;
   appendHex(text, value, digits);
   return text;
+}
+
+// Why an answer may not hold any more; empty if it does.
+std::string_view ageWord(AnswerAge age) {
+  switch (age) {
+    case AnswerAge::Current: break;
+    case AnswerAge::BeforeRestart: return "restarted since";
+    case AnswerAge::BeforeSilence: return "silent since";
+  }
+  return {};
+}
+
+// What it answered of faults, how long ago, and why that is old: "no faults, asked 93.0 s ago, silent since".
+std::string faultsText(const State& state, const Device& device) {
+  if (!device.faults().isKnown()) return {};
+  const FaultStatus faults = device.faults().value();
+  std::string out;
+  for (const ValueName& bit : akron::kFaultBits) {
+    if ((faults.map >> bit.value & 1u) != 0) out.append(out.empty() ? "" : " + ").append(bit.word);
+  }
+  if (out.empty()) out = faults.map == 0 ? "no faults" : "fault bits " + hex(faults.map, 8);
+  if (faults.pcodeError.value_or(0) != 0) out += ", pCode error " + std::to_string(*faults.pcodeError);
+  char age[40];
+  const Duration ago = state.cursor().time - device.faults().at;
+  std::snprintf(age, sizeof age, ", asked %.1f s ago", std::chrono::duration<double>(ago).count());
+  out += age;
+  const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
+  if (!why.empty()) out.append(", ").append(why);
+  return out;
 }
 
 void appendAngle(std::string& out, const PositionReading& reading) {
@@ -50,7 +80,16 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
     appendJsonNumber(out, device.addressChanges);
   }
   key("health");
-  appendJsonString(out, healthOf(state, device).key());
+  const Health health = healthOf(state, device);
+  appendJsonString(out, health.key());
+  key("causes");
+  out += '[';
+  for (bool isFirst = true; const HealthCause cause : kAllOf<HealthCause>) {
+    if (!health.has(cause)) continue;
+    if (!std::exchange(isFirst, false)) out += ',';
+    appendJsonString(out, kHealthCauses[cause].key);
+  }
+  out += ']';
   key("frames");
   appendJsonNumber(out, device.frames);
   key("malformed");
@@ -76,6 +115,11 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
     appendJsonValue(out, device.faults().value().pcodeError
                              ? Value::integer(*device.faults().value().pcodeError)
                              : Value());
+    key("faults_age");
+    appendJsonValue(out, Value::decimal((state.cursor().time - device.faults().at) / 100ms, 1));
+    key("faults_old");
+    const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
+    appendJsonValue(out, why.empty() ? Value() : Value::text(why));
   }
   if (device.firmware().isKnown()) {
     key("system");
@@ -125,6 +169,7 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
     out += ", rotation " + angle(device.position().value().rotation);
     out += ", elevation " + angle(device.position().value().elevation);
   }
+  if (const std::string faults = faultsText(state, device); !faults.empty()) out += ", " + faults;
   return out.append(", ").append(healthOf(state, device).key());
 }
 
@@ -152,6 +197,8 @@ Frame InfoReport::frameOf(const Key& key) const {
   return frame;
 }
 
+bool InfoReport::hasTimes() const { return m_frames.count() == 0 || m_frames[0].hasStamp(); }
+
 double InfoReport::spanSeconds() const {
   if (m_frames.count() == 0) return 0;
   return std::chrono::duration<double>(m_frames.lastTime() - m_frames.timeAt(0)).count();
@@ -160,8 +207,10 @@ double InfoReport::spanSeconds() const {
 std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept) const {
   std::string out = file + "\n";
   char line[160];
-  std::snprintf(line, sizeof line, "  %llu frames over %.6f s on %zu channels\n",
-                static_cast<unsigned long long>(m_frames.count()), spanSeconds(), m_frames.channelCount());
+  char span[40] = "without times";
+  if (hasTimes()) std::snprintf(span, sizeof span, "over %.6f s", spanSeconds());
+  std::snprintf(line, sizeof line, "  %llu frames %s on %zu channels\n",
+                static_cast<unsigned long long>(m_frames.count()), span, m_frames.channelCount());
   out += line;
   if (m_timeJumps != 0) out += "  " + std::to_string(m_timeJumps) + " frames whose time goes back or leaps\n";
   if (unkept.unreadable() != 0) out += "  " + std::to_string(unkept.unreadable()) + " unreadable lines\n";
@@ -197,8 +246,8 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
   std::string out = "{\"file\":";
   appendJsonString(out, file);
   out += ",\"frames\":" + std::to_string(m_frames.count());
-  char span[40];
-  std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
+  char span[40] = ",\"span\":null";
+  if (hasTimes()) std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
   out += span;
   out += ",\"time_jumps\":" + std::to_string(m_timeJumps);
   out += ",\"unreadable\":" + std::to_string(unkept.unreadable());

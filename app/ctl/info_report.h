@@ -30,6 +30,7 @@ class InfoReport {
   };
 
   Frame frameOf(const Key& key) const;
+  bool hasTimes() const;
   double spanSeconds() const;
 
   const FrameStore& m_frames;

@@ -78,7 +78,10 @@ void LiveBus::apply(const Intent& intent) {
 void LiveBus::followHardware() {
   if (m_link == nullptr) return;
   const auto& hardware = m_link->status().hardware;
-  if (hardware) m_services.setEchoProves(hardware->echoesInDriver);
+  if (hardware) {
+    m_services.setEchoProves(hardware->echoesInDriver);
+    m_services.setBitRate(static_cast<int>(hardware->bitRate));
+  }
   const bool isListenOnly = hardware && hardware->isListenOnly;
   const bool wasLocked = m_services.isLocked();
   m_services.setListenOnly(bootTime(), m_state, isListenOnly);

@@ -43,8 +43,9 @@ enum class HealthCause : std::uint8_t {
   FaultsAwaited,      // asked just now, and never answered before
   FaultsOld,          // answered before its last restart or silence
   FaultsNeverAsked,
-  NotAnnounced,   // Akron's by its NAME, but it has not said its PIN
-  CannotBeAsked,  // no device of Akron's: it has no faults to ask for
+  StatusNeverHeard,  // a periodic message that its type sends has never come
+  NotAnnounced,      // Akron's by its NAME, but it has not said its PIN
+  CannotBeAsked,     // no device of Akron's: it has no faults to ask for
   Count,
 };
 
@@ -76,6 +77,7 @@ inline constexpr EnumTable<HealthCause, HealthCauseFacts> kHealthCauses{{
     {HealthCause::FaultsAwaited, {"faults_awaited", HealthSeverity::Unknown}},
     {HealthCause::FaultsOld, {"faults_old", HealthSeverity::Unknown}},
     {HealthCause::FaultsNeverAsked, {"faults_never_asked", HealthSeverity::Unknown}},
+    {HealthCause::StatusNeverHeard, {"status_never_heard", HealthSeverity::Unknown}},
     {HealthCause::NotAnnounced, {"not_announced", HealthSeverity::Unknown}},
     {HealthCause::CannotBeAsked, {"cannot_be_asked", HealthSeverity::Unknown}},
 }};

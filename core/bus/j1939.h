@@ -36,6 +36,7 @@ struct J1939Id {
 };
 
 namespace pgn {
+inline constexpr std::uint32_t kAcknowledgement = 0xE800;   // 59392
 inline constexpr std::uint32_t kRequest = 0xEA00;           // 59904
 inline constexpr std::uint32_t kAddressClaimed = 0xEE00;    // 60928, the NAME
 inline constexpr std::uint32_t kProprietaryA = 0xEF00;      // 61184, Akron's and Copley's messages

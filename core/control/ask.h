@@ -23,21 +23,21 @@ enum class AskKind : std::uint8_t {
 struct AskFacts {
   std::string_view key;  // on command lines and in JSON: frozen contract
   AskKind kind;
-  Duration patience;                // of one try
-  unsigned tries;                   // commands are never repeated by themselves
-  std::array<unsigned, 4> takenBy;  // PIN digits 1-4; all 0: every Akron device
+  Duration patience;  // of one try
+  unsigned tries;     // commands are never repeated by themselves
 };
 
-// To add a poll: an Ask, its row here, its messages in the catalogue, its words in text/service_text.cpp.
+// To add a poll: an Ask, its row here, its messages in the catalogue, its words in text/service_text.cpp, and in
+// protocol/device_types.h who takes it, unless every device does.
 inline constexpr EnumTable<Ask, AskFacts> kAskFacts{{
-    {Ask::Fault, {"fault", AskKind::Poll, 500ms, 3, {}}},
-    {Ask::Firmware, {"firmware", AskKind::Poll, 500ms, 3, {}}},
-    {Ask::Pcode, {"pcode", AskKind::Poll, 500ms, 3, {}}},
-    {Ask::Config, {"config", AskKind::Poll, 500ms, 3, {}}},
-    {Ask::Vista, {"vista", AskKind::Poll, 500ms, 3, {1032}}},
-    {Ask::ZeroAxes, {"zero_axes", AskKind::Command, 1s, 1, {1032}}},
-    {Ask::Reset, {"reset", AskKind::Command, 10s, 1, {1032, 1040, 1042, 1052}}},
-    {Ask::SetupMode, {"setup_mode", AskKind::Command, 1s, 1, {1032, 1040, 1042, 1052}}},
+    {Ask::Fault, {"fault", AskKind::Poll, 500ms, 3}},
+    {Ask::Firmware, {"firmware", AskKind::Poll, 500ms, 3}},
+    {Ask::Pcode, {"pcode", AskKind::Poll, 500ms, 3}},
+    {Ask::Config, {"config", AskKind::Poll, 500ms, 3}},
+    {Ask::Vista, {"vista", AskKind::Poll, 500ms, 3}},
+    {Ask::ZeroAxes, {"zero_axes", AskKind::Command, 1s, 1}},
+    {Ask::Reset, {"reset", AskKind::Command, 10s, 1}},
+    {Ask::SetupMode, {"setup_mode", AskKind::Command, 1s, 1}},
 }};
 
 constexpr bool isCommand(Ask ask) { return kAskFacts[ask].kind == AskKind::Command; }

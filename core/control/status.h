@@ -47,6 +47,7 @@ struct ClaimStatus {
   std::uint16_t lost = 0;       // addresses lost to a lower NAME since unlocking
   std::uint16_t won = 0;        // contests won
   std::uint16_t conflicts = 0;  // times that another was heard sending from our address
+  bool isDisputed = false;      // another was heard sending from it a moment ago; we claimed again
   bool isOnBus = false;         // the claim was on the bus; also where the adapter cannot tell
   friend bool operator==(const ClaimStatus&, const ClaimStatus&) = default;
 };

@@ -87,6 +87,7 @@ struct OwnAddress {
     Locked = 5,       // given up by the transmit lock
     LinkLost = 6,     // given up, as the link went
     InUse = 7,        // left, as another node sends from it
+    Disputed = 8,     // claimed again, as another node sends from it
   };
   Channel channel;
   Address address;
@@ -142,7 +143,8 @@ constexpr bool isKnown(OwnAddress::How how) {
     case How::SameName:
     case How::Locked:
     case How::LinkLost:
-    case How::InUse: return true;
+    case How::InUse:
+    case How::Disputed: return true;
   }
   return false;
 }

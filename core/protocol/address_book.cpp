@@ -27,6 +27,7 @@ Pin pinOf(std::uint64_t announcement) {
 }
 
 constexpr Duration kTurnWithin = 10s;  // each of two who share an address says so again within this time
+constexpr Duration kTurnAfter = 1s;    // sooner it may be one contest
 constexpr Duration kSharedFor = 60s;   // … and so long it is believed after the last time
 
 bool isPartNumberAnswer(const Frame& frame) {
@@ -56,7 +57,9 @@ bool AddressBook::learn(const Frame& frame, Instant time, const Classified& clas
   const bool hasChanged = [&] {
     switch (classified.message) {
       case MessageId::Name: return claimed(source, frame, time, lost);
-      case MessageId::AddressAnnouncement: return announced(source, frame, time, lost);
+      case MessageId::AddressAnnouncement:
+        return J1939Id::of(frame.identifier()).destination == kGlobalAddress &&
+               announced(source, frame, time, lost);
       case MessageId::SdoReadResponse: {
         const NodeId node = CobId::of(frame.identifier()).node;
         if (isAkronNode(node) || !isPartNumberAnswer(frame)) return false;
@@ -84,18 +87,23 @@ bool AddressBook::exchanged(const Frame& frame, Instant time, const Classified& 
              : m_exchanges.requested(frame.data[0], id.source, id.destination, time);
 }
 
-bool AddressBook::isShared(Address a, Instant now) const {
+Instant AddressBook::sharedSince(Address a, Instant now) const {
   for (const Turn::By by : {Turn::By::Name, Turn::By::Pin}) {
     const auto turns = turnsOf(a, by);
-    // In a log without times the turns may lie a day apart.
-    if (turns.back() == nullptr || turns.front()->time == Instant{}) continue;
-    if (now - turns.front()->time > kSharedFor) continue;
-    bool isInTurn = turns[0]->who == turns[2]->who && turns[1]->who == turns[3]->who;
-    for (std::size_t i = 1; i < turns.size(); ++i)
-      isInTurn = isInTurn && turns[i - 1]->time - turns[i]->time <= kTurnWithin;
-    if (isInTurn) return true;
+    // A comes back to an address that B took meanwhile, in the last three turns or in the three before.
+    const auto isBack = [&](std::size_t last) {
+      const Turn *back = turns.at(last), *other = turns.at(last + 1), *first = turns.at(last + 2);
+      // In a log without times the turns may lie a day apart.
+      if (first == nullptr || back->time == Instant{}) return false;
+      return back->who == first->who && back->who != other->who && back->time - first->time >= kTurnAfter &&
+             back->time - other->time <= kTurnWithin && other->time - first->time <= kTurnWithin;
+    };
+    if (turns[2] == nullptr || now - turns[0]->time > kSharedFor) continue;
+    // B has some time to give way: a lawful one claims another address.
+    if (isBack(0) && now - turns[0]->time >= kClaimTime) return turns[2]->time;
+    if (isBack(1) && turns[0]->time - turns[1]->time <= kTurnWithin) return turns[3]->time;
   }
-  return false;
+  return kNotYet;
 }
 
 std::array<const AddressBook::Turn*, 4> AddressBook::turnsOf(Address a, Turn::By by) const {
@@ -115,6 +123,14 @@ void AddressBook::noteTurn(const Turn& turn) {
   m_turns.front() = turn;
 }
 
+bool AddressBook::forgetTurns(Turn::By by, std::uint64_t who, Address except) {
+  const auto kept = std::ranges::remove_if(m_turns, [&](const Turn& turn) {
+    return turn.time != kNotYet && turn.by == by && turn.who == who && turn.address != except;
+  });
+  std::ranges::fill(kept, Turn{});
+  return !kept.empty();
+}
+
 bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lost& lost) {
   if (!isNode(source)) return false;
   const bool isNews = !isAkron(source);
@@ -129,6 +145,7 @@ bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lo
   }
   if (m_pins[source.value] != 0) lost.set(source.value);
   m_pins[source.value] = pin;
+  forgetTurns(Turn::By::Pin, pin, source);
   noteTurn({time, pin, source, Turn::By::Pin});
   return true;
 }
@@ -136,7 +153,8 @@ bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lo
 bool AddressBook::claimed(Address source, const Frame& frame, Instant time, Lost& lost) {
   const Name name = Name::of(frame);
   if (source == kGlobalAddress || name.isNull()) return false;
-  const bool hasGivenUp = giveUpContests(name, source);
+  const bool hasForgotten = forgetTurns(Turn::By::Name, name.value, source);
+  const bool hasGivenUp = giveUpContests(name, source) || hasForgotten;
   if (source == kNullAddress) return cannotClaim(name, lost) || hasGivenUp;
   if (!isHeld(source)) {
     take(source, name, time, lost);

@@ -14,7 +14,7 @@
 //   4. A NAME that takes an address takes it clean: what was known there is dropped. Kept are the PIN whose
 //      NAME it is, and what was known before any NAME was heard, if the NAME is Akron's.
 //   5. A drive stays where the person said until a NAME other than the one before takes the address.
-//   6. An announcement tells the PIN at its source. A PIN is at one address only: its last.
+//   6. An announcement to all tells the PIN at its source. A PIN is at one address only: its last.
 //   7. Claims from the global address or with NAME 0 mean nothing.
 #pragma once
 
@@ -72,10 +72,11 @@ class AddressBook {
   bool wasLeft(Address a) const { return has(a, kLeft); }
   // Nothing may be sent to it: who will have it is not decided.
   bool isContested(Address a) const { return has(a, kContested); }
-  // Two devices say that it is theirs, and neither gives way: two NAMEs have taken it, or two PINs were announced
-  // there, in turn, each twice, at most 10 s apart, and the last time not more than a minute ago. On a lawful bus
-  // whoever loses an address claims another one.
-  bool isShared(Address a, Instant now) const;
+  // Since when two devices have said that it is theirs, neither giving way; kNotYet: they do not. Two NAMEs have
+  // taken it, or two PINs were announced there, in turn: the first one again a second or more after its first time,
+  // at most 10 s from turn to turn, and the last not more than a minute ago. On a lawful bus whoever loses an address
+  // claims another one, says that it cannot, or is gone; its turns are forgotten then.
+  Instant sharedSince(Address a, Instant now) const;
   // `now` is the log time that is looked at, not before the last frame.
   ClaimState claim(Address a, Instant now) const;
   // Contests that a holder kept the address in, and lost it in, to a lower NAME or for want of an answer.
@@ -157,7 +158,9 @@ class AddressBook {
   Contest& contestAt(Address a);
   bool decide(Instant time, Lost& lost);
   void noteTurn(const Turn& turn);
-  // The latest turns of an address by NAME or PIN, the last first; as many as there are.
+  // It is elsewhere now, or nowhere: it shares no address but `except`.
+  bool forgetTurns(Turn::By by, std::uint64_t who, Address except);
+  // The latest turns of an address by NAME or PIN, the last first; null where there were fewer.
   std::array<const Turn*, 4> turnsOf(Address a, Turn::By by) const;
 
   std::array<std::uint8_t, 256> m_flags{};

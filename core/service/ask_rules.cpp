@@ -3,16 +3,17 @@
 
 #include <algorithm>
 
+#include "protocol/device_types.h"
+
 namespace deckpipe {
 
 AskSet asksTakenBy(const Live& live, const Device& device) {
-  AskSet set;
-  if (device.kind == Device::Kind::Node || live.bus().book.isDrive(device.address)) return set;
-  for (const Ask ask : kAllOf<Ask>) {
-    const auto& types = kAskFacts[ask].takenBy;
-    if (types[0] == 0 || (!device.pin.isNull() && std::ranges::count(types, device.pin.deviceType()) > 0))
-      set.add(ask);
-  }
+  const AddressBook& book = live.bus().book;
+  if (device.kind == Device::Kind::Node || book.isDrive(device.address) || book.isForeign(device.address))
+    return {};
+  AskSet set = kTakenByAll;
+  const auto* type = device.pin.isNull() ? nullptr : deviceTypeOf(device.pin.deviceType());
+  if (type != nullptr) set |= type->takes;
   return set;
 }
 

@@ -34,7 +34,7 @@ constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == 
 constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[ask]; }
 
 // What may be asked of a device by its type; of one without a PIN only what all take is known. Nothing of one
-// that the person said is a Copley drive, whose messages look the same.
+// that the person said is a Copley drive, nor of another maker's: their messages look the same.
 AskSet asksTakenBy(const Live& live, const Device& device);
 // Everyone on this channel that takes something, in order of first appearance.
 std::vector<DeviceKey> askableDevices(const Live& live);

@@ -17,7 +17,9 @@ class BusBudget {
   // Above this load only kLeast is left to polls.
   static constexpr double kFull = 0.85;
 
-  explicit BusBudget(int bitRate) : m_bitRate(bitRate > 0 ? bitRate : 250'000) {}
+  explicit BusBudget(int bitRate) { setBitRate(bitRate); }
+  // J1939's own where it is not known (0).
+  void setBitRate(int bitRate) { m_bitRate = bitRate > 0 ? bitRate : 250'000; }
 
   void heard(Instant now, const Frame& frame) {
     turn(now);
@@ -54,7 +56,7 @@ class BusBudget {
     }
   }
 
-  double m_bitRate;
+  double m_bitRate = 0;
   std::array<double, kSlots> m_bits{};  // each of kSlot
   std::size_t m_slot = 0;
   Instant m_begin = kNotYet;  // of the present slot

@@ -10,6 +10,16 @@ namespace {
 
 constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
 
+// SAE J1939-21, Acknowledgement: says to all that we do not have what `to` asked us for.
+Frame negativeAcknowledgement(Address from, Address to, std::uint32_t wanted) {
+  Frame frame;
+  frame.id = J1939Id{6, pgn::kAcknowledgement, from, kGlobalAddress}.frameId();
+  frame.length = 8;
+  frame.data = {1, 0xFF, 0xFF, 0xFF, to.value};
+  writeBits(frame.data, little(6, 24), wanted);
+  return frame;
+}
+
 Encoded encodedName(Name name) { return {std::bit_cast<Payload>(name.value), 8}; }
 
 }  // namespace
@@ -46,6 +56,7 @@ void ClaimService::start(Instant now, const Live& live, Outgoing& out) {
   m_status.progress = Progress::Asking;
   m_lost.reset();
   m_conflict = kNotYet;
+  m_hasSpoken = false;
   m_deadline = now + kListen;
   askNames(live, out);
 }
@@ -54,6 +65,7 @@ void ClaimService::stop(const Live& live, How why, Outgoing& out) {
   if (address() != kNullAddress) noteAddress(live, kNullAddress, why, out);
   m_status.progress = Progress::Off;
   m_status.address = kNullAddress;
+  m_status.isDisputed = false;
   m_deadline = kNever;
 }
 
@@ -89,7 +101,8 @@ bool ClaimService::isFree(const Live& live, Address address) const {
   if (book.isHeld(address) && book.holder(address).value != m_status.name) return false;
   if (!book.isHeard(address)) return true;
   // Rule 8: others may have sent from a monitor's address that was ours, while we did not listen.
-  return m_ours[address.value] && !isDynamicAddress(address);
+  const bool wasOurs = m_ours[address.value] || book.holder(address).value == m_status.name;
+  return wasOurs && !isDynamicAddress(address);
 }
 
 void ClaimService::claimNext(Instant now, const Live& live, Outgoing& out) {
@@ -122,6 +135,8 @@ void ClaimService::cannotClaim(Instant now, const Live& live, Outgoing& out) {
 }
 
 void ClaimService::writeEnded(Instant now, const Live&, FrameTag tag, WriteOutcome outcome, Outgoing&) {
+  m_hasSpoken = m_hasSpoken || outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell ||
+                outcome == WriteOutcome::EchoLost;
   if (m_status.progress != Progress::Claiming || tag != m_claim) return;
   m_status.isOnBus = outcome == WriteOutcome::OnBus || outcome == WriteOutcome::CannotTell;
   if (m_status.isOnBus) {
@@ -142,8 +157,8 @@ void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
       noteAddress(live, m_status.address, How::Claimed, out);
       return;
     case Progress::CannotClaim: sendName(live, kNullAddress, out); return;
+    case Progress::Claimed: m_status.isDisputed = false; return;
     case Progress::Off:
-    case Progress::Claimed:
     case Progress::SameName: return;
   }
 }
@@ -160,10 +175,21 @@ void ClaimService::received(Instant now, const Live& live, const Frame& frame, O
   const bool hasAddress = m_status.address != kNullAddress;
   if (m_echoes && hasAddress && id.source == m_status.address && id.pgn != pgn::kAddressClaimed)
     return strangerHeard(now, live, out);
-  if (id.pgn != pgn::kRequest || frame.length < j1939::kRequestLength ||
-      readBits(frame.data, kRequested) != pgn::kAddressClaimed)
+  if (id.pgn == pgn::kRequest && frame.length >= j1939::kRequestLength)
+    requestHeard(now, live, id, frame, out);
+}
+
+void ClaimService::requestHeard(Instant now, const Live& live, const J1939Id& id, const Frame& frame,
+                                Outgoing& out) {
+  const bool hasAddress = m_status.address != kNullAddress;
+  const bool isToUs = hasAddress && id.destination == m_status.address;
+  if (!isToUs && id.destination != kGlobalAddress) return;
+  const auto wanted = static_cast<std::uint32_t>(readBits(frame.data, kRequested));
+  if (wanted != pgn::kAddressClaimed) {
+    if (isToUs && address() != kNullAddress)
+      out.send(live, negativeAcknowledgement(address(), id.source, wanted));
     return;
-  if (id.destination != kGlobalAddress && (!hasAddress || id.destination != m_status.address)) return;
+  }
   if (hasAddress) sendName(live, m_status.address, out);
   if (m_status.progress == Progress::CannotClaim) cannotClaim(now, live, out);
 }
@@ -171,6 +197,7 @@ void ClaimService::received(Instant now, const Live& live, const Frame& frame, O
 void ClaimService::claimHeard(Instant now, const Live& live, Address source, Name name, Outgoing& out) {
   if (source == kGlobalAddress || name.value == 0) return;
   if (name.value == m_status.name) {
+    if (!m_hasSpoken) return;
     m_status.progress = Progress::SameName;
     out.left.push_back(std::exchange(m_status.address, kNullAddress));
     m_deadline = kNever;
@@ -192,15 +219,22 @@ void ClaimService::leave(Instant now, const Live& live, How why, Outgoing& out) 
   m_lost.set(m_status.address.value);
   out.left.push_back(m_status.address);
   m_conflict = kNotYet;
+  m_status.isDisputed = false;
   noteAddress(live, kNullAddress, why, out);
   claimNext(now, live, out);
 }
 
 // It may not have heard our claim; then our NAME tells it.
 void ClaimService::strangerHeard(Instant now, const Live& live, Outgoing& out) {
+  if (!m_hasSpoken) return;
   if (m_conflict == kNotYet || now - m_conflict > kConflictOver) {
     m_conflict = now;
     ++m_status.conflicts;
+    if (m_status.progress == Progress::Claimed) {
+      m_status.isDisputed = true;
+      m_deadline = now + kConflictOver;
+      noteAddress(live, m_status.address, How::Disputed, out);
+    }
     sendName(live, m_status.address, out);
   } else if (now - m_conflict >= kClaimTime) {
     leave(now, live, How::InUse, out);

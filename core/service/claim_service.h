@@ -8,10 +8,13 @@
 //    it too. Where the adapter has no echo the time counts from when it took the claim.
 // 3. The loser claims the next address that nobody is known to use, F9 and FA first; where there is none it
 //    says 'cannot claim' from the null address, 0-153 ms later, and whenever it is asked.
-// 4. Every request for the NAME, to all or to our address, is answered.
-// 5. A frame from our address that we did not send is a conflict: we claim again, and move when it goes on.
+// 4. Every request for the NAME, to all or to our address, is answered. A request for anything else to our address
+//    is answered too: we have it not (J1939-21, negative acknowledgement). Those to all are not.
+// 5. A frame from our address that we did not send is a conflict: we claim again, and move when it goes on. What
+//    comes before anything of ours may be our own of an earlier run, which the adapter kept.
 //    Without echoes our own frames cannot be told from another's, and this is not watched.
-// 6. Another node with our very NAME cannot be contested: it is reported, and nothing more is sent.
+// 6. Another node with our very NAME cannot be contested: it is reported, and nothing more is sent. Our own claim
+//    of an earlier run, which the adapter kept, is none: it comes before anything of ours.
 // 7. The console never prefers a joystick's or a monitor's address, whatever the settings say. F9 replaces it.
 // 8. A monitor's address (80..F7 hex) is claimed only where F9 and FA are taken, from the top, and only if no
 //    frame was ever heard from it. It is given up at once when anybody else claims it or sends from it.
@@ -19,6 +22,7 @@
 
 #include <bitset>
 
+#include "bus/j1939.h"
 #include "control/status.h"
 #include "protocol/address_use.h"
 #include "service/service.h"
@@ -88,6 +92,7 @@ class ClaimService : public Service {
   FrameTag sendName(const Live& live, Address from, Outgoing& out) const;
   void leave(Instant now, const Live& live, How why, Outgoing& out);
   void strangerHeard(Instant now, const Live& live, Outgoing& out);
+  void requestHeard(Instant now, const Live& live, const J1939Id& id, const Frame& frame, Outgoing& out);
   void claimHeard(Instant now, const Live& live, Address source, Name name, Outgoing& out);
   bool isFree(const Live& live, Address address) const;
 
@@ -98,6 +103,7 @@ class ClaimService : public Service {
   Instant m_deadline = kNever;
   FrameTag m_claim;              // the NAME that claims the present address
   Instant m_conflict = kNotYet;  // we claimed again because another sends from our address
+  bool m_hasSpoken = false;      // something of ours was on the bus since it began
   bool m_echoes;
   std::uint32_t m_spread;  // of the delays of 'cannot claim'
 };

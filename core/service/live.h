@@ -53,7 +53,10 @@ struct Outgoing {
   // is told by Service::writeEnded() with this tag.
   FrameTag send(const Live& live, Address from, MessageId id, Address to, const Encoded& data,
                 bool triesAgain = false) {
-    Frame frame = j1939Frame(messageOf(id), data, from, to);
+    return send(live, j1939Frame(messageOf(id), data, from, to), triesAgain);
+  }
+  // A frame that is no message of the catalogue.
+  FrameTag send(const Live& live, Frame frame, bool triesAgain = false) {
     frame.channel = live.channel.value;
     const FrameTag tag{owner, ++lastNumber};
     frames.push_back({frame, tag, triesAgain});

@@ -175,6 +175,18 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   const AskRule& rule = ruleOf(ask);
   RequestStatus& status = at.status(ask);
   Timing& timing = at.timing(ask);
+  // What may be asked of it can change after the wish: a drive is said to be one.
+  if (!asksTakenBy(live, *live.find(at.device)).has(ask)) {
+    status.period = 0ns;
+    return end(now, live, at, ask, RequestEnd::Cancelled, out);
+  }
+  // A command was refused before; a poll waits until it is decided whose the address is.
+  if (live.bus().book.isContested(*to)) {
+    status.progress = Progress::Queued;
+    timing.due = now + kClaimTime;
+    timing.deadline = kNever;
+    return;
+  }
   status.progress = Progress::Waiting;
   ++status.tries;
   status.sent = now;

@@ -38,6 +38,8 @@ class Services {
   // … and whether it loops frames back itself: where the kernel does it when a frame is queued, an echo says
   // nothing about the bus. Taken for true until said otherwise.
   void setEchoProves(bool proves) { m_status.echoes = m_settings.echoes && proves; }
+  // … and at which bit rate the bus runs, 0 if it does not say.
+  void setBitRate(int bitRate) { m_budget.setBitRate(bitRate > 0 ? bitRate : m_settings.bitRate); }
   // Ends everything, because the link is about to be closed; complete when isLocked(). For good.
   void close(Instant now, const State& live);
   bool isLocked() const { return m_status.locked; }

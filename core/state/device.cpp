@@ -62,8 +62,9 @@ void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
   const bool leaps = id == MessageId::PositionLimitStatus &&
                      isLeap(PositionLimitStatus::of(before), PositionLimitStatus::of(frame));
   Pace& pace = m_paces[paceOf(id)];
-  if (pace.isDoubled(time - report(id).at, messageOf(id).period, before.data != frame.data, leaps))
-    doubled = time;
+  if (!pace.isDoubled(time - report(id).at, messageOf(id).period, before.data != frame.data, leaps)) return;
+  if (doubled == kNotYet || time - doubled > kDoubledFor) doubledSince = time;
+  doubled = time;
 }
 
 void Device::take(const Frame& frame, MessageId id, Instant time) {

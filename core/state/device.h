@@ -19,6 +19,9 @@ namespace deckpipe {
 // Without a periodic message for so long a device is silent: three heartbeats, thirty of any other period.
 inline constexpr Duration kSilentAfter = 3s;
 
+// So long two devices at one address are believed after their statuses last showed it.
+inline constexpr Duration kDoubledFor = 10s;
+
 // An address that a device had, and until when.
 struct FormerAddress {
   Instant until = kNotYet;
@@ -46,7 +49,9 @@ struct Device {
   Instant lastStatus = kNotYet;  // when one of kOwnPeriodicReports came last
   Instant resumed = kNotYet;     // when they came again after a silence
   Instant restarted = kNotYet;   // when it announced itself unasked, or as a node booted
-  Instant doubled = kNotYet;     // when it was last certain that two devices send from its address (pace.h)
+  // When it was first and last certain that two devices send from its address (pace.h).
+  Instant doubledSince = kNotYet;
+  Instant doubled = kNotYet;
 
   Address permissiveFrom;  // the master controller that sent the permissive
 

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 
+#include "protocol/device_types.h"
 #include "protocol/gateway.h"
 
 namespace deckpipe {
 namespace {
 
-// So long two devices at one address are believed after their statuses last showed it.
-constexpr Duration kDoubledFor = 10s;
+// Whoever lost its address not longer than this before two were seen there may be one of the two.
+constexpr Duration kLostWithin = 10s;
 
 // What is judged: a device, or an address where there is none of Akron's.
 struct Subject {
@@ -33,26 +34,54 @@ struct Subject {
   }
 };
 
+// A device of Akron's, or one that speaks as they do; a node if it has shown that it is a monitor.
+bool canBeAsked(const Subject& s) {
+  if (s.device == nullptr) return false;
+  if (!s.isNode()) return true;
+  const Device& d = *s.device;
+  return d.partNumber.isKnown() || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
+}
+
+// What the device has to repeat, as far as its type says it, or without one what it sends.
+EnumSet<MessageId> repeats(const Subject& s) {
+  if (s.device == nullptr) return {};
+  const Device& d = *s.device;
+  EnumSet<MessageId> heard;
+  for (const MessageId id : kOwnPeriodicReports) {
+    if (messageOf(id).family == Family::Akron && d.report(id).isKnown()) heard.add(id);
+  }
+  const DeviceTypeFacts* type =
+      deviceTypeOf(s.isNode() ? deviceTypeOfPart(d.partNumber.value) : d.pin.deviceType());
+  EnumSet<MessageId> all;
+  if (type != nullptr) {
+    all = type->repeats;
+  } else if (!heard.isEmpty()) {
+    all = repeatedBySenderOf(heard);
+  }
+  // Of a node of another maker nobody knows whether it has a heartbeat.
+  if (s.isNode() && canBeAsked(s)) all.add(MessageId::Heartbeat);
+  return all;
+}
+
 // Whether something of it comes by itself. Controls have to send joystick messages, but from an address of 33 to
 // 38 hex that no message ties to their PIN.
 bool sendsByItself(const Subject& s) {
   if (s.joystick() != nullptr) return true;
   if (s.device == nullptr) return !s.channel.wereOwn[s.address.value] && s.channel.nodes[s.address].isSteady;
-  if (s.device->lastStatus != kNotYet) return true;
-  const unsigned type = s.device->kind == Device::Kind::Pin ? s.device->pin.deviceType() : 0;
-  return type == 1032 || type == 1033 || type == 1040 || type == 1042 || type == 1052;
+  return s.device->lastStatus != kNotYet || !repeats(s).isEmpty();
 }
 
-// When something came last that comes by itself; of what sent nothing of the kind, when it was heard.
+// When something came last that comes by itself.
 Instant lastBeat(const Subject& s) {
   const Joystick* stick = s.joystick();
   Instant last = stick != nullptr ? std::max(stick->basic.at, stick->extended.at) : kNotYet;
-  if (s.device != nullptr) last = std::max(last, s.device->lastStatus);
+  if (s.device != nullptr) return std::max(last, s.device->lastStatus);
   return last == kNotYet ? s.lastHeard() : last;
 }
 
 bool isSilent(const Subject& s) {
-  const Instant last = lastBeat(s);
+  // One that has sent nothing of the kind yet has as long for it.
+  const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
   return sendsByItself(s) && (last == kNotYet || s.now() - last >= kSilentAfter);
 }
 
@@ -64,35 +93,35 @@ AnswerAge ageOf(const Subject& s, Instant answered) {
   return isSilent(s) && s.now() - answered >= kSilentAfter ? AnswerAge::BeforeSilence : AnswerAge::Current;
 }
 
-// A device of Akron's, or one that speaks as they do; a node if it has shown that it is a monitor.
-bool canBeAsked(const Subject& s) {
-  if (s.device == nullptr) return false;
-  if (!s.isNode()) return true;
-  const Device& d = *s.device;
-  return d.partNumber.isKnown() || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
-}
-
-// Two devices send from one address if their PINs or NAMEs say so in turn (AddressBook::isShared), if their
-// statuses come twice a period and differ (pace.h), or if a PIN is announced, with no claim under way, under the
-// NAME of another device.
-bool isShared(const Subject& s, Address address) {
-  if (s.channel.book.isShared(address, s.now())) return true;
-  const auto devices = s.state.devices().all();
-  return std::ranges::any_of(devices, [&](const Device& d) {
-    if (d.kind != Device::Kind::Pin && d.kind != Device::Kind::Address) return false;
-    if (&s.state.channel(d.channel) != &s.channel || d.address != address) return false;
-    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor) return true;
+// Since when two devices send from one address; kNotYet: they do not. They do if their PINs or NAMEs say so in turn
+// (AddressBook::sharedSince), if their statuses come twice a period (pace.h), or if a PIN is announced, with no
+// claim under way, under the NAME of another device.
+Instant sharedSince(const Subject& s, Address address) {
+  Instant since = s.channel.book.sharedSince(address, s.now());
+  const auto found = [&](Instant at) { since = since == kNotYet ? at : std::min(since, at); };
+  for (const Device& d : s.state.devices().all()) {
+    if (d.kind != Device::Kind::Pin && d.kind != Device::Kind::Address) continue;
+    if (&s.state.channel(d.channel) != &s.channel || d.address != address) continue;
+    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor) found(d.doubledSince);
     const Name holder = s.channel.book.holder(address);
-    return d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
-           s.channel.book.claim(address, d.announced) == ClaimState::Claimed;
-  });
+    if (d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
+        s.channel.book.claim(address, d.announced) == ClaimState::Claimed)
+      found(d.announced);
+  }
+  return since;
 }
 
 // The address that it has, or lost last: whoever lost it to the other one may still send from there.
 Address sharedAddress(const Subject& s) {
   if (s.isNode()) return kNullAddress;
-  const Address address = s.hasAddress() || s.device == nullptr ? s.address : s.device->previousAddress();
-  return address != kNullAddress && isShared(s, address) ? address : kNullAddress;
+  const bool hasLost = !s.hasAddress() && s.device != nullptr;
+  const Address address = hasLost ? s.device->previousAddress() : s.address;
+  if (address == kNullAddress) return kNullAddress;
+  const Instant since = sharedSince(s, address);
+  if (since == kNotYet) return kNullAddress;
+  // It left before: the two are others.
+  if (hasLost && since - s.device->formerAddresses.front().until > kLostWithin) return kNullAddress;
+  return address;
 }
 
 bool isOld(const Health& h) { return h.answered != kNotYet && h.answer != AnswerAge::Current; }
@@ -130,6 +159,7 @@ Health factsOf(const Subject& s) {
   takeAnswers(s, h);
   for (const MessageId id : kOwnPeriodicReports) {
     if (d.isStale(id)) h.late.add(id);
+    if (repeats(s).has(id) && !d.report(id).isKnown()) h.neverHeard.add(id);
   }
   h.sensorError = axesThatAre(s, PositionState::SensorError);
   h.invalid = axesThatAre(s, PositionState::Invalid);
@@ -211,6 +241,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet &&
               !s.device->hasRefused(Ask::Fault);
      }},
+    {HealthCause::StatusNeverHeard, [](const Subject&, const Health& h) { return !h.neverHeard.isEmpty(); }},
     {HealthCause::NotAnnounced,
      [](const Subject& s, const Health&) {
        return s.device == nullptr && s.channel.book.isAkron(s.address);

@@ -3,8 +3,8 @@
 // a rule for each). A pure function of the state and so of the cursor, live or of a log. It says what was reported
 // and what stopped coming; what to do about it is for the findings to say.
 //
-// A device is fine only if it sends what it should, can act, and has answered since its last restart or silence
-// that it has no faults.
+// A device is fine only if it sends all that its type sends (protocol/device_types.h), can act, and has answered
+// since its last restart or silence that it has no faults.
 #pragma once
 
 #include "base/health_cause.h"
@@ -40,14 +40,16 @@ struct Axes {
 struct Health {
   EnumSet<HealthCause> causes;
   // What the causes speak of.
-  NamedFaults faults;          // FaultsNamed, OperationalError: of the answers that may still be believed
-  NamedFaults oldFaults;       // FaultsOld
-  EnumSet<MessageId> late;     // Late
-  Axes sensorError;            // SensorError
-  Axes invalid;                // PositionInvalid
-  Instant since = kNotYet;     // Silent, Idle: when it was heard last; not set otherwise
-  Instant asked = kNotYet;     // FaultsNotAnswered: the first try
-  Instant answered = kNotYet;  // FaultsOld: when the answer came
+  NamedFaults faults;             // FaultsNamed, OperationalError: of the answers that may still be believed
+  NamedFaults oldFaults;          // FaultsOld
+  EnumSet<MessageId> late;        // Late
+  EnumSet<MessageId> neverHeard;  // StatusNeverHeard
+  Axes sensorError;               // SensorError
+  Axes invalid;                   // PositionInvalid
+  // Silent: when a periodic message came last, kNotYet if none ever did. Idle: when it was heard last.
+  Instant since = kNotYet;
+  Instant asked = kNotYet;                // FaultsNotAnswered: the first try
+  Instant answered = kNotYet;             // FaultsOld: when the answer came
   AnswerAge answer = AnswerAge::Current;  // FaultsOld: why it is old
   Address sharedAddress;                  // TwoAtOneAddress: which; null otherwise
 

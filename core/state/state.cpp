@@ -24,12 +24,10 @@ constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
 // An announcement this long after a cause to say its NAME is none of its own accord.
 constexpr Duration kAskedWithin = 1s;
 
-constexpr std::uint32_t kAcknowledgement = 0xE800;  // SAE J1939-21
-
 // Sent to all, and neither a request nor what one may cause.
 bool isOfItsOwnAccord(const J1939Id& id) {
   return id.destination == kGlobalAddress && id.pgn != pgn::kRequest && id.pgn != pgn::kAddressClaimed &&
-         id.pgn != kAcknowledgement;
+         id.pgn != pgn::kAcknowledgement;
 }
 
 bool isNode(Address a) { return a != kNullAddress && a != kGlobalAddress; }
@@ -107,6 +105,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
         break;
       case MessageId::Name: nameHeard(channel, frame, time); break;
       case MessageId::AddressAnnouncement:
+        if (id.destination != kGlobalAddress) break;
         announced(channel, channelId, id.source, frame, time);
         sender = m_devices.findAddress(channelId, id.source);
         break;
@@ -116,7 +115,9 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
         break;
       default:
         if (message.family == Family::Akron && message.device == DeviceEnd::Sender && isNode(id.source)) {
-          if (sender == nullptr) sender = m_devices.atAddress(channelId, id.source);
+          // Whoever only sends to a device of Akron's is none: other makers use these types too.
+          const bool isDevice = what.family == Family::Presumed || channel.book.isAkron(id.source);
+          if (sender == nullptr && isDevice) sender = m_devices.atAddress(channelId, id.source);
           if (sender != nullptr) sender->take(frame, what.message, time);
         } else if (message.part == Part::Asks) {
           if (Device* device = m_devices.findAddress(channelId, id.destination))

@@ -20,6 +20,7 @@ BusRates ratesAt(const LogView& view) {
   const FrameStore& frames = view.document->frames;
   const std::uint64_t end = std::min(view.cursor.frames, frames.count());
   const Duration span = std::min(kSpan, view.cursor.time - view.begin);
+  rates.isKnown = end == 0 || span >= kLeastSpan;
   if (end == 0 || view.cursor.time < view.begin || span < kLeastSpan) return rates;
   const std::uint64_t earliest = end > kMostFrames ? end - kMostFrames : 0;
   std::uint64_t i = std::max(earliest, frames.firstAfter(view.cursor.time - span));

@@ -11,6 +11,7 @@
 namespace deckpipe {
 
 struct BusRates {
+  bool isKnown = false;  // not of a log without times, nor in its first moments
   double framesASecond = 0;
   std::array<double, kMaxChannels> bitsASecond{};
   // Among the frames of that second, error frames apart.

@@ -28,11 +28,9 @@ QString axesText(const Axes& which) {
   return axes.join(kComma);
 }
 
-QString lateText(const Health& health) {
+QString namesOf(const EnumSet<MessageId>& messages) {
   QStringList names;
-  for (const MessageId id : kOwnPeriodicReports) {
-    if (health.late.has(id)) names << messageName(id);
-  }
+  messages.forEach([&](MessageId id) { names << messageName(id); });
   return names.join(kComma);
 }
 
@@ -53,6 +51,9 @@ QString oldAnswerText(const Health& health, Instant now) {
 QString whatOf(HealthCause cause, const Health& health, Instant now) {
   switch (cause) {
     case HealthCause::Silent:
+      return health.since == kNotYet
+                 ? HealthWords::tr("None of its periodic messages has come")
+                 : HealthWords::tr("Its periodic messages stopped %1").arg(agoOf(health.since, now));
     case HealthCause::Idle: return agoOf(health.since, now);
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
     case HealthCause::TwoAtOneAddress: return addressText(health.sharedAddress);
@@ -62,7 +63,8 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
     case HealthCause::OperationalError:
       return hasCode(health) ? pcodeErrorText(health.faults.errorCode)
                              : HealthWords::tr("ask for its faults");
-    case HealthCause::Late: return lateText(health);
+    case HealthCause::Late: return namesOf(health.late);
+    case HealthCause::StatusNeverHeard: return namesOf(health.neverHeard);
     case HealthCause::FaultsOld: return oldAnswerText(health, now);
     default: return {};
   }
@@ -114,6 +116,23 @@ QString faultSummary(std::uint32_t faults, unsigned errorCode) {
   QStringList parts = faultLines(faults);
   if (errorCode != 0) parts << pcodeErrorText(errorCode);
   return parts.isEmpty() ? HealthWords::tr("no faults") : parts.join(kComma);
+}
+
+QString noAnswerText(const Device& device, std::optional<Ask> ask, Instant now) {
+  if (ask && isUnanswered(device, *ask, now))
+    return HealthWords::tr("no answer, asked %1").arg(agoText(now - device.askedInVain(*ask)));
+  if (ask && device.askedInVain(*ask) != kNotYet) return HealthWords::tr("asked just now");
+  if (ask && device.hasRefused(*ask)) return HealthWords::tr("refused, or answered in a wrong length");
+  return HealthWords::tr("never asked");
+}
+
+QString askedAgainText(const Device& device, Ask ask, Instant now) {
+  if (isUnanswered(device, ask, now))
+    return HealthWords::tr("asked again %1, no answer").arg(agoText(now - device.askedInVain(ask)));
+  const bool isOpen = device.askedInVain(ask) != kNotYet;
+  if (!isOpen && device.hasRefused(ask))
+    return HealthWords::tr("asked again: refused, or answered in a wrong length");
+  return {};
 }
 
 QString answerAgeText(AnswerAge age) {

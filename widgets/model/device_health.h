@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QStringList>
+#include <optional>
 
 #include "state/health.h"
 #include "text/health_text.h"
@@ -23,6 +24,11 @@ QStringList healthSentences(const Health& health, Instant now);
 
 // What a fault answer said: "no faults", "internal fuse, error 11".
 QString faultSummary(std::uint32_t faults, unsigned errorCode);
+// Why there is no answer of what was asked or not: "no answer, asked 2 s ago", "asked just now", "refused, or
+// answered in a wrong length", "never asked". `ask` is nothing where Deckpipe has no poll for it.
+QString noAnswerText(const Device& device, std::optional<Ask> ask, Instant now);
+// What came of the last asking where an earlier answer is shown; empty if that is the last one's, or is awaited.
+QString askedAgainText(const Device& device, Ask ask, Instant now);
 // "restarted since", "silent since"; empty for an answer that still holds.
 QString answerAgeText(AnswerAge age);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "protocol/device_types.h"
 #include "protocol/j1939.h"
 #include "text/device_text.h"
 #include "text/joystick_text.h"
@@ -21,8 +22,6 @@ struct Row {
 
 constexpr NodeId kGatewayNode{0x70};  // the gateway manual's default
 
-bool isMonitorType(unsigned type) { return type == 1032 || type == 1040 || type == 1042 || type == 1052; }
-bool isControlType(unsigned type) { return type == 1034 || type == 1035 || type == 1037 || type == 1041; }
 bool sendsMonitorStatus(const Device& d) {
   return d.position().isKnown() || d.outputs().isKnown() || d.rotationLimits().isKnown() ||
          d.elevationLimits().isKnown();
@@ -92,8 +91,8 @@ bool wasLeft(const State& state, Channel channel, Address address) {
 
 std::optional<unsigned> DeviceType::pinDigits() const {
   if (from == From::Pin) return number;
-  if (from == From::Part) return deviceTypeOfPart(number);
-  if (from == From::Messages84) return 1033;
+  if (const unsigned type = from == From::Part ? deviceTypeOfPart(number) : 0u; type != 0) return type;
+  if (from == From::Messages84) return soleSenderOf(MessageId::MiniDigitalOutputs);
   return {};
 }
 
@@ -141,10 +140,10 @@ DeviceType typeOf(const State& state, Channel channel, Address address) {
 }
 
 bool isMonitor(const Device& d) {
-  return sendsMonitorStatus(d) || isMonitorType(typeOf(d).pinDigits().value_or(0));
+  return sendsMonitorStatus(d) || isOfUse(typeOf(d).pinDigits().value_or(0), DeviceUse::Monitor);
 }
 
-bool isControl(const DeviceRow& row) { return isControlType(row.type.pinDigits().value_or(0)); }
+bool isControl(const DeviceRow& row) { return isOfUse(row.type.pinDigits().value_or(0), DeviceUse::Control); }
 
 std::vector<DeviceRow> deviceRows(const State& state) {
   std::vector<DeviceRow> rows;
@@ -201,7 +200,7 @@ QString typeText(const DeviceRow& row) {
     case From::Pin: return deviceTypeText(row.type.number);
     case From::Part: return partText(row.type.number);
     case From::Messages83: return Row::tr("Monitor, type not known");
-    case From::Messages84: return deviceTypeText(1033);
+    case From::Messages84: return deviceTypeText(soleSenderOf(MessageId::MiniDigitalOutputs));
     case From::Messages85: return Row::tr("6039 CAN I/O module");
     case From::AkronMessages: return Row::tr("Akron device, type not known");
     case From::AkronName: return Row::tr("Akron device, not announced");

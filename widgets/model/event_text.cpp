@@ -80,6 +80,9 @@ QString ownAddressText(const note::OwnAddress& n) {
     case How::CannotClaim: return EventText::tr("The console cannot claim any address");
     case How::SameName: return EventText::tr("Another node has the console's NAME");
     case How::InUse: return EventText::tr("The console left its address: another node sends from it");
+    case How::Disputed:
+      return EventText::tr("Another node sends from address %1, which the console holds and claims again")
+          .arg(hexText(n.address.value));
     case How::Locked:
     case How::LinkLost: return EventText::tr("The console gave up its address");
   }
@@ -94,6 +97,7 @@ EventWeight weightOf(How how) {
     case How::CannotClaim:
     case How::SameName:
     case How::InUse:
+    case How::Disputed:
     case How::LinkLost: return EventWeight::Attend;
   }
   return EventWeight::Attend;

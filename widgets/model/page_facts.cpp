@@ -41,30 +41,24 @@ class Answers {
   // `answer` is a Timed or a Reported of the device. `ask`: the poll for it; nothing where Deckpipe has none.
   PageFact fact(const QString& label, const auto& answer, std::optional<Ask> ask, const QString& value,
                 FactTone tone = FactTone::Plain) const {
-    const bool isMissing = ask && isUnanswered(m_device, *ask, m_now);
-    if (!answer.isKnown()) return {label, missing(ask, isMissing), missingTone(isMissing), {}};
+    const QString again = ask ? askedAgainText(m_device, *ask, m_now) : QString();
+    if (!answer.isKnown())
+      return {label,
+              noAnswerText(m_device, ask, m_now),
+              again.isEmpty() ? FactTone::Stale : FactTone::Attend,
+              {}};
     const AnswerAge age = ageOfAnswer(m_state, m_device, answer.at);
     if (age != AnswerAge::Current) {
       const QString old = Facts::tr("%1\nasked %2, %3", "an old answer, its age, why it is old")
                               .arg(value, agoText(m_now - answer.at), answerAgeText(age));
-      return {label, withMissing(old, ask, isMissing), FactTone::Stale, {}};
+      return {label, withLine(old, again), FactTone::Stale, {}};
     }
-    return {label, withMissing(value, ask, isMissing), isMissing ? FactTone::Attend : tone,
-            m_now - answer.at};
+    return {label, withLine(value, again), again.isEmpty() ? tone : FactTone::Attend, m_now - answer.at};
   }
 
  private:
-  static FactTone missingTone(bool isMissing) { return isMissing ? FactTone::Attend : FactTone::Stale; }
-  QString askedAgo(Ask ask) const { return agoText(m_now - m_device.askedInVain(ask)); }
-  QString missing(std::optional<Ask> ask, bool isMissing) const {
-    if (isMissing) return Facts::tr("no answer, asked %1").arg(askedAgo(*ask));
-    if (ask && m_device.askedInVain(*ask) != kNotYet) return Facts::tr("asked just now");
-    if (ask && m_device.hasRefused(*ask)) return Facts::tr("refused, or answered in a wrong length");
-    return Facts::tr("never asked");
-  }
-  QString withMissing(const QString& value, std::optional<Ask> ask, bool isMissing) const {
-    if (!isMissing) return value;
-    return Facts::tr("%1\nasked again %2, no answer").arg(value, askedAgo(*ask));
+  static QString withLine(const QString& value, const QString& line) {
+    return line.isEmpty() ? value : value + QLatin1Char('\n') + line;
   }
 
   const State& m_state;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/page_sources.h"
+#include "protocol/device_types.h"
 #include "text/axis_text.h"
 #include "text/device_text.h"
 #include "text/joystick_text.h"
@@ -91,7 +92,8 @@ std::optional<PageLampGroup> outputsOf(const Device& d, Instant now) {
 }
 
 std::optional<PageLampGroup> riserOf(const Device& d, Instant now) {
-  if (!d.miniOutputs().isKnown() && typeOf(d).pinDigits() != 1033u) return {};
+  const bool sendsThem = typeOf(d).pinDigits() == soleSenderOf(MessageId::MiniDigitalOutputs);
+  if (!d.miniOutputs().isKnown() && !sendsThem) return {};
   const MiniOutputs o = d.miniOutputs().value();
   return FlagGroup(PageGroup::Riser, Lamps::tr("Riser"), d, MessageId::MiniDigitalOutputs, now)
       .add(Lamps::tr("Riser extended"), o.riserExtended)

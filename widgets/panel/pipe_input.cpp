@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <algorithm>
+#include <limits>
 
 #include "panel/calm_combo.h"
 
@@ -17,6 +18,13 @@ namespace {
 bool isControlCharacter(const QKeyEvent& event) {
   return event.modifiers() == Qt::ControlModifier &&
          ((event.key() >= Qt::Key_A && event.key() <= Qt::Key_Z) || event.key() == Qt::Key_BracketLeft);
+}
+
+// Of what was typed or pasted: CR LF, CR and LF all end a line, and the last line needs no end.
+QStringList linesOf(QString text) {
+  text.replace(QLatin1String("\r\n"), QLatin1String("\n")).replace(QLatin1Char('\r'), QLatin1Char('\n'));
+  if (text.endsWith(QLatin1Char('\n'))) text.chop(1);
+  return text.split(QLatin1Char('\n'));
 }
 
 }  // namespace
@@ -35,6 +43,7 @@ PipeInput::PipeInput(QWidget* parent)
   m_input->setObjectName(QStringLiteral("pipeInput"));
   m_input->setAccessibleName(tr("Characters to send"));
   m_input->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  m_input->setMaxLength(std::numeric_limits<int>::max());  // what is too much is refused whole, with words
   m_input->installEventFilter(this);
   m_lineEnd->setObjectName(QStringLiteral("pipeLineEnd"));
   m_lineEnd->setAccessibleName(tr("Line end"));
@@ -51,6 +60,7 @@ PipeInput::PipeInput(QWidget* parent)
   row->addWidget(m_send);
   connect(m_input, &QLineEdit::returnPressed, this, &PipeInput::sendLine);
   connect(m_input, &QLineEdit::textEdited, this, &PipeInput::sendRest);
+  connect(m_input, &QLineEdit::textChanged, this, &PipeInput::showCount);
   connect(m_send, &QPushButton::clicked, this, &PipeInput::sendLine);
   connect(m_mode, &QComboBox::activated, this, [this] {
     clear();
@@ -88,12 +98,19 @@ bool PipeInput::take(const QString& text, std::string& bytes) {
   return true;
 }
 
+void PipeInput::showCount() {
+  const int lines = static_cast<int>(linesOf(m_input->text()).size());
+  m_send->setText(lines > 1 ? tr("Send %Ln lines", nullptr, lines) : tr("Send"));
+  m_send->setAccessibleName(m_send->text());
+}
+
 void PipeInput::sendLine() {
   if (isRaw() || !m_send->isEnabled()) return;
   const QString line = m_input->text();
+  const QString end = QString::fromLatin1(lineEnd().c_str());
   std::string bytes;
-  if (!take(line, bytes)) return;
-  bytes += lineEnd();
+  if (!take(line, bytes)) return;  // said of what was typed, without its end
+  take(linesOf(line).join(end) + end, bytes);
   if (bytes.empty()) return;
   if (!line.isEmpty() && (m_history.isEmpty() || m_history.last() != line)) m_history.append(line);
   m_recalled = m_history.size();
@@ -103,8 +120,11 @@ void PipeInput::sendLine() {
 
 void PipeInput::sendRest() {
   if (!isRaw()) return;
-  const QString text = m_input->text();
+  QString text = m_input->text();
   clear();
+  const QString end = QString::fromLatin1(lineEnd().c_str());
+  text.replace(QLatin1String("\r\n"), QLatin1String("\n")).replace(QLatin1Char('\r'), QLatin1Char('\n'));
+  text.replace(QLatin1Char('\n'), end);
   std::string bytes;
   if (take(text, bytes) && !bytes.empty()) Q_EMIT typed(bytes);
 }

@@ -3,7 +3,8 @@
 // it hands over the bytes.
 //
 //   1. The pipe takes characters of one byte. Others are refused with words, whole: nothing of them is sent.
-//   2. In raw mode every key is sent but Esc, which is not a terminal's here: Ctrl+[ sends ESC. What comes
+//   2. Lines that are pasted stay lines, each with the chosen end, whatever ended it before; the button counts them.
+//   3. In raw mode every key is sent but Esc, which is not a terminal's here: Ctrl+[ sends ESC. What comes
 //      without keys, from an input method or pasted, is sent at once too.
 #pragma once
 
@@ -42,6 +43,7 @@ class PipeInput : public QWidget {
   std::string lineEnd() const;
   // Nothing, said why, where a character does not fit into a byte.
   bool take(const QString& text, std::string& bytes);
+  void showCount();
   void sendLine();
   void sendRest();
   bool sendKey(const QKeyEvent& event);

@@ -303,13 +303,16 @@ AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
   const Instant now = m_view.cursor.time;
   const Device* known = m_view.state != nullptr ? findDevice(*m_view.state, m_device) : nullptr;
   const AnswerHistory::Row* last = m_history->latest(ask);
-  const bool isMissing = withMissing && known != nullptr && isUnanswered(*known, ask, now);
   QStringList parts;
-  if (isMissing) {
-    values.tone = AskCardTone::Attend;
-    parts << tr("no answer, asked %1").arg(agoText(now - known->askedInVain(ask)));
-  }
-  if (last != nullptr) {
+  if (last == nullptr) {
+    parts << (known != nullptr ? noAnswerText(*known, ask, now) : tr("never asked"));
+    if (known != nullptr && !askedAgainText(*known, ask, now).isEmpty()) values.tone = AskCardTone::Attend;
+  } else {
+    const QString again = withMissing && known != nullptr ? askedAgainText(*known, ask, now) : QString();
+    if (!again.isEmpty()) {
+      values.tone = AskCardTone::Attend;
+      parts << again;
+    }
     values.answer = m_history->latestText(ask);
     const AnswerAge age =
         known != nullptr ? ageOfAnswer(*m_view.state, *known, last->time) : AnswerAge::Current;
@@ -318,9 +321,6 @@ AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
     const QString heard = tr("heard %1").arg(agoText(now - last->time));
     parts << (values.isOld ? tr("%1, %2", "age of an answer, why it is old").arg(heard, answerAgeText(age))
                            : heard);
-  } else if (!isMissing) {
-    parts << (known != nullptr && known->askedInVain(ask) != kNotYet ? tr("asked just now")
-                                                                     : tr("never asked"));
   }
   values.state = parts.join(QStringLiteral(" · "));
   return values;

@@ -35,15 +35,19 @@ constexpr NumberName kTypes[] = {
     {1052, QT_TRANSLATE_NOOP("DeviceType", "6052 StreamMaster II")},
 };
 
-static_assert(std::ranges::equal(kTypes, kDeviceTypes, [](const NumberName& ours, const ValueName& theirs) {
-  return ours.number == theirs.value && ours.name == theirs.word;
+static_assert(std::ranges::equal(kTypes, kDeviceTypes, [](const NumberName& ours, const auto& theirs) {
+  return ours.number == theirs.number && ours.name == theirs.name;
 }));
 
-// The numbers that the manuals name by example; there are many more that they do not.
+// kNamedParts once more, for lupdate.
 constexpr NumberName kParts[] = {
     {60320014, QT_TRANSLATE_NOOP("Part", "Trident with Novotechnik sensors")},
     {60320022, QT_TRANSLATE_NOOP("Part", "Firefox, style 3463, with Novotechnik sensors")},
 };
+static_assert(std::ranges::equal(kParts, kNamedParts, [](const NumberName& ours, const ValueName& theirs) {
+  return ours.number == theirs.value && ours.name == theirs.word;
+}));
+// The numbers that the manuals name by example; there are many more that they do not.
 constexpr NumberName kStyles[] = {{3356, QT_TRANSLATE_NOOP("Style", "Trident")}};
 constexpr NumberName kSubtypes[] = {{14, QT_TRANSLATE_NOOP("Subtype", "analog sensors")}};
 
@@ -102,11 +106,6 @@ QString deviceTypeText(unsigned type) {
 }
 
 QString partText(std::uint32_t part) { return named("Part", kParts, part); }
-
-std::optional<unsigned> deviceTypeOfPart(std::uint32_t part) {
-  if (std::ranges::find(kParts, part, &NumberName::number) == std::end(kParts)) return {};
-  return 1032;  // both that are named are parts of the 6032
-}
 
 QString styleText(unsigned style) { return named("Style", kStyles, style); }
 QString subtypeText(unsigned subtype) { return named("Subtype", kSubtypes, subtype); }

@@ -5,7 +5,6 @@
 
 #include <QString>
 #include <QStringList>
-#include <optional>
 
 #include "base/ids.h"
 #include "protocol/typed.h"
@@ -24,9 +23,6 @@ QString pinText(const Pin& pin);
 QString deviceTypeText(unsigned type);
 // "60320014: Trident with Novotechnik sensors"; the number alone where it has no name.
 QString partText(std::uint32_t part);
-// The device type (PIN digits 1-4) that a part number stands for; nothing for one that the sources do not
-// name.
-std::optional<unsigned> deviceTypeOfPart(std::uint32_t part);
 QString styleText(unsigned style);      // "3356: Trident"
 QString subtypeText(unsigned subtype);  // "14: analog sensors"
 // "1.5" of major << 8 | minor.

@@ -12,9 +12,7 @@ struct Texts {
 };
 
 constexpr EnumTable<HealthCause, Texts> kTexts{{
-    {HealthCause::Silent,
-     {QT_TRANSLATE_NOOP("Health", "silent"),
-      QT_TRANSLATE_NOOP("Health", "Its periodic messages stopped %1.")}},
+    {HealthCause::Silent, {QT_TRANSLATE_NOOP("Health", "silent"), QT_TRANSLATE_NOOP("Health", "%1.")}},
     {HealthCause::TwoAtOneAddress,
      {QT_TRANSLATE_NOOP("Health", "two at one address"),
       QT_TRANSLATE_NOOP("Health", "Two devices at one address: both send from %1.")}},
@@ -70,6 +68,8 @@ constexpr EnumTable<HealthCause, Texts> kTexts{{
     {HealthCause::FaultsOld, {QT_TRANSLATE_NOOP("Health", "old answer"), QT_TRANSLATE_NOOP("Health", "%1.")}},
     {HealthCause::FaultsNeverAsked,
      {QT_TRANSLATE_NOOP("Health", "not asked"), QT_TRANSLATE_NOOP("Health", "Its faults were never asked.")}},
+    {HealthCause::StatusNeverHeard,
+     {QT_TRANSLATE_NOOP("Health", "not heard"), QT_TRANSLATE_NOOP("Health", "Not heard yet: %1.")}},
     {HealthCause::NotAnnounced,
      {QT_TRANSLATE_NOOP("Health", "no PIN"),
       QT_TRANSLATE_NOOP("Health", "It is Akron's by its NAME and has not said its PIN.")}},

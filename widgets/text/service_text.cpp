@@ -90,7 +90,9 @@ QString claimText(const ClaimStatus& claim) {
     case ClaimStatus::Progress::Claiming:
       return claim.isOnBus ? ServiceText::tr("claiming address %1").arg(address)
                            : ServiceText::tr("claim of address %1 not on the bus yet").arg(address);
-    case ClaimStatus::Progress::Claimed: return ServiceText::tr("address %1").arg(address);
+    case ClaimStatus::Progress::Claimed:
+      return claim.isDisputed ? ServiceText::tr("address %1, another node sends from it").arg(address)
+                              : ServiceText::tr("address %1").arg(address);
     case ClaimStatus::Progress::CannotClaim: return ServiceText::tr("no address free");
     case ClaimStatus::Progress::SameName: return ServiceText::tr("another node has our NAME");
   }

@@ -241,6 +241,26 @@ TEST(CompletenessFact, CountsWhatIsMissing) {
   EXPECT_EQ(completenessFact(lossy).tone, StatusTone::Attend);
 }
 
+TEST(CompletenessFact, IsSaidOnlyOfWhatWasReadToItsEnd) {
+  EXPECT_EQ(completenessFact(file(kTruck)).text.toStdString(), "Complete");
+  EXPECT_EQ(completenessFact(file(kTruck, Progress::Opening)).text.toStdString(), "Not complete yet");
+  EXPECT_EQ(completenessFact(file(kTruck, Progress::Failed)).text.toStdString(), "Not whole");
+  EXPECT_EQ(completenessFact(link(Progress::Lost)).text.toStdString(), "Link lost");
+}
+
+TEST(LoadFact, IsUnknownWithoutTimes) {
+  const Snapshot timeless = file("can0  18EFFF80   [8]  01 1D 94 03 71 00 00 41\n");
+  const BusRates rates = ratesAt(timeless.view);
+  EXPECT_EQ(loadFact(timeless, rates).text.toStdString(), "Load –");
+  EXPECT_EQ(rateFact(rates).text.toStdString(), "– frames/s");
+  EXPECT_TRUE(says(recordingFact(timeless).story.toStdString(), "without times"));
+}
+
+TEST(SourceError, NamesTheFormatThatAFileSeemsToBe) {
+  EXPECT_TRUE(says(sourceErrorText(ReadError{ReadError::Kind::UnknownFormat, {}, "PEAK TRC"}).toStdString(),
+                   "seems to be PEAK TRC"));
+}
+
 TEST(NoticeText, IsQuietWhileAllIsWell) {
   EXPECT_EQ(notice(link(Progress::Running)), "");
   EXPECT_EQ(notice(file(kTruck)), "");

@@ -24,7 +24,8 @@ QStringList healthOf(const QByteArray& log) {
 }
 
 const QByteArray kAnnounced = "(1700000000.0) can0 18EFFF80#FF83150206021A0B\n";
-const QByteArray kStatus = "(1700000000.1) can0 18EFFF80#011D940371000041\n";
+const QByteArray kPosition = "(1700000000.1) can0 18EFFF80#011D940371000041\n";
+const QByteArray kStatus = kPosition + "(1700000000.1) can0 18EFFF80#83C051\n";
 const QByteArray kAnswered = "(1700000000.2) can0 18EF80F9#02\n(1700000000.2) can0 18EFF980#02000000000000\n";
 
 struct LogCase {
@@ -41,8 +42,11 @@ INSTANTIATE_TEST_SUITE_P(
         LogCase{
             "NeverAsked", kAnnounced + kStatus, {QStringLiteral("1032AE100801035 can0 faults_never_asked")}},
         LogCase{"Fine", kAnnounced + kStatus + kAnswered, {QStringLiteral("1032AE100801035 can0 fine")}},
+        LogCase{"WhetherItIsEnabledWasNeverHeard",
+                kAnnounced + kPosition + kAnswered,
+                {QStringLiteral("1032AE100801035 can0 status_never_heard")}},
         LogCase{"Disabled",
-                kAnnounced + kStatus + "(1700000000.1) can0 18EFFF80#834000\n" + kAnswered,
+                kAnnounced + kPosition + "(1700000000.1) can0 18EFFF80#834000\n" + kAnswered,
                 {QStringLiteral("1032AE100801035 can0 disabled")}},
         LogCase{"Silent",
                 kAnnounced + kStatus + kAnswered + "(1700000040.0) can0 18FEF100#FFFFFFFFFFFFFFFF\n",
@@ -67,5 +71,16 @@ INSTANTIATE_TEST_SUITE_P(
                 {QStringLiteral("1032AE100801035 can0 two_at_one_address"),
                  QStringLiteral("1032AE100801036 can0 two_at_one_address")}}),
     [](const auto& row) { return std::string(row.param.name); });
+
+TEST(AnswerOfALog, IsSaidWithItsAgeAndWhyItIsOld) {
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), deckpipe::test::words("info --devices -"));
+  process.write(kAnnounced + kStatus + kAnswered + "(1700000093.2) can0 18FEF100#FFFFFFFFFFFFFFFF\n");
+  process.closeWriteChannel();
+  EXPECT_TRUE(process.waitForFinished(60'000));
+  const QString out = QString::fromUtf8(deckpipe::test::outcomeOf(process).out);
+  EXPECT_TRUE(out.contains(QStringLiteral("no faults, asked 93.0 s ago, silent since, silent\n")))
+      << out.toStdString();
+}
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
   EXPECT_EQ(test::allOf<Ask>().size(), std::size(asks));
   using How = note::OwnAddress::How;
   const How hows[] = {How::Claimed, How::Lost,     How::CannotClaim, How::SameName,
-                      How::Locked,  How::LinkLost, How::InUse};
+                      How::Locked,  How::LinkLost, How::InUse,       How::Disputed};
   for (std::uint8_t n = 0; n < std::size(hows); ++n)
     EXPECT_EQ(last(note::OwnAddress{{}, {}, hows[n]}), n + 1);
   EXPECT_EQ(test::allOf<How>().size(), std::size(hows));

@@ -174,10 +174,42 @@ TEST_F(Claim, RequestsForItsNameAreAnsweredToAllAndToItself) {
   }
   const Instant before = pair.now();
   pair.inject(requestNames(0x80, 0x42));
-  pair.inject(frame("18EAFF80", "00EF00"));  // another PGN
-  pair.inject(frame("18EAFF80", "00EE"));    // a byte short
+  pair.inject(frame("18EAFF80", "00EE"));  // a byte short
   pair.run(50ms);
   EXPECT_TRUE(names(before).empty());
+}
+
+TEST_F(Claim, ARequestToUsForAnythingElseIsSaidToBeForWhatWeHaveNot) {
+  const Frame wanted = frame("18EAF980", "DAFE00");
+  pair.inject(wanted);
+  pair.run(1s);
+  EXPECT_TRUE(pair.sentBy(&pair.console()).empty()) << "locked";
+  pair.unlock();
+  const Instant before = pair.now();
+  pair.inject(wanted);
+  pair.inject(frame("18EAFF80", "DAFE00"));  // to all
+  pair.inject(frame("18EA4280", "DAFE00"));  // to another
+  pair.inject(frame("18EAF980", "DAFE"));    // a byte short
+  pair.run(50ms);
+  const auto sent = pair.sentBy(&pair.console(), before);
+  ASSERT_EQ(sent.size(), 1u);
+  const Frame answer = frame("18E8FFF9", "01FFFFFF80DAFE00");
+  EXPECT_EQ(sent[0].frame.id, answer.id);
+  EXPECT_EQ(sent[0].frame.length, answer.length);
+  EXPECT_EQ(sent[0].frame.data, answer.data);
+}
+
+TEST_F(Claim, OurOwnFramesOfAnEarlierRunThatTheAdapterKeptAreNobodys) {
+  pair.console().leaves = [](const Frame&) { return Duration{400ms}; };
+  const std::uint64_t name = ours();
+  pair.want(wish::Unlock{});
+  pair.run(100ms);
+  pair.inject(claimFrame(name, 0xF9));
+  pair.inject(frame("18EF80F9", "02"));
+  pair.run(3s);
+  EXPECT_EQ(status().progress, Progress::Claimed);
+  EXPECT_EQ(status().address, Address{0xF9});
+  EXPECT_EQ(status().conflicts, 0u);
 }
 
 TEST_F(Claim, ClaimsThatAreNoneChangeNothing) {

@@ -118,6 +118,11 @@ TEST_F(OnBus, AFrameFromOurAddressThatWeDidNotSendIsAnsweredByOurClaimAndThenWeM
   EXPECT_TRUE(isClaim(pair.sentBy(&console(), before)[0].frame));
   EXPECT_EQ(pair.claim().progress, Claim::Claimed) << "kept while it is defended";
   EXPECT_EQ(pair.claim().conflicts, 1u);
+  EXPECT_TRUE(pair.claim().isDisputed);
+  EXPECT_TRUE(std::ranges::any_of(console().notes, [](const Note& note) {
+    const auto* own = std::get_if<note::OwnAddress>(&note.value);
+    return own != nullptr && own->how == note::OwnAddress::How::Disputed && own->address == Address{0xF9};
+  }));
   pair.inject(stranger);  // it may not have heard us yet
   pair.run(kClaimTime);
   EXPECT_EQ(pair.claim().address, Address{0xF9});
@@ -133,10 +138,18 @@ TEST_F(OnBus, AConflictLongAgoIsAnotherOne) {
   pair.unlock();
   pair.inject(frame("18EF80F9", "02"));
   pair.run(ClaimService::kConflictOver + 1s);
+  EXPECT_FALSE(pair.claim().isDisputed);
   pair.inject(frame("18EF80F9", "02"));
   pair.run(1s);
   EXPECT_EQ(pair.claim().address, Address{0xF9});
   EXPECT_EQ(pair.claim().conflicts, 2u);
+}
+
+TEST_F(OnBus, TheLoadIsOfTheRateThatTheDriverSays) {
+  const double before = all().busLoad;
+  ASSERT_GT(before, 0);
+  console().services.setBitRate(500'000);
+  EXPECT_DOUBLE_EQ(all().busLoad, before / 2);
 }
 
 TEST_F(OnBus, AClaimWhoseEchoIsLostIsMadeAgain) {

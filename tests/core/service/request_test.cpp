@@ -353,6 +353,38 @@ TEST_F(Request, ACopleyDriveIsNeverPolled) {
   EXPECT_EQ(ask(Ask::Fault), Refusal::NotTaken);
 }
 
+TEST_F(Request, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
+  pair.want(wish::Repeat{monitor, kPolls, 500ms});
+  pair.run(1s);
+  ASSERT_GT(sent(0x02), 0u);
+  pair.console().state.apply(
+      Note{.time = pair.now(), .value = note::DriveSaid{Channel{}, Address{monitorAddress()}}});
+  const std::size_t before = sent(0x02);
+  pair.run(3s);
+  EXPECT_EQ(sent(0x02), before);
+}
+
+TEST_F(Request, RepeatedPollsWaitWhileTheAddressIsContested) {
+  pair.want(wish::Repeat{monitor, kPolls, 500ms});
+  pair.run(1s);
+  pair.wire = [](const Frame& f) {  // the holder does not answer
+    return Pair::Fate{J1939Id::of(f.identifier()).pgn == pgn::kAddressClaimed && f.data[0] != 0xFF ? 0 : 1,
+                      0ns};
+  };
+  const std::uint8_t address = monitorAddress();
+  const auto contest = [&] {
+    Frame claim = frame("18EEFF00", "FFFFFFFFFFFFFFFF");
+    claim.id = J1939Id{6, pgn::kAddressClaimed, Address{address}, kGlobalAddress}.frameId();
+    pair.inject(claim);
+    pair.run(Pair::kFlight);
+  };
+  contest();
+  const std::size_t before = sent(0x02);
+  pair.run(kClaimTime - 2ms);
+  EXPECT_EQ(sent(0x02), before);
+  EXPECT_TRUE(pair.console().state.channel({}).book.isContested(Address{address}));
+}
+
 TEST_F(Request, LockUnlockPollsAndTheirEndsAreNotes) {
   ask(Ask::Fault);
   pair.run(1s);

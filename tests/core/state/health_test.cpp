@@ -55,6 +55,8 @@ class Bus {
   Bus& statuses(std::string_view position = kPosition, std::string_view outputs = kOutputs) {
     return hear("18EFFF80", position).hear("18EFFF80", outputs);
   }
+  // What the gateway sends for a monitor.
+  Bus& node() { return hear("724", "05").hear("1A4", kPosition).hear("2A4", kOutputs); }
   Bus& asked() { return hear("18EF80F9", "02"); }
   Bus& answered(std::string_view faults = kNoFaults) { return asked().hear("18EFF980", faults); }
   // Its statuses come on for so long.
@@ -170,6 +172,34 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ASilenceThatEnded", [](Bus& b) { b.monitor().answered("02002000000000").pass(5s).statuses(); },
              "faults_old"},
         Case{"AnAnswerDuringTheSilence", [](Bus& b) { b.monitor().pass(20s).answered().pass(1s); }, "silent"},
+        // Statuses that never came.
+        Case{"AMonitorThatNeverSaidWhetherItIsEnabled",
+             [](Bus& b) { b.hear("18EFFF80", kAnnouncesA).hear("18EFFF80", kPosition).answered(); },
+             "status_never_heard"},
+        Case{"AMonitorThatNeverSaidWhereItIs",
+             [](Bus& b) { b.hear("18EFFF80", kAnnouncesA).hear("18EFFF80", kOutputs).answered(); },
+             "status_never_heard"},
+        Case{"AMonitorOfNoKnownTypeThatNeverSaidWhetherItIsEnabled",
+             [](Bus& b) { b.hear("18EFFF80", kPosition).answered(); }, "status_never_heard"},
+        Case{"ASenderOfSoftLimitsThatNeverSaidWhereItIs",
+             [](Bus& b) { b.hear("18EFFF80", "81FED401C200").answered(); }, "status_never_heard"},
+        Case{"AMonitorOfNoKnownType", [](Bus& b) { b.statuses().answered(); }, "fine"},
+        Case{"ARiserThatNeverSaidHowItIs", [](Bus& b) { b.hear("18EFFF80", "FF831502450C0D59").answered(); },
+             "status_never_heard"},
+        Case{"AnInputModule",
+             [](Bus& b) { b.hear("18EFFFD0", "8500").hear("18EFD0F9", "02").hear("18EFF9D0", kNoFaults); },
+             "fine"},
+        Case{"ANodeWithoutHeartbeat",
+             [](Bus& b) { b.hear("1A4", kPosition).hear("2A4", kOutputs).hear("5A4", "4301500100000000"); },
+             "status_never_heard"},
+        Case{"ANodeThatNeverSaidWhetherItIsEnabled",
+             [](Bus& b) { b.hear("724", "05").hear("1A4", kPosition).hear("5A4", "4301500100000000"); },
+             "status_never_heard"},
+        Case{"ANodeWithThePartNumberOfAMonitor",
+             [](Bus& b) {
+               b.hear("724", "05").hear("5A4", "4300500116699803").hear("5A4", "4301500100000000");
+             },
+             "status_never_heard"},
         // Silence and lateness.
         Case{"SilenceBegins", [](Bus& b) { b.monitor().pass(3s - 1ns); }, "late faults_never_asked"},
         Case{"Silence", [](Bus& b) { b.monitor().pass(3s); }, "silent faults_never_asked"},
@@ -177,7 +207,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"AMonitorThatAnswersAndSendsNoStatus",
              [](Bus& b) { b.monitor().answered().pass(40s).answered(); }, "silent"},
         Case{"AMonitorThatSendsNoStatusAtAll",
-             [](Bus& b) { b.hear("18EFFF80", kAnnouncesA).answered().pass(3s); }, "silent faults_old"},
+             [](Bus& b) { b.hear("18EFFF80", kAnnouncesA).answered().pass(3s); },
+             "silent faults_old status_never_heard"},
         Case{"OneStatusLate", [](Bus& b) { b.monitor().answered().pass(300ms).hear("18EFFF80", kOutputs); },
              "late"},
         Case{"ARiserThatStopped", [](Bus& b) { b.hear("18EFFF91", "848000").pass(3s); },
@@ -187,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
                b.hear("18EEFF33", kNameOfA).hear("18EFFF33", kAnnouncesA);
                b.hear("0CFDD633", "0100010000000000").pass(200ms);
              },
-             "joystick_stopped faults_never_asked"},
+             "joystick_stopped faults_never_asked status_never_heard"},
         Case{"ANodeOfAnotherMakerThatStopped",
              [](Bus& b) {
                for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
@@ -259,52 +290,46 @@ INSTANTIATE_TEST_SUITE_P(
              "not_operational cannot_be_asked"},
         Case{"NodeWithAnErrorCode",
              [](Bus& b) { b.hear("724", "05").hear("5A4", "4300500116699803").hear("5A4", "4B0150020B00"); },
-             "faults faults_never_asked"},
-        Case{"NodeOfWhichOnlyTheErrorCodeWasRead",
-             [](Bus& b) { b.hear("1A4", kPosition).hear("5A4", "4B0150020000"); }, "faults_never_asked"},
+             "faults faults_never_asked status_never_heard"},
+        Case{"NodeOfWhichOnlyTheErrorCodeWasRead", [](Bus& b) { b.node().hear("5A4", "4B0150020000"); },
+             "faults_never_asked"},
         Case{"NodeWhoseErrorCodeWasReadAgainAfterItBooted",
              [](Bus& b) {
-               b.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+               b.node().hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
                b.hear("724", "05").hear("5A4", "4B0150020000");
              },
              "faults_old"},
         Case{"NodeWithANewErrorCodeAndOldFaults",
              [](Bus& b) {
-               b.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+               b.node().hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
                b.hear("724", "05").hear("5A4", "4B0150020B00");
              },
              "faults faults_old"},
         Case{"NodeWithAnErrorCodeOfBeforeItBooted",
              [](Bus& b) {
-               b.hear("1A4", kPosition).hear("5A4", "4B0150020B00").pass(1ms).hear("724", "00");
+               b.node().hear("5A4", "4B0150020B00").pass(1ms).hear("724", "00");
                b.hear("724", "05").hear("5A4", "4301500100000000");
              },
              "fine"},
         Case{"NodeThatWasAsked",
-             [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4301500100000000"); },
-             "fine"},
+             [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "4301500100000000"); }, "fine"},
         Case{"NodeThatAborts",
-             [](Bus& b) {
-               b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "8001500100000206").pass(2s);
-             },
+             [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "8001500100000206").pass(2s); },
              "late faults_refused"},
         Case{"NodeWhoseMasterAborts",
-             [](Bus& b) {
-               b.hear("1A4", kPosition).hear("624", "40015001").hear("624", "8001500100000405").pass(2s);
-             },
+             [](Bus& b) { b.node().hear("624", "40015001").hear("624", "8001500100000405").pass(2s); },
              "late faults_not_answered"},
         Case{"NodeThatAnswersInAnotherSize",
-             [](Bus& b) { b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "4B0150010000"); },
-             "faults_refused"},
+             [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "4B0150010000"); }, "faults_refused"},
         Case{"NodeThatAnswersAfterAnAbort",
              [](Bus& b) {
-               b.hear("1A4", kPosition).hear("624", "40015001").hear("5A4", "8001500100000206");
+               b.node().hear("624", "40015001").hear("5A4", "8001500100000206");
                b.hear("5A4", "4301500100000000");
              },
              "fine"},
         Case{"NodeThatBootedSince",
              [](Bus& b) {
-               b.hear("1A4", kPosition).hear("5A4", "4301500100000000").pass(1ms).hear("724", "00");
+               b.node().hear("5A4", "4301500100000000").pass(1ms).hear("724", "00");
                b.hear("724", "05");
              },
              "faults_old"}),
@@ -315,8 +340,8 @@ TEST(Health, SaysTwoAtOneAddressWhereTwoPositionsComeInTurn) {
   bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(500ms);
   bus.hear("18EEFF80", kNameOfB).hear("18EFFF80", kAnnouncesB).pass(100ms);
   for (int i = 0; i < 8; ++i) bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
-  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked");
-  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked");
+  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked status_never_heard");
+  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked status_never_heard");
   EXPECT_EQ(healthOf(bus.state(), *bus.device(kPinA)).sharedAddress, Address{0x80});
 }
 
@@ -335,6 +360,41 @@ TEST(Health, SaysTwoAtOneAddressWhereStatusesThatDifferComeTwiceAPeriodForTwoSec
   EXPECT_EQ(listed(bus), "faults_never_asked") << "the other one is gone";
 }
 
+// Both at rest say the same, byte for byte.
+TEST(Health, SaysTwoAtOneAddressWhereEqualStatusesComeTwiceAPeriodForTwoSeconds) {
+  Bus bus;
+  bus.monitor();
+  for (int i = 0; i < 21; ++i) bus.pass(40ms).statuses().pass(60ms).statuses();
+  EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
+}
+
+TEST(Health, SaysTwoAtOneAddressOfThreeAndFour) {
+  for (const Duration apart : {33ms, 25ms}) {
+    Bus bus;
+    bus.monitor();
+    for (Duration t = 0s; t < 2300ms; t += apart) bus.pass(apart).statuses();
+    EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
+  }
+}
+
+TEST(Health, SaysTwoAtOneAddressWhereTheFirstPinComesBackAndTheSecondDoesNotGo) {
+  Bus bus;
+  bus.monitor().pass(500ms).hear("18EFFF80", kAnnouncesB).pass(500ms).hear("18EFFF80", kAnnouncesA);
+  EXPECT_EQ(listed(bus), "late faults_never_asked") << "the second may give way yet";
+  bus.statuses().pass(250ms);
+  EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
+}
+
+TEST(Health, SaysTwoAtOneAddressOfNobodyWhoLeftItBefore) {
+  Bus bus;
+  bus.monitor().pass(1s).hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB);
+  EXPECT_TRUE(bus.device(kPinA)->address == kNullAddress);
+  bus.pass(60s);
+  for (int i = 0; i < 8; ++i) bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
+  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinB)).has(HealthCause::TwoAtOneAddress));
+  EXPECT_FALSE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
+}
+
 TEST(Health, SaysTwoAtOneAddressWhereTwoPinsAnswerInTurn) {
   Bus bus;
   const auto bothAnswer = [&] {
@@ -344,11 +404,11 @@ TEST(Health, SaysTwoAtOneAddressWhereTwoPinsAnswerInTurn) {
         .hear("18EFFF80", kAnnouncesB);
   };
   bothAnswer();
-  EXPECT_EQ(listed(bus, kPinB), "faults_never_asked");
+  EXPECT_EQ(listed(bus, kPinB), "faults_never_asked status_never_heard");
   bus.pass(1s);
   bothAnswer();
-  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked");
-  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked");
+  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked status_never_heard");
+  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked status_never_heard");
 }
 
 TEST(Health, SaysTwoAtOneAddressWhereTwoNamesTakeItInTurn) {
@@ -364,7 +424,7 @@ TEST(Health, SaysTwoAtOneAddressWhereTwoNamesTakeItInTurn) {
 TEST(Health, SaysTwoAtOneAddressOfAPinUnderTheNameOfAnother) {
   Bus bus;
   bus.hear("18EEFF80", kNameOfA).pass(300ms).hear("18EFFF80", kAnnouncesB);
-  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked");
+  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked status_never_heard");
 }
 
 // What a lawful bus gives.
@@ -407,6 +467,20 @@ TEST_F(LawfulBus, AnAddressThatGoesOverAndBack) {
   m_bus.hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB).pass(2s);
   m_bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(10ms);
   m_bus.hear("18EEFF81", kNameOfB).pass(250ms).hear("18EFFF81", kAnnouncesB);
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, APowerSupplyThatBouncesTheSameContestEachTime) {
+  for (int i = 0; i < 4; ++i) {
+    m_bus.hear("18EEFF80", kNameOfB).pass(10ms).hear("18EEFF80", kNameOfA).pass(10ms);
+    m_bus.hear("18EEFF81", kNameOfB).pass(250ms);
+    m_bus.hear("18EFFF80", kAnnouncesA).hear("18EFFF81", kAnnouncesB).pass(2s);
+    EXPECT_FALSE(isCalledShared());
+  }
+}
+
+TEST_F(LawfulBus, ADeviceThatIsExchangedForAnotherAndBack) {
+  m_bus.monitor().pass(1min).hear("18EFFF80", kAnnouncesB).pass(1min).hear("18EFFF80", kAnnouncesA).pass(1s);
   EXPECT_FALSE(isCalledShared());
 }
 
@@ -454,6 +528,25 @@ TEST_F(LawfulBus, AGatewayThatIsSetToSendMoreOften) {
   EXPECT_FALSE(isCalledShared());
 }
 
+TEST(WhoIsADevice, NobodyWhoOnlySendsToOne) {
+  Bus bus;
+  bus.monitor();
+  for (const char* from : {"05", "A0"}) {
+    for (const char* data : {"0200000000000000", "02000000000000", "03010203040506", "04010203040506",
+                             "05010203040506", "011D940371000041", "83C051", "FF83150206021A0C"})
+      bus.hear(std::string("18EF80") + from, data);
+  }
+  for (const Device& device : bus.state().devices().all())
+    EXPECT_TRUE(device.kind == Device::Kind::Free || device.address == Address{0x80});
+  EXPECT_FALSE(bus.state().channel({}).book.isAkron(Address{0xA0}));
+}
+
+TEST(WhoIsADevice, WhoeverAnswersAsOne) {
+  Bus bus;
+  bus.hear("18EFF991", kNoFaults);
+  EXPECT_NE(bus.state().devices().byAddress({}, Address{0x91}), nullptr) << "presumed";
+}
+
 TEST(Health, KnowsTheWorstAndItsKey) {
   Health health;
   EXPECT_EQ(health.key(), "fine");
@@ -467,12 +560,25 @@ TEST(Health, KnowsTheWorstAndItsKey) {
 
 TEST(Health, KeepsOldFaultsAndANewErrorCodeApart) {
   Bus bus;
-  bus.hear("1A4", kPosition).hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
+  bus.node().hear("5A4", "4301500100000020").pass(1ms).hear("724", "00");
   bus.hear("724", "05").hear("5A4", "4B0150020B00");
   const Health health = healthOf(bus.state(), bus.state().devices().all().front());
   EXPECT_EQ(health.faults, (NamedFaults{.map = 0, .errorCode = 11}));
   EXPECT_NE(health.oldFaults.map, 0u);
   EXPECT_EQ(health.oldFaults.errorCode, 0);
+}
+
+TEST(Health, NamesWhatWasNeverHeardAndWhetherAnythingEverWas) {
+  Bus bus;
+  bus.hear("18EFFF80", kAnnouncesA).hear("18EFFF80", kPosition);
+  const auto health = [&] { return healthOf(bus.state(), *bus.device(kPinA)); };
+  EXPECT_EQ(health().neverHeard, EnumSet(MessageId::DigitalOutputs));
+  bus.pass(5s);
+  EXPECT_TRUE(health().has(HealthCause::Silent));
+  EXPECT_EQ(bus.now() - health().since, 5s);
+  Bus mute;
+  mute.hear("18EFFF80", kAnnouncesA).pass(5s);
+  EXPECT_EQ(healthOf(mute.state(), *mute.device(kPinA)).since, kNotYet);
 }
 
 TEST(Health, NamesTheAxisOfEachCause) {

@@ -79,6 +79,7 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "The console gave up its address",
                            "The console gave up its address",
                            "The console left its address: another node sends from it",
+                           "Another node sends from address F9, which the console holds and claims again",
                        }));
 }
 

@@ -159,6 +159,22 @@ TEST_F(AskedDevice, ALogTellsNeverAskedFromNoAnswer) {
   EXPECT_EQ(card(Ask::Firmware)->values().state, QStringLiteral("never asked"));
 }
 
+TEST_F(AskedDevice, ALogTellsRefusedFromNeverAsked) {
+  add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200", 0, 2 * kSecond)});
+  show();
+  EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("refused, or answered in a wrong length"));
+  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+}
+
+TEST_F(AskedDevice, ALogTellsThatAnAnswerWasFollowedByARefusal) {
+  add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "02000000000000", 0, 2 * kSecond),
+       frame("18EF80F9", "02", 0, 3 * kSecond), frame("18EFF980", "0200", 0, 3 * kSecond)});
+  show();
+  EXPECT_TRUE(card(Ask::Fault)->values().state.startsWith(QStringLiteral("asked again: refused")))
+      << card(Ask::Fault)->values().state.toStdString();
+  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+}
+
 TEST_F(AskedDevice, AResetThatWasSeenIsARestart) {
   request(Ask::Reset) = {.progress = RequestStatus::Progress::Ended,
                          .end = RequestEnd::Answered,

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -102,6 +103,33 @@ TEST_F(Terminal, WhatIsPastedInRawModeGoesAtOnce) {
   QApplication::sendEvent(input, &commit);
   EXPECT_EQ(written(), (std::vector<std::string>{"MENU"}));
   EXPECT_TRUE(input->text().isEmpty());
+}
+
+TEST_F(Terminal, PastedLinesStayLinesWithTheChosenEndAndAreCounted) {
+  auto* input = child<QLineEdit>("pipeInput");
+  auto* send = child<QPushButton>("pipeSend");
+  QGuiApplication::clipboard()->setText(QStringLiteral("one\r\ntwo\nthree\r\n"));
+  input->paste();
+  EXPECT_EQ(send->text(), QStringLiteral("Send 3 lines"));
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_EQ(written(), (std::vector<std::string>{"one\r\ntwo\r\nthree\r\n"}));
+  EXPECT_EQ(send->text(), QStringLiteral("Send"));
+  child<QComboBox>("pipeLineEnd")->setCurrentIndex(1);
+  input->paste();
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_EQ(written().back(), "one\rtwo\rthree\r");
+  goRaw();
+  input->paste();
+  EXPECT_EQ(written().back(), "one\rtwo\rthree\r");
+}
+
+TEST_F(Terminal, OfALongTextNothingIsCut) {
+  auto* input = child<QLineEdit>("pipeInput");
+  const std::string text(100'000, 'x');
+  QGuiApplication::clipboard()->setText(QString::fromStdString(text));
+  input->paste();
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_EQ(written(), (std::vector<std::string>{text + "\r\n"}));
 }
 
 TEST_F(Terminal, CharactersOfMoreThanAByteAreRefusedWithWords) {

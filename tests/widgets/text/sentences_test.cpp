@@ -108,8 +108,6 @@ TEST(DeviceText, NamesOnlyTheNumbersThatTheManualsName) {
   EXPECT_EQ(partText(60320014), QStringLiteral("60320014: Trident with Novotechnik sensors"));
   EXPECT_EQ(partText(60320022), QStringLiteral("60320022: Firefox, style 3463, with Novotechnik sensors"));
   EXPECT_EQ(partText(60320023), QStringLiteral("60320023"));
-  EXPECT_EQ(deviceTypeOfPart(60320022), 1032u);
-  EXPECT_EQ(deviceTypeOfPart(60400001), std::nullopt);
   EXPECT_EQ(deviceTypeText(1099), QStringLiteral("type 1099"));
   EXPECT_EQ(makerText(326), QStringLiteral("Akron Brass"));
   EXPECT_EQ(makerText(123), QStringLiteral("other maker, code 123"));
