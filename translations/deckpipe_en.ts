@@ -27,6 +27,27 @@
             <numerusform>%1: %Ln frames are not on the bus yet and may still go out</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %Ln CAN FD frames came and are not held</source>
+        <translation>
+            <numerusform>%1: %Ln CAN FD frame came and is not held</numerusform>
+            <numerusform>%1: %Ln CAN FD frames came and are not held</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln frames came that are not classic CAN and are not held</source>
+        <translation>
+            <numerusform>%1: %Ln frame came that is not classic CAN and is not held</numerusform>
+            <numerusform>%1: %Ln frames came that are not classic CAN and are not held</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames were added here when this part was saved: who held which address</source>
+        <translation>
+            <numerusform>%Ln frame was added here when this part was saved: who held which address</numerusform>
+            <numerusform>%Ln frames were added here when this part was saved: who held which address</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>
