@@ -352,10 +352,13 @@ void Session::updateSource() {
     source.unreadable = unkept.unreadable();
     source.notKept = unkept.skipped();
     if (const auto* outcome = m_opening->outcome()) {
+      const bool isNews = source.progress == SourceStatus::Progress::Opening;
+      if (isNews && *outcome && outcome->value().hasSidecar) m_walker->notesCame();
       source.fraction = 1;
       source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
       if (*outcome) {
         source.read = outcome->value();
+        source.notKept += m_document->notes.missedFrames();
       } else {
         source.error = outcome->error();
       }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Notes: facts of a log that no frame carries. Each kind is a small struct; Note puts one at its place in the
 // log. The window and the tool make sentences of them, State and the indexes take from them what they need,
-// note_codec.h writes and reads them as bytes. To add a kind: the struct, its place in NoteValue, its layout
-// in note_layout.h; the compiler names the other places.
+// note_codec.h writes and reads them as bytes, note_text.h as text. To add a kind: the struct, its place in
+// NoteValue, its layout in note_layout.h; the compiler names the other places.
 #pragma once
 
 #include <cstdint>

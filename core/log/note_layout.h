@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fields of every kind of note, in the order in which they are written: what note_codec.cpp writes as
-// bytes. Numbers and names stand in files: they are never changed and never used
+// bytes and note_text.cpp as text. Numbers and names stand in files: they are never changed and never used
 // again.
 #pragma once
 

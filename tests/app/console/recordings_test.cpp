@@ -155,16 +155,24 @@ TEST_F(RecordingsPageTest, TheFirstLookDeletesSavedOnesBeyondTheLimits) {
   EXPECT_TRUE(QFile::exists(unsaved));
 }
 
-TEST_F(RecordingsPageTest, SavingALogWithoutItsMarksDoesNotMarkItsRecording) {
+TEST_F(RecordingsPageTest, SavingALogWhoseNotesCannotBeSavedDoesNotMarkItsRecording) {
   const QString path = record();
   start();
   session->openLog(path);
   ASSERT_TRUE(waitFor([&] { return session->snapshot().source.progress == SourceStatus::Progress::Done; }));
   session->mark(session->snapshot().view.cursor, QStringLiteral("water on"));
-  window->saveLog(dir.filePath(QStringLiteral("mine.log")));
-  EXPECT_TRUE(waitFor([&] { return named<QLabel>("saveText")->text().startsWith(QStringLiteral("Saved")); }));
-  QTest::qWait(0);
-  EXPECT_FALSE(readRecording(path).isSaved) << "the mark is in the recording alone";
+  const QString mine = dir.filePath(QStringLiteral("mine.log"));
+  ASSERT_TRUE(QDir().mkdir(mine + QStringLiteral(".deckpipe-notes")));
+  const auto said = [&] { return named<QLabel>("saveText")->text(); };
+  window->saveLog(mine);
+  ASSERT_TRUE(waitFor([&] { return said().startsWith(QStringLiteral("Saved")); }));
+  EXPECT_TRUE(said().contains(QStringLiteral("its marks, notes and labels cannot be saved")))
+      << qPrintable(said());
+  EXPECT_FALSE(readRecording(path).isSaved) << "the copy is no substitute";
+  ASSERT_TRUE(QDir().rmdir(mine + QStringLiteral(".deckpipe-notes")));
+  window->saveLog(mine);
+  ASSERT_TRUE(waitFor([&] { return said().contains(QStringLiteral("mine.log.deckpipe-notes")); }));
+  EXPECT_TRUE(waitFor([&] { return readRecording(path).isSaved; }));
 }
 
 TEST_F(RecordingsPageTest, SavingTheOpenLogMarksItsRecording) {
