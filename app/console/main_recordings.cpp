@@ -16,7 +16,11 @@ namespace deckpipe {
 void MainWindow::connectRecordings() {
   const RecordingsPage* page = m_recordings->page();
   connect(page, &RecordingsPage::closeRequested, this, [this] { showExtra(nullptr); });
-  connect(page, &RecordingsPage::openRequested, this, &MainWindow::openLog);
+  connect(page, &RecordingsPage::openRequested, this, [this](const QString& path) {
+    openLog(path);
+    const auto& notOpened = m_session.snapshot().notOpened;
+    if (notOpened && notOpened->isInView) showExtra(nullptr);
+  });
   connect(page, &RecordingsPage::saveRequested, this, &MainWindow::saveRecordingByHand);
   connect(page, &RecordingsPage::deleteRequested, this, &MainWindow::deleteRecordingByHand);
   if (m_session.recordingFolder().isEmpty()) return;

@@ -149,6 +149,9 @@ QString unreadableText(const QString& path, const SourceError& why) {
 // Another log was to be opened; what was open stays.
 Notice notOpenedNotice(const NotOpened& log) {
   if (log.error) return {StatusTone::Fault, unreadableText(log.path, *log.error)};
+  if (log.isInView)
+    return {StatusTone::Plain, NoticeText::tr("%1 is the recording that is in view here; it goes on.")
+                                   .arg(QFileInfo(log.path).fileName())};
   return {StatusTone::Attend,
           NoticeText::tr("%1 holds no frames and was not opened.").arg(QFileInfo(log.path).fileName())};
 }

@@ -2,6 +2,7 @@
 #include "session/session.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QThread>
 #include <algorithm>
 #include <thread>
@@ -125,6 +126,13 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
 
 void Session::openLog(const QString& path) {
   forgetSaid();
+  // To open it would end it.
+  if (m_recorder != nullptr &&
+      QFileInfo(path) == QFileInfo(QFile::decodeName(m_recorder->status().path.c_str()))) {
+    m_snapshot.notOpened = NotOpened{.path = path, .error = {}, .isInView = true};
+    Q_EMIT changed();
+    return;
+  }
   Candidate log{path, std::make_shared<LogDocument>(), nullptr};
   log.opening = std::make_unique<LogOpening>(log.document, path);
   const bool isWorthKeeping =
@@ -148,7 +156,7 @@ void Session::followCandidate() {
   const auto* outcome = m_candidate->opening->outcome();
   if (m_candidate->document->frames.count() > 0) return show(*std::exchange(m_candidate, {}));
   if (outcome == nullptr) return;
-  m_snapshot.notOpened = NotOpened{m_candidate->path, {}};
+  m_snapshot.notOpened = NotOpened{.path = m_candidate->path, .error = {}};
   if (!*outcome) m_snapshot.notOpened->error = outcome->error();
   m_candidate.reset();
   Q_EMIT changed();

@@ -175,6 +175,25 @@ TEST_F(RecordingsPageTest, SavingALogWhoseNotesCannotBeSavedDoesNotMarkItsRecord
   EXPECT_TRUE(waitFor([&] { return readRecording(path).isSaved; }));
 }
 
+TEST_F(RecordingsPageTest, OpeningTheOneThatIsInViewLeavesItAlone) {
+  start();
+  session->openDemo();
+  ASSERT_TRUE(waitFor([&] { return session->snapshot().source.isRecorded(); }));
+  const auto before = session->snapshot().view.document;
+  showPage();
+  ASSERT_TRUE(waitFor([&] { return rows() == 1 && named<QPushButton>("recordingOpen")->isEnabled(); }));
+  click("recordingOpen");
+  EXPECT_FALSE(named<QWidget>("recordingsPage")->isVisible());
+  EXPECT_TRUE(notice().contains(QStringLiteral("is the recording that is in view here")))
+      << qPrintable(notice());
+  EXPECT_EQ(session->snapshot().view.document, before);
+  const QString path = QString::fromStdString(session->snapshot().source.recording->path);
+  window->saveLog(path);
+  ASSERT_TRUE(
+      waitFor([&] { return named<QLabel>("saveText")->text().contains(QStringLiteral("cannot be saved")); }));
+  EXPECT_TRUE(readRecording(path).isGrowing);
+}
+
 TEST_F(RecordingsPageTest, SavingTheOpenLogMarksItsRecording) {
   const QString path = record();
   start();
