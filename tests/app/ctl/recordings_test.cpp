@@ -98,7 +98,7 @@ TEST_F(RecordingsOfTheTool, SayWhatTheirNotesSayOfThem) {
   EXPECT_EQ(json[QStringLiteral("missed")].toInt(), 7);
   EXPECT_EQ(json[QStringLiteral("devices")].toArray()[0].toObject()[QStringLiteral("label")].toString(),
             QStringLiteral("front bumper"));
-});
+  const Outcome listed = run({QStringLiteral("recordings"), QStringLiteral("--folder"), m_dir.path()});
   EXPECT_TRUE(listed.out.contains("socketcan can0, 250 kbit/s")) << listed.out.constData();
 }
 
