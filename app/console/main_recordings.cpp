@@ -9,6 +9,7 @@
 #include "log_filters.h"
 #include "main_window.h"
 #include "panel/recordings_page.h"
+#include "panel/settings_page.h"
 #include "recordings_list.h"
 
 namespace deckpipe {
@@ -23,6 +24,11 @@ void MainWindow::connectRecordings() {
   });
   connect(page, &RecordingsPage::saveRequested, this, &MainWindow::saveRecordingByHand);
   connect(page, &RecordingsPage::deleteRequested, this, &MainWindow::deleteRecordingByHand);
+  const RecordingLimits limits = recordingLimits();
+  m_settings->setRecordingLimits(static_cast<int>(limits.mostBytes >> 20), limits.mostDays);
+  connect(m_settings, &SettingsPage::recordingLimitsChosen, this, [](int megabytes, int days) {
+    keepRecordingLimits({.mostBytes = static_cast<std::uint64_t>(megabytes) << 20, .mostDays = days});
+  });
   if (m_session.recordingFolder().isEmpty()) return;
   // The notice is for the start alone: the status strip says what is recorded from now on.
   connect(

@@ -21,6 +21,8 @@ namespace deckpipe {
 namespace {
 
 constexpr int kPinsNamed = 3;
+const QString kMegabytesKey = QStringLiteral("recordings/mostMegabytes");
+const QString kDaysKey = QStringLiteral("recordings/mostDays");
 
 QString whenText(const Recording& recording) {
   return QLocale().toString(recording.begin, QLocale::ShortFormat);
@@ -92,11 +94,16 @@ QString copyFile(const QString& path, const QString& as) {
 RecordingLimits recordingLimits() {
   const QSettings settings;
   RecordingLimits limits;
-  const auto megabytes =
-      settings.value(QStringLiteral("recordings/mostMegabytes"), qulonglong{limits.mostBytes >> 20});
+  const auto megabytes = settings.value(kMegabytesKey, qulonglong{limits.mostBytes >> 20});
   limits.mostBytes = std::uint64_t{megabytes.toULongLong()} << 20;
-  limits.mostDays = settings.value(QStringLiteral("recordings/mostDays"), limits.mostDays).toInt();
+  limits.mostDays = settings.value(kDaysKey, limits.mostDays).toInt();
   return limits;
+}
+
+void keepRecordingLimits(const RecordingLimits& limits) {
+  QSettings settings;
+  settings.setValue(kMegabytesKey, qulonglong{limits.mostBytes >> 20});
+  settings.setValue(kDaysKey, limits.mostDays);
 }
 
 Notice unsavedNotice(const std::vector<Recording>& recordings) {
