@@ -27,6 +27,27 @@
             <numerusform>%1: %Ln frames are not on the bus yet and may still go out</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %Ln CAN FD frames came and are not held</source>
+        <translation>
+            <numerusform>%1: %Ln CAN FD frame came and is not held</numerusform>
+            <numerusform>%1: %Ln CAN FD frames came and are not held</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln frames came that are not classic CAN and are not held</source>
+        <translation>
+            <numerusform>%1: %Ln frame came that is not classic CAN and is not held</numerusform>
+            <numerusform>%1: %Ln frames came that are not classic CAN and are not held</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames were added here when this part was saved: who held which address</source>
+        <translation>
+            <numerusform>%Ln frame was added here when this part was saved: who held which address</numerusform>
+            <numerusform>%Ln frames were added here when this part was saved: who held which address</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>
@@ -45,13 +66,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln frames of this log are missing here: CAN FD and CAN XL frames are not held.</source>
-        <translation>
-            <numerusform>%Ln frame of this log is missing here: CAN FD and CAN XL frames are not held.</numerusform>
-            <numerusform>%Ln frames of this log are missing here: CAN FD and CAN XL frames are not held.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>The end of this recording is not whole: its last %Ln bytes could not be read. Everything before them is here.</source>
         <translation>
             <numerusform>The end of this recording is not whole: its last byte could not be read. Everything before them is here.</numerusform>
@@ -59,17 +73,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln parts of this recording are of a newer version of Deckpipe and were left out.</source>
-        <translation>
-            <numerusform>%Ln part of this recording is of a newer version of Deckpipe and was left out.</numerusform>
-            <numerusform>%Ln parts of this recording are of a newer version of Deckpipe and were left out.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln times of this log are written with more than nine decimals: only their seconds are kept, so rates and ages are not to be trusted.</source>
         <translation>
             <numerusform>%Ln time of this log is written with more than nine decimals: only its seconds are kept, so rates and ages are not to be trusted.</numerusform>
             <numerusform>%Ln times of this log are written with more than nine decimals: only their seconds are kept, so rates and ages are not to be trusted.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln parts of this log are of a newer version of Deckpipe and were left out.</source>
+        <translation>
+            <numerusform>%Ln part of this log is of a newer version of Deckpipe and was left out.</numerusform>
+            <numerusform>%Ln parts of this log are of a newer version of Deckpipe and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames of this log are missing here: they were lost while it was recorded, or are CAN FD or CAN XL, which are not held.</source>
+        <translation>
+            <numerusform>%Ln frame of this log is missing here: it was lost while it was recorded, or is CAN FD or CAN XL, which are not held.</numerusform>
+            <numerusform>%Ln frames of this log are missing here: they were lost while it was recorded, or are CAN FD or CAN XL, which are not held.</numerusform>
         </translation>
     </message>
 </context>
@@ -212,10 +233,10 @@ Other devices in the list: %n.</numerusform>
 <context>
     <name>deckpipe::SaveBar</name>
     <message numerus="yes">
-        <source>Saved %1 to %2; %Ln marks are not in it, for %3 has no place for them</source>
+        <source>; %Ln frames were added before them: who held which address</source>
         <translation>
-            <numerusform>Saved %1 to %2; %Ln mark is not in it, for %3 has no place for it</numerusform>
-            <numerusform>Saved %1 to %2; %Ln marks are not in it, for %3 has no place for them</numerusform>
+            <numerusform>; %Ln frame was added before them: who held which address</numerusform>
+            <numerusform>; %Ln frames were added before them: who held which address</numerusform>
         </translation>
     </message>
 </context>

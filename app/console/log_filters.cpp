@@ -18,7 +18,7 @@ QString latin1(std::string_view text) {
 }  // namespace
 
 QString filterOf(const LogFormat& format) {
-  return LogFilters::tr("%1 logs (%2)", "format, patterns").arg(latin1(format.name), latin1(format.patterns));
+  return LogFilters::tr("%1 (%2)", "format, patterns").arg(latin1(format.name), latin1(format.patterns));
 }
 
 QStringList filtersForOpening() {
@@ -33,9 +33,10 @@ QStringList filtersForOpening() {
 }
 
 QStringList filtersForSaving() {
-  QStringList filters;
+  const LogFormat& usual = formatToWrite({});
+  QStringList filters{filterOf(usual)};
   for (const LogFormat& format : logFormats()) {
-    if (format.write != nullptr) filters += filterOf(format);
+    if (format.makeWriter != nullptr && format.name != usual.name) filters += filterOf(format);
   }
   return filters << LogFilters::tr("All files (*)");
 }

@@ -9,6 +9,7 @@
 #include "log_filters.h"
 #include "main_window.h"
 #include "panel/recordings_page.h"
+#include "panel/settings_page.h"
 #include "recordings_list.h"
 
 namespace deckpipe {
@@ -16,9 +17,18 @@ namespace deckpipe {
 void MainWindow::connectRecordings() {
   const RecordingsPage* page = m_recordings->page();
   connect(page, &RecordingsPage::closeRequested, this, [this] { showExtra(nullptr); });
-  connect(page, &RecordingsPage::openRequested, this, &MainWindow::openLog);
+  connect(page, &RecordingsPage::openRequested, this, [this](const QString& path) {
+    openLog(path);
+    const auto& notOpened = m_session.snapshot().notOpened;
+    if (notOpened && notOpened->isInView) showExtra(nullptr);
+  });
   connect(page, &RecordingsPage::saveRequested, this, &MainWindow::saveRecordingByHand);
   connect(page, &RecordingsPage::deleteRequested, this, &MainWindow::deleteRecordingByHand);
+  const RecordingLimits limits = recordingLimits();
+  m_settings->setRecordingLimits(static_cast<int>(limits.mostBytes >> 20), limits.mostDays);
+  connect(m_settings, &SettingsPage::recordingLimitsChosen, this, [](int megabytes, int days) {
+    keepRecordingLimits({.mostBytes = static_cast<std::uint64_t>(megabytes) << 20, .mostDays = days});
+  });
   if (m_session.recordingFolder().isEmpty()) return;
   // The notice is for the start alone: the status strip says what is recorded from now on.
   connect(

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDateTime>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -227,7 +228,15 @@ QFileDialog* MainWindow::saveDialog(const QString& title) {
   const QStringList filters = filtersForSaving();
   QFileDialog* dialog = fileDialog(title, filters);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  const auto takeSuffix = [dialog](const QString& filter) { dialog->setDefaultSuffix(suffixOf(filter)); };
+  // Of the name that stands there too: the suffix says the format.
+  const auto takeSuffix = [dialog](const QString& filter) {
+    const QString before = dialog->defaultSuffix(), suffix = suffixOf(filter);
+    if (suffix.isEmpty()) return;
+    dialog->setDefaultSuffix(suffix);
+    const QFileInfo named(dialog->selectedFiles().value(0));
+    if (!before.isEmpty() && named.suffix() == before)
+      dialog->selectFile(named.completeBaseName() + QLatin1Char('.') + suffix);
+  };
   connect(dialog, &QFileDialog::filterSelected, dialog, takeSuffix);
   takeSuffix(filters.first());
   dialog->selectFile(QDateTime::currentDateTime().toString(QStringLiteral("'deckpipe' yyyy-MM-dd HHmm")) +
@@ -247,13 +256,34 @@ void MainWindow::savePartByHand(std::uint64_t begin, std::uint64_t end, const Tr
   if (document == nullptr) return;
   QFileDialog* dialog = saveDialog(tr("Save these frames"));
   connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
-    m_saveBar->save(document, path, {begin, end, frameTest(document, filter)});
+    save(document, path, {begin, end, frameTest(document, filter), labelsToSave()});
   });
   dialog->open();
 }
 
 void MainWindow::saveLog(const QString& path) {
-  if (const auto& document = m_snapshot.view.document) m_saveBar->save(document, path);
+  if (const auto& document = m_snapshot.view.document) save(document, path, {.labels = labelsToSave()});
+}
+
+// A copy among the recordings would be taken for one, and may be the recording itself.
+void MainWindow::save(const std::shared_ptr<const LogDocument>& document, const QString& path,
+                      SavedPart part) {
+  const QString recordings = m_session.recordingFolder();
+  if (!recordings.isEmpty() && formatToWrite(path.toStdString()).isOwn &&
+      QFileInfo(path).dir() == QDir(recordings))
+    return m_saveBar->refuse(
+        tr("%1 cannot be saved: it would be one of the recordings; choose another folder").arg(path));
+  m_saveBar->save(document, path, std::move(part));
+}
+
+LabelsByPin MainWindow::labelsToSave() const {
+  LabelsByPin labels;
+  const auto& shown = m_workspace->labels().all();
+  for (auto label = shown.cbegin(); label != shown.cend(); ++label) {
+    if (const auto pin = Pin::parse(label.key().toStdString()))
+      labels.emplace(*pin, label.value().toStdString());
+  }
+  return labels;
 }
 
 void MainWindow::closeSource() {

@@ -8,6 +8,7 @@
 #include "paint/density_style.h"
 #include "paint/palette.h"
 #include "panel/notice_bar.h"
+#include "session/log_saving.h"
 #include "session/session.h"
 #include "settings_labels.h"
 
@@ -69,6 +70,8 @@ class MainWindow : public QMainWindow {
   // Frames [begin, end) that pass.
   void savePartByHand(std::uint64_t begin, std::uint64_t end, const TraceFilter& filter);
   QFileDialog* saveDialog(const QString& title);
+  LabelsByPin labelsToSave() const;
+  void save(const std::shared_ptr<const LogDocument>& document, const QString& path, SavedPart part);
   void closeSource();
   void connectRecordings();
   void showRecordings();

@@ -94,18 +94,44 @@ Notice clockNotice(const LogDocument& log) {
   return {};
 }
 
-// What is missing of a recording.
-Notice recordingNotice(const ReadSummary& read) {
+QString reasonText(const SidecarFault& fault) {
+  using Kind = SidecarFault::Kind;
+  const QString detail = QString::fromStdString(fault.detail);
+  switch (fault.kind) {
+    case Kind::CannotRead: return NoticeText::tr("it cannot be read: %1").arg(detail);
+    case Kind::NoSidecar: return NoticeText::tr("it does not begin with “Deckpipe notes 1”");
+    case Kind::NewerVersion: return NoticeText::tr("a newer version of Deckpipe wrote it");
+    case Kind::BadLine: return NoticeText::tr("that line is none that Deckpipe writes");
+    case Kind::Cut: return NoticeText::tr("its end is missing");
+    case Kind::Changed: return NoticeText::tr("it was changed since Deckpipe wrote it");
+    case Kind::OtherCount:
+      return NoticeText::tr("it is of a log with another number of frames (%1)").arg(detail);
+    case Kind::OtherFrame: return NoticeText::tr("it is of a log with another frame there: %1").arg(detail);
+  }
+  return {};
+}
+
+Notice sidecarNotice(const SidecarFault& fault) {
+  QString where = QFileInfo(QFile::decodeName(fault.path.c_str())).fileName();
+  if (fault.line > 0) where = NoticeText::tr("%1, line %2", "file").arg(where).arg(fault.line);
+  return {
+      StatusTone::Attend,
+      NoticeText::tr("The marks, notes and labels beside this log are left out (%1): %2.", "place, reason")
+          .arg(where, reasonText(fault))};
+}
+
+// What is missing of a log that was read.
+Notice readingNotice(const ReadSummary& read) {
+  if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
   if (read.cutBytes > 0)
     return {StatusTone::Attend,
             NoticeText::tr("The end of this recording is not whole: its last %Ln bytes could not be read. "
                            "Everything before them is here.",
                            nullptr, forPlural(read.cutBytes))};
   if (read.newerParts > 0)
-    return {
-        StatusTone::Attend,
-        NoticeText::tr("%Ln parts of this recording are of a newer version of Deckpipe and were left out.",
-                       nullptr, forPlural(read.newerParts))};
+    return {StatusTone::Attend,
+            NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
+                           nullptr, forPlural(read.newerParts))};
   if (read.isOpenEnded)
     return {StatusTone::Attend,
             NoticeText::tr("This recording was not ended: it still goes on, or its last second was lost.")};
@@ -124,6 +150,9 @@ QString unreadableText(const QString& path, const SourceError& why) {
 // Another log was to be opened; what was open stays.
 Notice notOpenedNotice(const NotOpened& log) {
   if (log.error) return {StatusTone::Fault, unreadableText(log.path, *log.error)};
+  if (log.isInView)
+    return {StatusTone::Plain, NoticeText::tr("%1 is the recording that is in view here; it goes on.")
+                                   .arg(QFileInfo(log.path).fileName())};
   return {StatusTone::Attend,
           NoticeText::tr("%1 holds no frames and was not opened.").arg(QFileInfo(log.path).fileName())};
 }
@@ -156,7 +185,7 @@ Notice fileNotice(const Snapshot& snapshot) {
         .action = Notice::Action::AddUpTimes};
   }
   if (source.unreadable > 0) return unreadable(snapshot);
-  if (Notice notice = recordingNotice(source.read); !notice.text.isEmpty()) return notice;
+  if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
   if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};
   if (const auto cut = snapshot.view.document->unkept.content().count(Unkept::Fraction); cut > 0)
     return {StatusTone::Attend,
@@ -165,8 +194,9 @@ Notice fileNotice(const Snapshot& snapshot) {
                            "trusted.",
                            nullptr, forPlural(cut))};
   if (source.notKept > 0) {
-    return {StatusTone::Attend, NoticeText::tr("%Ln frames of this log are missing here: CAN FD and CAN XL "
-                                               "frames are not held.",
+    return {StatusTone::Attend, NoticeText::tr("%Ln frames of this log are missing here: they were lost "
+                                               "while it was recorded, or are CAN FD or CAN XL, which are "
+                                               "not held.",
                                                nullptr, forPlural(source.notKept))};
   }
   return clockNotice(*snapshot.view.document);

@@ -21,6 +21,8 @@ namespace deckpipe {
 namespace {
 
 constexpr int kPinsNamed = 3;
+const QString kMegabytesKey = QStringLiteral("recordings/mostMegabytes");
+const QString kDaysKey = QStringLiteral("recordings/mostDays");
 
 QString whenText(const Recording& recording) {
   return QLocale().toString(recording.begin, QLocale::ShortFormat);
@@ -29,8 +31,18 @@ QString whenText(const Recording& recording) {
 QString pinsText(const Recording& recording) {
   if (recording.pins.isEmpty()) return RecordingsList::tr("no device named");
   QString text = recording.pins.mid(0, kPinsNamed).join(QStringLiteral(", "));
-  if (recording.pins.size() > kPinsNamed) text += QStringLiteral(", …");
+  if (recording.pins.size() > kPinsNamed || recording.isGlanced) text += QStringLiteral(", …");
   return text;
+}
+
+QString lengthText(const Recording& recording) {
+  if (!recording.length) return RecordingsList::tr("length not known");
+  const auto seconds = static_cast<qint64>(recording.length->count() / 1'000'000'000);
+  const QString length = QStringLiteral("%1:%2:%3")
+                             .arg(seconds / 3600)
+                             .arg(seconds / 60 % 60, 2, 10, QLatin1Char('0'))
+                             .arg(seconds % 60, 2, 10, QLatin1Char('0'));
+  return recording.isGlanced ? RecordingsList::tr("about %1", "length").arg(length) : length;
 }
 
 QString stateText(const Recording& recording) {
@@ -43,18 +55,14 @@ QString stateText(const Recording& recording) {
 }
 
 RecordingRow rowOf(const Recording& recording) {
-  const auto seconds = static_cast<qint64>(recording.length.count() / 1'000'000'000);
-  const QString length = QStringLiteral("%1:%2:%3")
-                             .arg(seconds / 3600)
-                             .arg(seconds / 60 % 60, 2, 10, QLatin1Char('0'))
-                             .arg(seconds % 60, 2, 10, QLatin1Char('0'));
+  QStringList details{lengthText(recording), frameCountText(recording.frames),
+                      QLocale().formattedDataSize(static_cast<qint64>(recording.bytes)), pinsText(recording)};
+  details += recording.adapters;
+  if (recording.isGlanced) details += RecordingsList::tr("only its beginning and end were read");
   return {
       .path = recording.path,
       .title = RecordingsList::tr("%1 – %2", "when, state").arg(whenText(recording), stateText(recording)),
-      .details =
-          QStringList{length, frameCountText(recording.frames),
-                      QLocale().formattedDataSize(static_cast<qint64>(recording.bytes)), pinsText(recording)}
-              .join(QStringLiteral(" · ")),
+      .details = details.join(QStringLiteral(" · ")),
       .isReadable = recording.isReadable,
       .isGrowing = recording.isGrowing};
 }
@@ -86,11 +94,16 @@ QString copyFile(const QString& path, const QString& as) {
 RecordingLimits recordingLimits() {
   const QSettings settings;
   RecordingLimits limits;
-  const auto megabytes =
-      settings.value(QStringLiteral("recordings/mostMegabytes"), qulonglong{limits.mostBytes >> 20});
+  const auto megabytes = settings.value(kMegabytesKey, qulonglong{limits.mostBytes >> 20});
   limits.mostBytes = std::uint64_t{megabytes.toULongLong()} << 20;
-  limits.mostDays = settings.value(QStringLiteral("recordings/mostDays"), limits.mostDays).toInt();
+  limits.mostDays = settings.value(kDaysKey, limits.mostDays).toInt();
   return limits;
+}
+
+void keepRecordingLimits(const RecordingLimits& limits) {
+  QSettings settings;
+  settings.setValue(kMegabytesKey, qulonglong{limits.mostBytes >> 20});
+  settings.setValue(kDaysKey, limits.mostDays);
 }
 
 Notice unsavedNotice(const std::vector<Recording>& recordings) {

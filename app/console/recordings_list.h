@@ -18,6 +18,7 @@ class RecordingsPage;
 
 // Settings "recordings/mostMegabytes" and "recordings/mostDays".
 RecordingLimits recordingLimits();
+void keepRecordingLimits(const RecordingLimits& limits);
 // The notice about recordings that nobody saved; it has no text if there is none.
 Notice unsavedNotice(const std::vector<Recording>& recordings);
 

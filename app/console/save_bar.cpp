@@ -6,11 +6,32 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "panel/elided_label.h"
 #include "status_text.h"
 
 namespace deckpipe {
+namespace {
+
+QString outcomeText(const LogSaving& saving, LogSaving::Outcome outcome, const QString& reason) {
+  const QString path = saving.path();
+  if (outcome == LogSaving::Outcome::Cancelled) return SaveBar::tr("Cancelled: nothing was saved.");
+  if (outcome == LogSaving::Outcome::Failed) return SaveBar::tr("%1 cannot be saved: %2").arg(path, reason);
+  QString text = SaveBar::tr("Saved %1 to %2").arg(frameCountText(saving.written()), path);
+  if (saving.added() > 0)
+    text += SaveBar::tr("; %Ln frames were added before them: who held which address", nullptr,
+                        static_cast<int>(saving.added()));
+  if (!reason.isEmpty()) {
+    text += SaveBar::tr("; its marks, notes and labels cannot be saved: %1").arg(reason);
+  } else if (!saving.sidecar().isEmpty()) {
+    text += SaveBar::tr("; marks, notes and labels are beside it in %1")
+                .arg(QFileInfo(saving.sidecar()).fileName());
+  }
+  return text;
+}
+
+}  // namespace
 
 SaveBar::SaveBar(QWidget* parent)
     : QWidget(parent),
@@ -51,17 +72,19 @@ void SaveBar::save(std::shared_ptr<const LogDocument> document, const QString& p
   m_waiting.push_back(std::move(wanted));
 }
 
+void SaveBar::refuse(const QString& why) {
+  m_text->setText(isSaving() ? m_text->text() + QStringLiteral(". ") + why : why);
+  if (isSaving()) return;
+  m_progress->hide();
+  m_button->setText(tr("Close"));
+  m_button->setAccessibleName(tr("Close this line"));
+  show();
+}
+
 // The line keeps the outcome of the save before, which nobody may have read yet.
 void SaveBar::begin(Wanted wanted) {
   auto& [document, path, part, isWhole] = wanted;
-  const std::vector<Note> notes = document->notes.all();
-  const auto countOf = [&notes](auto kind) {
-    return static_cast<int>(std::ranges::count_if(
-        notes, [](const Note& note) { return std::holds_alternative<decltype(kind)>(note.value); }));
-  };
-  m_marks = countOf(note::Mark{});
-  // A copy without marks or drives is no substitute for the recording, which has them.
-  m_whole = isWhole && m_marks == 0 && countOf(note::DriveSaid{}) == 0 ? document : nullptr;
+  m_whole = isWhole ? document : nullptr;
   m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
   const auto frames = m_saving->frames();
@@ -86,25 +109,17 @@ void SaveBar::showProgress() {
 void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   const QString path = m_saving->path();
   const std::uint64_t written = m_saving->written();
-  const QString frames = frameCountText(written);
-  const QString format = m_saving->formatName();
+  const QString text = outcomeText(*m_saving, outcome, reason);
   m_tick.stop();
   m_saving.release()->deleteLater();  // it is telling us this
   m_progress->hide();
   m_button->setText(tr("Close"));
   m_button->setAccessibleName(tr("Close this line"));
-  switch (outcome) {
-    case LogSaving::Outcome::Saved:
-      m_text->setText(
-          m_marks == 0
-              ? tr("Saved %1 to %2").arg(frames, path)
-              : tr("Saved %1 to %2; %Ln marks are not in it, for %3 has no place for them", nullptr, m_marks)
-                    .arg(frames, path, format));
-      Q_EMIT saved(path);
-      if (m_whole != nullptr) Q_EMIT savedWhole(m_whole, written);
-      break;
-    case LogSaving::Outcome::Cancelled: m_text->setText(tr("Cancelled: nothing was saved.")); break;
-    case LogSaving::Outcome::Failed: m_text->setText(tr("%1 cannot be saved: %2").arg(path, reason)); break;
+  m_text->setText(text);
+  if (outcome == LogSaving::Outcome::Saved) {
+    Q_EMIT saved(path);
+    // Without its notes it is no substitute for the recording.
+    if (m_whole != nullptr && reason.isEmpty()) Q_EMIT savedWhole(m_whole, written);
   }
   m_whole.reset();
   if (m_waiting.empty()) return;

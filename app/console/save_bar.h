@@ -24,6 +24,8 @@ class SaveBar : public QWidget {
 
   // At once, or behind what is being saved now.
   void save(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part = {});
+  // Says why something is not saved, behind what is being saved now.
+  void refuse(const QString& why);
   bool isSaving() const { return m_saving != nullptr; }
 
  Q_SIGNALS:
@@ -46,7 +48,6 @@ class SaveBar : public QWidget {
   std::unique_ptr<LogSaving> m_saving;
   std::deque<Wanted> m_waiting;
   std::shared_ptr<const LogDocument> m_whole;  // that is saved, if it is not a part of it
-  int m_marks = 0;                             // of the log that is saved
   QTimer m_tick;
   QLabel* m_text;
   QProgressBar* m_progress;

@@ -335,18 +335,11 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   return fact;
 }
 
-std::uint64_t missingFrames(const Snapshot& snapshot) {
-  // Of a link every loss is counted once as not kept; of a file the notes say what the recorder lost.
-  if (snapshot.source.kind == From::Link) return snapshot.source.notKept;
-  std::uint64_t missing = snapshot.source.notKept;
-  for (std::uint8_t i = 0; i < kMaxChannels; ++i) missing += snapshot.view.state->channel({i}).dropped;
-  return missing;
-}
-
 StatusFact completenessFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
-  const std::uint64_t missing = missingFrames(snapshot);
-  const bool isWhole = source.read.cutBytes == 0 && source.read.newerParts == 0 && !source.read.isOpenEnded &&
+  const std::uint64_t missing = source.notKept;
+  const ReadSummary& read = source.read;
+  const bool isWhole = read.cutBytes == 0 && read.newerParts == 0 && !read.isOpenEnded && !read.sidecarFault &&
                        source.progress != Progress::Failed;
   if (source.unreadable == 0 && missing == 0 && isWhole) {
     if (source.progress == Progress::Opening)
@@ -363,8 +356,7 @@ StatusFact completenessFact(const Snapshot& snapshot) {
   QStringList words, story;
   if (!isWhole) {
     words += StatusText::tr("Not whole");
-    story +=
-        StatusText::tr("Not all of the recording could be read; what is missing is said below the strip.");
+    story += StatusText::tr("Not all of the log could be read; what is missing is said below the strip.");
   }
   if (source.unreadable > 0) {
     words += StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable));
@@ -373,7 +365,8 @@ StatusFact completenessFact(const Snapshot& snapshot) {
   if (missing > 0) {
     words += StatusText::tr("%Ln frames missing", nullptr, forPlural(missing));
     story += source.kind == From::File
-                 ? StatusText::tr("CAN FD and CAN XL frames are not held.")
+                 ? StatusText::tr(
+                       "They were lost while it was recorded, or are CAN FD or CAN XL, which are not held.")
                  : StatusText::tr(
                        "Frames that came faster than they could be read, or are no classic CAN frames.");
   }

@@ -117,10 +117,21 @@ void Workspace::editLabel(const Pin& pin, const QString& label) {
 }
 
 void Workspace::showLabels() {
-  m_devices->setLabels(m_labels);
-  m_page->setLabels(m_labels);
-  m_overview->setLabels(m_labels);
-  m_requests->setLabels(m_labels);
+  m_shownLabels = m_labels;
+  if (m_shown != nullptr) m_shownLabels.fillFrom(labelsIn(m_shown->notes));
+  m_devices->setLabels(m_shownLabels);
+  m_page->setLabels(m_shownLabels);
+  m_overview->setLabels(m_shownLabels);
+  m_requests->setLabels(m_shownLabels);
+}
+
+void Workspace::readLabels(const LogView& view) {
+  const std::size_t notes = view.document == nullptr ? 0 : view.document->notes.count();
+  if (std::exchange(m_labelNotes, notes) == notes && m_shown == view.document.get()) return;
+  m_shown = view.document.get();
+  DeviceLabels labels = m_labels;
+  if (m_shown != nullptr) labels.fillFrom(labelsIn(m_shown->notes));
+  if (labels != m_shownLabels) showLabels();
 }
 
 void Workspace::toggleFullDial() {
@@ -151,8 +162,9 @@ void Workspace::showHelp() {
 
 void Workspace::setSnapshot(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
-  if (m_shown != view.document.get()) {
-    m_shown = view.document.get();
+  const bool isOther = m_shown != view.document.get();
+  readLabels(view);
+  if (isOther) {
     m_talk.reset();
     m_devices->selectDevice({});
     m_page->setDevice({});
@@ -173,7 +185,7 @@ void Workspace::setSnapshot(const Snapshot& snapshot) {
 
 QString Workspace::nameOf(const DeviceKey& key) const {
   if (key.isNull()) return {};
-  const QString label = m_labels.of(key);
+  const QString label = m_shownLabels.of(key);
   return label.isEmpty() ? keyText(key) : tr("%1 (%2)").arg(label, keyText(key));
 }
 

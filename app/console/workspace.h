@@ -49,6 +49,8 @@ class Workspace : public QMainWindow {
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
   TracePanel* trace() const { return m_trace; }
+  // What devices are called: by the person, and where the person has no label, by the log that is shown.
+  const DeviceLabels& labels() const { return m_shownLabels; }
   QMenu* createPopupMenu() override;
   void resetLayout();
   // The chosen device's dial over the whole window, and back.
@@ -92,11 +94,14 @@ class Workspace : public QMainWindow {
   void showPageOf(const DeviceKey& key);
   void editLabel(const Pin& pin, const QString& label);
   void showLabels();
+  void readLabels(const LogView& view);
   void setTalk(const Snapshot& snapshot);
   QString nameOf(const DeviceKey& key) const;
 
   LabelStorage& m_labelStorage;
-  DeviceLabels m_labels;
+  DeviceLabels m_labels;         // the person's own
+  DeviceLabels m_shownLabels;    // with those of the log
+  std::size_t m_labelNotes = 0;  // notes of the log when its labels were read
   DecodeModel* m_decodeModel;
   DevicePanel* m_devices;
   QTabWidget* m_centre;

@@ -66,8 +66,11 @@ void Changes::noteCame(const Note& note) {
   JsonLine line;
   line.add("event", noteKey(note.value)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
   const bool isSaid = std::visit(
-      Overload{[](const note::LinkUp&) { return true; }, [](const note::Locked&) { return true; },
-               [](const note::Unlocked&) { return true; },
+      Overload{[&](const note::LinkUp& n) {
+                 if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
+                 return true;
+               },
+               [](const note::Locked&) { return true; }, [](const note::Unlocked&) { return true; },
                [&](const note::LinkDown& n) {
                  line.add("reason", kLinkFaultKeys[n.fault]);
                  if (!n.words.isEmpty()) line.add("words", n.words.str());
@@ -75,6 +78,11 @@ void Changes::noteCame(const Note& note) {
                },
                [&](const note::Dropped& n) {
                  return line.add("frames", static_cast<std::int64_t>(n.count)), true;
+               },
+               [&](const note::LeftOut& n) {
+                 return line.add("frames", static_cast<std::int64_t>(n.count))
+                            .add("reason", n.why == note::LeftOut::Why::CanFd ? "can_fd" : "not_classic"),
+                        true;
                },
                [&](const note::OwnAddress& n) {
                  return line.add("address", n.address).add("reason", ownAddressWord(n.how)), true;
@@ -84,7 +92,8 @@ void Changes::noteCame(const Note& note) {
                },
                [](const note::Mark&) { return false; }, [](const note::DriveSaid&) { return false; },
                [](const note::Asked&) { return false; }, [](const note::AskWaits&) { return false; },
-               [](const note::AskEnded&) { return false; }, [](const note::Pipe&) { return false; }},
+               [](const note::AskEnded&) { return false; }, [](const note::Pipe&) { return false; },
+               [](const note::Label&) { return false; }, [](const note::Added&) { return false; }},
       note.value);
   if (isSaid) m_out += line.text();
 }

@@ -28,6 +28,7 @@ ExitStatus infoCommand(const QStringList& arguments) {
     return true;
   });
   if (status == kCannotRead || status == kNothingRead) return status;
+  report.takeNotes();
   Output output;
   const UnkeptPlaces unkept = input.unkept.content();
   output.text() = parser.isSet(json) ? report.json(input.name(), unkept) : report.text(input.name(), unkept);

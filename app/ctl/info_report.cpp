@@ -56,7 +56,8 @@ void appendAngle(std::string& out, const PositionReading& reading) {
 }
 
 // One device as a JSON object: what it is, and the last of each thing it said.
-void appendDeviceJson(std::string& out, const State& state, const Device& device, std::string_view channel) {
+void appendDeviceJson(std::string& out, const State& state, const Device& device, std::string_view channel,
+                      std::string_view label) {
   const auto key = [&](std::string_view name) {
     out += ",\"";
     out += name;
@@ -64,6 +65,10 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
   };
   out += "{\"pin\":";
   appendJsonValue(out, device.kind == Device::Kind::Pin ? Value::text(device.pin.text()) : Value());
+  if (!label.empty()) {
+    key("label");
+    appendJsonString(out, label);
+  }
   key("channel");
   appendJsonString(out, channel);
   if (device.kind == Device::Kind::Pin) {
@@ -142,13 +147,15 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
   out += '}';
 }
 
-std::string deviceText(const State& state, const Device& device, std::string_view channel) {
+std::string deviceText(const State& state, const Device& device, std::string_view channel,
+                       std::string_view label) {
   std::string out;
   if (device.kind == Device::Kind::Pin) {
     out += device.pin.text();
     const std::string_view type = deviceTypeName(device.pin.deviceType());
     out += "  ";
     out += type.empty() ? std::string_view("type not known") : type;
+    if (!label.empty()) out.append(", ").append(label);
   } else {
     out += "no PIN         ";
   }
@@ -191,6 +198,46 @@ void InfoReport::countNew() {
   }
 }
 
+// Notes at the end too, which stand before no frame.
+void InfoReport::takeNotes() {
+  for (const Note& note : m_notes.all()) {
+    m_missed += framesMissed(note.value);
+    if (std::holds_alternative<note::Mark>(note.value)) ++m_marks;
+    if (const auto* added = std::get_if<note::Added>(&note.value)) m_added += added->count;
+    if (const auto* label = std::get_if<note::Label>(&note.value)) m_labels[label->pin] = label->text.str();
+    if (const auto* up = std::get_if<note::LinkUp>(&note.value); up != nullptr && !up->adapter.isEmpty())
+      m_adapters.emplace(up->channel.value, up->adapter.str());
+  }
+}
+
+std::string_view InfoReport::labelOf(const Device& device) const {
+  const auto label = m_labels.find(device.pin);
+  return label == m_labels.end() ? std::string_view() : label->second;
+}
+
+void InfoReport::appendNotes(std::string& out) const {
+  for (const auto& [channel, adapter] : m_adapters)
+    out += "  " + std::string(m_frames.channelName(channel)) + " was " + adapter + "\n";
+  if (m_added != 0)
+    out += "  " + std::to_string(m_added) + " frames were added when it was saved: who held which address\n";
+  if (m_missed != 0) out += "  " + std::to_string(m_missed) + " frames came and are not in it\n";
+  if (m_marks != 0) out += "  " + std::to_string(m_marks) + " marks\n";
+}
+
+void InfoReport::appendNotesJson(std::string& out) const {
+  out += ",\"adapters\":[";
+  for (const auto& [channel, adapter] : m_adapters) {
+    if (out.back() == '}') out += ',';
+    out += "{\"channel\":";
+    appendJsonString(out, m_frames.channelName(channel));
+    out += ",\"adapter\":";
+    appendJsonString(out, adapter);
+    out += '}';
+  }
+  out += "],\"added\":" + std::to_string(m_added) + ",\"missed\":" + std::to_string(m_missed) +
+         ",\"marks\":" + std::to_string(m_marks);
+}
+
 Frame InfoReport::frameOf(const Key& key) const {
   Frame frame;
   frame.id = key.id;
@@ -212,6 +259,7 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
   std::snprintf(line, sizeof line, "  %llu frames %s on %zu channels\n",
                 static_cast<unsigned long long>(m_frames.count()), span, m_frames.channelCount());
   out += line;
+  appendNotes(out);
   if (m_timeJumps != 0) out += "  " + std::to_string(m_timeJumps) + " frames whose time goes back or leaps\n";
   if (unkept.unreadable() != 0) out += "  " + std::to_string(unkept.unreadable()) + " unreadable lines\n";
   for (const Unkept reason : kAllOf<Unkept>) {
@@ -236,7 +284,8 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
     out += "devices\n";
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;
-      out += "  " + deviceText(m_state, device, m_frames.channelName(device.channel.value)) + "\n";
+      out += "  " + deviceText(m_state, device, m_frames.channelName(device.channel.value), labelOf(device)) +
+             "\n";
     }
   }
   return out;
@@ -249,6 +298,7 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
   char span[40] = ",\"span\":null";
   if (hasTimes()) std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
   out += span;
+  appendNotesJson(out);
   out += ",\"time_jumps\":" + std::to_string(m_timeJumps);
   out += ",\"unreadable\":" + std::to_string(unkept.unreadable());
   out += ",\"not_kept\":{";
@@ -285,7 +335,7 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;
       comma();
-      appendDeviceJson(out, m_state, device, m_frames.channelName(device.channel.value));
+      appendDeviceJson(out, m_state, device, m_frames.channelName(device.channel.value), labelOf(device));
     }
     out += ']';
   }

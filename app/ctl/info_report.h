@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "log/frame_store.h"
 #include "log/unkept.h"
@@ -19,6 +21,8 @@ class InfoReport {
 
   // Counts what has come since the last call.
   void countNew();
+  // Once, when all of it was read.
+  void takeNotes();
   std::string text(const std::string& file, const UnkeptPlaces& unkept) const;
   std::string json(const std::string& file, const UnkeptPlaces& unkept) const;
 
@@ -29,6 +33,9 @@ class InfoReport {
     friend auto operator<=>(const Key&, const Key&) = default;
   };
 
+  std::string_view labelOf(const Device& device) const;
+  void appendNotes(std::string& out) const;
+  void appendNotesJson(std::string& out) const;
   Frame frameOf(const Key& key) const;
   bool hasTimes() const;
   double spanSeconds() const;
@@ -40,6 +47,10 @@ class InfoReport {
   std::uint64_t m_next = 0;
   std::map<Key, std::uint64_t> m_byId;
   std::uint64_t m_timeJumps = 0;
+  // What the notes say of the log as a whole.
+  std::set<std::pair<std::uint8_t, std::string>> m_adapters;  // by channel, in words
+  std::map<Pin, std::string> m_labels;
+  std::uint64_t m_marks = 0, m_added = 0, m_missed = 0;
   State m_state;
 };
 

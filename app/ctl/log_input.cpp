@@ -16,6 +16,7 @@
 
 #include "log/delta_times.h"
 #include "log/log_stream.h"
+#include "log/sidecar.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -68,6 +69,8 @@ ExitStatus LogInput::readFile(const std::function<bool()>& more) {
   std::atomic<bool> wanted = true;
   std::atomic<bool> hasEnded = false;
   std::optional<Result<ReadSummary, ReadError>> outcome;
+  // The notes of a sidecar are there once all frames are.
+  const bool isShownAsItComes = !hasSidecar(path);
   const auto publish = [&] {
     published.fetch_add(1);
     published.notify_one();
@@ -77,7 +80,7 @@ ExitStatus LogInput::readFile(const std::function<bool()>& more) {
     options.threads = 2;
     options.addsUpTimes = addsUpTimes;
     options.onProgress = [&](const ReadProgress&) {
-      publish();
+      if (isShownAsItComes) publish();
       return wanted.load();
     };
     outcome.emplace(openLog(path, {frames, unkept, &notes}, options));
@@ -97,7 +100,7 @@ ExitStatus LogInput::readFile(const std::function<bool()>& more) {
 ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& more) {
   ReadOptions options;
   options.addsUpTimes = addsUpTimes;
-  LogStream stream(frames, unkept, logFormats(), options);
+  LogStream stream({frames, unkept, &notes}, logFormats(), options);
   std::array<char, 64 * 1024> buffer;
   std::string failure;
   for (;;) {
@@ -124,7 +127,26 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
   if (summary.isOpenEnded)
     std::fprintf(stderr, "%s: the recording was not ended: it still goes on, or its last second was lost\n",
                  name().c_str());
-  return summary.cutBytes == 0 && summary.newerParts == 0;
+  if (const auto& fault = summary.sidecarFault) {
+    std::string where = fault->path;
+    if (fault->line > 0) where += ":" + std::to_string(fault->line);
+    std::string text(sidecarFaultText(fault->kind));
+    if (!fault->detail.empty()) text += ": " + fault->detail;
+    complain(where, text + "; the log was read without its notes");
+  }
+  return summary.cutBytes == 0 && summary.newerParts == 0 && !summary.sidecarFault;
+}
+
+bool LogInput::sayMissed() const {
+  std::uint64_t lost = 0, leftOut = 0;
+  for (const Note& note : notes.all())
+    (std::holds_alternative<note::Dropped>(note.value) ? lost : leftOut) += framesMissed(note.value);
+  if (lost > 0)
+    std::fprintf(stderr, "%s: %" PRIu64 " frames were lost while it was recorded\n", name().c_str(), lost);
+  if (leftOut > 0)
+    std::fprintf(stderr, "%s: %" PRIu64 " frames came that it cannot hold: CAN FD, or not classic CAN\n",
+                 name().c_str(), leftOut);
+  return leftOut > 0;
 }
 
 ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const {
@@ -137,7 +159,7 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const 
     return frames.count() > 0 ? kNotWhole : kCannotRead;
   }
   const bool isWhole = sayMissing(outcome.value());
-  const bool hasMissed = content.unreadable() > 0 || content.skipped() > 0;
+  const bool hasMissed = sayMissed() || content.unreadable() > 0 || content.skipped() > 0;
   if (frames.count() == 0 && !hasMissed && !outcome.value().cancelled) {
     complain(name(), m_hasBytes ? "it holds no frame" : "it is empty");
     return kNothingRead;

@@ -29,7 +29,7 @@ struct LogInput {
   std::string path;  // "-" is standard input
   bool addsUpTimes;  // --deltas was given
   FrameStore frames;
-  NoteStore notes;  // of a recording
+  NoteStore notes;  // of a recording or a sidecar
   UnkeptList unkept;
 
   // What a person calls it in messages.
@@ -47,8 +47,10 @@ struct LogInput {
   ExitStatus ended(const Result<ReadSummary, ReadError>& outcome) const;
   void sayUnkept(const UnkeptPlaces& content) const;
   bool m_hasBytes = false;  // the file or pipe is not empty
-  // Says which parts of a recording are missing; false if any is.
+  // Says which parts of a recording or its notes are missing; false if any is.
   bool sayMissing(const ReadSummary& summary) const;
+  // Says how many frames came that are not in the log; true if it cannot hold some of them.
+  bool sayMissed() const;
 };
 
 }  // namespace deckpipe::ctl

@@ -22,14 +22,24 @@ QString stateOf(const Recording& recording) {
 
 double secondsOf(Duration length) { return static_cast<double>(length.count()) / 1e9; }
 
+QString lengthOf(const Recording& recording) {
+  if (!recording.length) return QStringLiteral("length not known");
+  return QStringLiteral("%1%2 s")
+      .arg(recording.isGlanced ? QStringLiteral("about ") : QString())
+      .arg(secondsOf(*recording.length), 0, 'f', 1);
+}
+
 QByteArray lineOf(const Recording& recording) {
   QString line =
-      QStringLiteral("%1  %2  %3 s  %4 frames  %5")
+      QStringLiteral("%1  %2  %3  %4 frames  %5")
           .arg(recording.begin.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")), stateOf(recording))
-          .arg(secondsOf(recording.length), 0, 'f', 1)
+          .arg(lengthOf(recording))
           .arg(recording.frames)
           .arg(recording.pins.isEmpty() ? QStringLiteral("-") : recording.pins.join(QLatin1Char(' ')));
+  if (recording.isGlanced) line += QStringLiteral(" and perhaps more, as only its ends were read");
   if (!recording.isWhole && !recording.isGrowing) line += QStringLiteral("  not whole");
+  if (!recording.adapters.isEmpty())
+    line += QStringLiteral("\n  ") + recording.adapters.join(QStringLiteral("; "));
   return (line + QStringLiteral("\n  ") + recording.path).toUtf8() + '\n';
 }
 
@@ -40,9 +50,12 @@ QByteArray jsonOf(const Recording& recording) {
                            {QStringLiteral("state"), stateOf(recording)},
                            {QStringLiteral("whole"), recording.isWhole},
                            {QStringLiteral("simulated"), recording.isSimulated},
-                           {QStringLiteral("length_s"), secondsOf(recording.length)},
+                           {QStringLiteral("length_s"),
+                            recording.length ? QJsonValue(secondsOf(*recording.length)) : QJsonValue()},
                            {QStringLiteral("frames"), static_cast<qint64>(recording.frames)},
                            {QStringLiteral("bytes"), static_cast<qint64>(recording.bytes)},
+                           {QStringLiteral("only_ends_read"), recording.isGlanced},
+                           {QStringLiteral("adapters"), QJsonArray::fromStringList(recording.adapters)},
                            {QStringLiteral("pins"), QJsonArray::fromStringList(recording.pins)},
                        })
              .toJson(QJsonDocument::Compact) +

@@ -12,6 +12,7 @@
 #include "link/plugins.h"
 #include "live_options.h"
 #include "log/log_format.h"
+#include "log/sidecar.h"
 #include "misbehave_option.h"
 #include "moves_monitors.h"
 #include "output.h"
@@ -31,8 +32,11 @@ bool simulateInto(simulator::StandardBench& bench, double seconds, const LogForm
                   std::uint64_t& frames, const std::function<bool(const std::string&)>& write) {
   constexpr std::size_t kPiece = 1 << 20;
   const Instant end = Instant{} + Duration(std::llround(seconds * 1e9));
+  const auto writer = format.makeWriter();
   std::string text;
   std::vector<simulator::DueFrame> due;
+  writer->begin(text);
+  writer->channel("can0", text);
   bench.bench.powerOn({});
   while (bench.bench.nextTime() <= end && !wasStopped()) {
     bench.bench.timeCame(bench.bench.nextTime());
@@ -40,13 +44,14 @@ bool simulateInto(simulator::StandardBench& bench, double seconds, const LogForm
     bench.bench.takeFrames(due);
     for (simulator::DueFrame& frame : due) {
       frame.frame.stamp = kLogStart + frame.time.ns;
-      format.write(frame.frame, "can0", text);
+      writer->frame(frame.frame, Instant{frame.frame.stamp}, text);
     }
     frames += due.size();
     if (text.size() < kPiece) continue;
     if (!write(text)) return false;
     text.clear();
   }
+  writer->end(text);
   return write(text);
 }
 
@@ -82,7 +87,11 @@ ExitStatus writeLog(simulator::StandardBench& bench, double seconds, const QStri
   const bool isWhole = file.open(QIODevice::WriteOnly) &&
                        simulateInto(bench, seconds, format, frames, write) &&
                        (replaces ? whole.commit() : asItStands.flush());
-  if (isWhole) return written(path, frames);
+  if (isWhole) {
+    // The sidecar of a log that was there before is of no other log.
+    QFile::remove(path + QLatin1String(kSidecarSuffix.data(), kSidecarSuffix.size()));
+    return written(path, frames);
+  }
   std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(path), qPrintable(file.errorString()));
   return kNotWhole;
 }

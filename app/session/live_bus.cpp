@@ -20,6 +20,13 @@ Instant timeOf(clockid_t clock) {
   return Instant{std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec};
 }
 
+// "socketcan can0, 250 kbit/s"
+std::string adapterWords(const LinkSettings& settings) {
+  QString words = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
+  if (settings.bitRate != 0) words += QStringLiteral(", %1 kbit/s").arg(settings.bitRate / 1000.0);
+  return words.toStdString();
+}
+
 }  // namespace
 
 Instant bootTime() { return timeOf(CLOCK_BOOTTIME); }
@@ -139,6 +146,7 @@ void LiveBus::stop() {
   m_tick->stop();
   m_serviceTimer->stop();
   m_link->close();
+  noteLeftOut();
   publish();
   m_link.reset();
 }
@@ -179,15 +187,32 @@ void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
       for (std::uint32_t i = 0; i < count; ++i) {
         m_document->unkept.add(m_document->frames.count(), Unkept::CanFd);
       }
+      leftOut(note::LeftOut::Why::CanFd, count);
       break;
-    case NotKept::Invalid: break;
+    case NotKept::Invalid: leftOut(note::LeftOut::Why::NotClassic, count); break;
   }
+}
+
+void LiveBus::leftOut(note::LeftOut::Why why, std::uint32_t count) {
+  const auto known = std::ranges::find(m_leftOut, why, &note::LeftOut::why);
+  if (known != m_leftOut.end()) {
+    known->count += count;
+  } else {
+    m_leftOut.push_back({m_settings.channel, why, count});
+  }
+  if (bootTime() >= m_nextLeftOut) noteLeftOut();
+}
+
+void LiveBus::noteLeftOut() {
+  if (m_leftOut.empty()) return;
+  for (const note::LeftOut& leftOut : std::exchange(m_leftOut, {})) write(leftOut);
+  m_nextLeftOut = bootTime() + 1s;
 }
 
 void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   const bool wasUp = m_linkState == LinkState::Up;
   m_linkState = state;
-  if (state == LinkState::Up && !wasUp) write(note::LinkUp{m_settings.channel});
+  if (state == LinkState::Up && !wasUp) write(note::LinkUp{m_settings.channel, adapterWords(m_settings)});
   if (state != LinkState::Up && wasUp) {
     const LinkFault fault = state == LinkState::Closed ? LinkFault::None : m_link->status().fault;
     write(note::LinkDown{m_settings.channel, fault, fault == LinkFault::Other ? reason : std::string()});
@@ -208,6 +233,7 @@ void LiveBus::write(NoteValue value) {
 
 void LiveBus::publish() {
   followHardware();
+  if (bootTime() >= m_nextLeftOut) noteLeftOut();
   m_state.timeCame(bootTime() - kBehind);
   auto state = std::make_shared<const State>(m_state);
   auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));

@@ -79,6 +79,9 @@ class LiveBus : public QObject, private PortListener {
   void framesReceived(std::span<const Frame> frames) override;
   void framesNotKept(NotKept reason, std::uint32_t count) override;
   void linkChanged(LinkState state, const std::string& reason) override;
+  // Notes are few: at most one a second says how many frames the log could not hold.
+  void leftOut(note::LeftOut::Why why, std::uint32_t count);
+  void noteLeftOut();
   // Places a note at the end of the log.
   void write(NoteValue value);
   // An adapter that cannot send is not unlocked; one that echoes by itself is believed.
@@ -98,6 +101,8 @@ class LiveBus : public QObject, private PortListener {
   LogTimes m_times;
   LinkState m_linkState = LinkState::Closed;
   std::uint64_t m_notKept = 0;
+  std::vector<note::LeftOut> m_leftOut;  // of each reason, since the last note
+  Instant m_nextLeftOut = kNotYet;       // no note of it before
   bool m_storeFull = false;
   bool m_isClosing = false;
   std::vector<OutFrame> m_toSend;

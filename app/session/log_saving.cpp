@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/log_saving.h"
 
+#include <QFile>
 #include <QSaveFile>
 #include <algorithm>
 #include <string>
 #include <utility>
+
+#include "log/journal_file.h"
+#include "log/sidecar.h"
 
 namespace deckpipe {
 namespace {
@@ -21,7 +25,9 @@ LogSaving::LogSaving(std::shared_ptr<const LogDocument> document, const QString&
       m_path(path),
       m_format(formatToWrite(path.toStdString())),
       m_part(std::move(part)) {
-  m_part.end = std::min(m_part.end, m_document->frames.count());
+  const std::uint64_t count = m_document->frames.count();
+  m_isToEnd = m_part.end >= count;
+  m_part.end = std::min(m_part.end, count);
   m_part.begin = std::min(m_part.begin, m_part.end);
   m_thread = std::jthread([this](const std::stop_token& stop) { write(stop); });
 }
@@ -37,45 +43,63 @@ void LogSaving::write(const std::stop_token& stop) {
     QMetaObject::invokeMethod(
         this, [=, this] { Q_EMIT ended(outcome, reason); }, Qt::QueuedConnection);
   };
+  // The name would go to the copy, and what is received to a file without one.
+  if (isBeingWritten(QFile::encodeName(m_path).toStdString()))
+    return end(Outcome::Failed, tr("it is a recording that goes on"));
   QSaveFile file(m_path);
   if (!file.open(QIODevice::WriteOnly)) return end(Outcome::Failed, file.errorString());
-  if (!writeFrames(file, stop)) return end(Outcome::Cancelled, {});
+  const auto writer = m_format.makeWriter();
+  if (!writeFrames(file, *writer, stop)) return end(Outcome::Cancelled, {});
   // A failed write is remembered by the file and fails the commit.
   if (!file.commit()) return end(Outcome::Failed, file.errorString());
+  const QString reason = writeSidecar(writer->beside());
   m_fraction.store(1, std::memory_order_relaxed);
-  end(Outcome::Saved, {});
+  end(Outcome::Saved, reason);
 }
 
-QString LogSaving::formatName() const {
-  return QString::fromLatin1(m_format.name.data(), static_cast<qsizetype>(m_format.name.size()));
+QString LogSaving::sidecarOf(const QString& path) {
+  return path + QLatin1String(kSidecarSuffix.data(), static_cast<int>(kSidecarSuffix.size()));
+}
+
+// The sidecar of a log that was there before would be of another log.
+QString LogSaving::writeSidecar(const std::string& text) {
+  const QString path = sidecarOf(m_path);
+  if (text.empty()) {
+    QFile old(path);
+    return !old.exists() || old.remove() ? QString() : old.errorString();
+  }
+  QSaveFile file(path);
+  if (!file.open(QIODevice::WriteOnly)) return file.errorString();
+  file.write(text.data(), static_cast<qint64>(text.size()));
+  if (!file.commit()) return file.errorString();
+  m_hasSidecar.store(true, std::memory_order_relaxed);
+  return {};
 }
 
 // False: given up.
-bool LogSaving::writeFrames(QSaveFile& file, const std::stop_token& stop) {
-  const FrameStore& frames = m_document->frames;
+bool LogSaving::writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_token& stop) {
   std::string text;
   text.reserve(kBlock + 256);
-  std::uint64_t written = 0;
+  const PartWriter::Span span{m_part.begin, m_part.end, m_isToEnd, bool(m_part.passes)};
+  PartWriter part(*m_document, span, m_part.labels, writer, text);
   const std::uint64_t first = m_part.passes ? 0 : m_part.begin;
-  for (std::uint64_t i = first; i < m_part.end;) {
-    for (const Frame& frame : frames.run(i)) {
-      if (i == m_part.end) break;
-      if (i % kGlance == 0) {
-        if (stop.stop_requested()) return false;
-        m_fraction.store(static_cast<double>(i - first) / static_cast<double>(m_part.end - first),
-                         std::memory_order_relaxed);
-      }
-      const bool passes = !m_part.passes || m_part.passes(i);
-      if (i++ < m_part.begin || !passes) continue;
-      m_format.write(frame, frames.channelName(frame.channel), text);
-      ++written;
-      if (text.size() < kBlock) continue;
-      file.write(text.data(), static_cast<qint64>(text.size()));
-      text.clear();
+  for (std::uint64_t i = first; i < m_part.end; ++i) {
+    if (i % kGlance == 0) {
+      if (stop.stop_requested()) return false;
+      m_fraction.store(static_cast<double>(i - first) / static_cast<double>(m_part.end - first),
+                       std::memory_order_relaxed);
     }
+    const bool passes = !m_part.passes || m_part.passes(i);
+    if (i < m_part.begin || !passes) continue;
+    if (!part.frame(i, stop)) return false;
+    if (text.size() < kBlock) continue;
+    file.write(text.data(), static_cast<qint64>(text.size()));
+    text.clear();
   }
+  part.end();
   file.write(text.data(), static_cast<qint64>(text.size()));
-  m_written.store(written, std::memory_order_relaxed);
+  m_written.store(part.written(), std::memory_order_relaxed);
+  m_added.store(part.added(), std::memory_order_relaxed);
   return !stop.stop_requested();
 }
 

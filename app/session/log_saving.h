@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the frames of a log, or some of them, in the format that the file name asks for (formatToWrite()) on
-// a thread of its own, while the log may go on growing: of the frames that were there at the beginning. The
-// file appears whole or not at all. The window makes one for each saving, shows how far it is, and destroys
-// it; destroying it gives up what is not written.
+// a thread of its own, while the log may go on growing: of the frames that were there at the beginning, with
+// their notes (PartWriter). The file appears whole or not at all, and after it the sidecar if it needs one
+// (sidecar.h); one that was there is replaced or removed. The window makes one for each saving, shows how far
+// it is, and destroys it; destroying it gives up what is not written.
 #pragma once
 
 #include <QObject>
@@ -14,6 +15,7 @@
 #include <thread>
 
 #include "log/log_format.h"
+#include "session/part_writer.h"
 #include "state/log_view.h"
 
 class QSaveFile;
@@ -25,6 +27,7 @@ struct SavedPart {
   std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
   // Which of them; empty: all. Asked on the saving's thread, of every frame from the log's first on.
   std::function<bool(std::uint64_t frame)> passes{};
+  LabelsByPin labels{};
 };
 
 class LogSaving : public QObject {
@@ -37,27 +40,37 @@ class LogSaving : public QObject {
   ~LogSaving() override;
 
   QString path() const { return m_path; }
-  QString formatName() const;
   // Nothing where that shows only as they are looked through.
   std::optional<std::uint64_t> frames() const;
-  // Known once it is saved.
+  // Known once it is saved: frames of the log, and frames that were added before them.
   std::uint64_t written() const { return m_written.load(std::memory_order_relaxed); }
+  std::uint64_t added() const { return m_added.load(std::memory_order_relaxed); }
+  // The file beside it that was written too; empty without one.
+  QString sidecar() const {
+    return m_hasSidecar.load(std::memory_order_relaxed) ? sidecarOf(m_path) : QString();
+  }
   double fraction() const { return m_fraction.load(std::memory_order_relaxed); }
   void cancel() { m_thread.request_stop(); }
 
  Q_SIGNALS:
-  // Once. `reason`: the system's words, where it failed.
+  // Once. `reason`: the system's words, where it failed; of a log that was saved, why its sidecar was not.
   void ended(deckpipe::LogSaving::Outcome outcome, const QString& reason);
 
  private:
+  static QString sidecarOf(const QString& path);
   void write(const std::stop_token& stop);
-  bool writeFrames(QSaveFile& file, const std::stop_token& stop);
+  bool writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_token& stop);
+  // The reason why not; empty if it is there, or none is needed.
+  QString writeSidecar(const std::string& text);
 
   std::shared_ptr<const LogDocument> m_document;
   QString m_path;
   const LogFormat& m_format;
   SavedPart m_part;
+  bool m_isToEnd = false;
   std::atomic<std::uint64_t> m_written = 0;
+  std::atomic<std::uint64_t> m_added = 0;
+  std::atomic<bool> m_hasSidecar = false;
   std::atomic<double> m_fraction = 0;
   std::jthread m_thread;  // last: it uses all of the above
 };

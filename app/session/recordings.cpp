@@ -9,6 +9,7 @@
 
 #include "log/journal_bytes.h"
 #include "log/journal_file.h"
+#include "log/journal_tail.h"
 #include "log/log_format.h"
 #include "state/advance.h"
 
@@ -26,6 +27,50 @@ JournalHead headOf(const QString& path) {
   return head;
 }
 
+QString textOf(std::string_view words) {
+  return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+// The first so many bytes of a file.
+class FrontOfFile final : public LogBytes {
+ public:
+  FrontOfFile(const LogBytes& file, std::uint64_t size) : m_file(file), m_size(std::min(size, file.size())) {}
+  std::uint64_t size() const override { return m_size; }
+  std::string get(std::uint64_t from, std::uint64_t to, std::vector<char>& buffer,
+                  std::string_view& piece) const override {
+    return m_file.get(from, to, buffer, piece);
+  }
+
+ private:
+  const LogBytes& m_file;
+  const std::uint64_t m_size;
+};
+
+void takeNames(Recording& recording, const FrameStore& frames, const NoteStore& notes) {
+  State state;
+  advance(state, frames, notes, cursorAfter(frames, frames.count()));
+  for (const Device& device : state.devices().all()) {
+    const QString pin = textOf(device.pin.text());
+    if (device.kind == Device::Kind::Pin && !recording.pins.contains(pin)) recording.pins += pin;
+  }
+  for (const Note& note : notes.all()) {
+    const auto* up = std::get_if<note::LinkUp>(&note.value);
+    if (up == nullptr || up->adapter.isEmpty()) continue;
+    const QString adapter = textOf(up->adapter.str());
+    if (!recording.adapters.contains(adapter)) recording.adapters += adapter;
+  }
+}
+
+// The log time of a frame of the end, by the clock of its channel as the beginning or the end tells it.
+std::optional<Instant> timeOf(const JournalTail& tail, const FrameStore& begin) {
+  if (!tail.last) return {};
+  std::int64_t offset = tail.offset.value_or(0);
+  const auto* offsets = begin.offsets(tail.last->channel);
+  if (!tail.offset && offsets != nullptr && offsets->size() > 0)
+    offset = (*offsets)[offsets->size() - 1].offset;
+  return Instant{saturatedPlus(tail.last->stamp, offset)};
+}
+
 }  // namespace
 
 QString recordingsFolder() {
@@ -33,7 +78,7 @@ QString recordingsFolder() {
          QStringLiteral("/Deckpipe/deckpipe/recordings");
 }
 
-Recording readRecording(const QString& path) {
+Recording readRecording(const QString& path, std::uint64_t readWhole) {
   Recording recording;
   const QFileInfo facts(path);
   const std::string name = QFile::encodeName(path).toStdString();
@@ -48,24 +93,25 @@ Recording readRecording(const QString& path) {
   recording.isSaved = head.isSaved;
   recording.isSimulated = head.isSimulated;
 
+  BytesOfFile file;
+  if (!file.open(name).empty()) return recording;
+  const std::optional<JournalTail> tail =
+      file.size() > readWhole ? readJournalTail(file, std::min(readWhole, kJournalTailBytes)) : std::nullopt;
   FrameStore frames;
   NoteStore notes;
   UnkeptList unkept;
-  const auto summary = openLog(name, {frames, unkept, &notes});
+  const auto summary =
+      readLog(FrontOfFile(file, tail ? readWhole / 2 : file.size()), {frames, unkept, &notes});
   if (!summary) return recording;
   recording.isReadable = true;
-  recording.frames = frames.count();
-  recording.isWhole = !summary.value().isOpenEnded && summary.value().cutBytes == 0;
-  if (recording.frames == 0) return recording;
-  recording.length = frames.lastTime() - frames.timeAt(0);
-  State state;
-  advance(state, frames, notes, cursorAfter(frames, frames.count()));
-  for (const Device& device : state.devices().all()) {
-    if (device.kind != Device::Kind::Pin) continue;
-    const std::string_view pin = device.pin.text();
-    const QString text = QString::fromLatin1(pin.data(), static_cast<qsizetype>(pin.size()));
-    if (!recording.pins.contains(text)) recording.pins += text;
-  }
+  recording.isGlanced = tail.has_value();
+  recording.frames = tail ? tail->frames : frames.count();
+  recording.isWhole = tail ? tail->isEnded && tail->cutBytes == 0
+                           : !summary.value().isOpenEnded && summary.value().cutBytes == 0;
+  if (frames.count() == 0) return recording;
+  const auto last = tail ? timeOf(*tail, frames) : std::optional(frames.lastTime());
+  if (last && *last >= frames.timeAt(0)) recording.length = *last - frames.timeAt(0);
+  takeNames(recording, frames, notes);
   return recording;
 }
 

@@ -3,6 +3,7 @@
 
 #include <QDeadlineTimer>
 #include <QFile>
+#include <QFileInfo>
 #include <QThread>
 #include <algorithm>
 #include <thread>
@@ -179,6 +180,13 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
 
 void Session::openLog(const QString& path, TimesOf times) {
   forgetSaid();
+  // To open it would end it.
+  if (m_recorder != nullptr &&
+      QFileInfo(path) == QFileInfo(QFile::decodeName(m_recorder->status().path.c_str()))) {
+    m_snapshot.notOpened = NotOpened{.path = path, .error = {}, .isInView = true};
+    Q_EMIT changed();
+    return;
+  }
   Candidate log{path, times, std::make_shared<LogDocument>(), nullptr};
   log.opening = std::make_unique<LogOpening>(log.document, path, times == TimesOf::Differences);
   const bool isWorthKeeping = m_board != nullptr || m_bench != nullptr || m_whenBusHasEnded != nullptr ||
@@ -203,7 +211,7 @@ void Session::followCandidate() {
   const auto* outcome = m_candidate->opening->outcome();
   if (m_candidate->document->frames.count() > 0) return show(*std::exchange(m_candidate, {}));
   if (outcome == nullptr) return;
-  m_snapshot.notOpened = NotOpened{m_candidate->path, {}};
+  m_snapshot.notOpened = NotOpened{.path = m_candidate->path, .error = {}};
   if (!*outcome) m_snapshot.notOpened->error = outcome->error();
   m_candidate.reset();
   Q_EMIT changed();
@@ -410,10 +418,13 @@ void Session::updateSource() {
     source.unreadable = unkept.unreadable();
     source.notKept = unkept.skipped();
     if (const auto* outcome = m_opening->outcome()) {
+      const bool isNews = source.progress == SourceStatus::Progress::Opening;
+      if (isNews && *outcome && outcome->value().hasSidecar) m_walker->notesCame();
       source.fraction = 1;
       source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
       if (*outcome) {
         source.read = outcome->value();
+        source.notKept += m_document->notes.missedFrames();
       } else {
         source.error = outcome->error();
       }

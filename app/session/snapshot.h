@@ -32,6 +32,7 @@ using SourceError = std::variant<std::monostate, ReadError, LinkError, StoreFull
 struct NotOpened {
   QString path;
   std::optional<ReadError> error;  // nothing: it holds no frame
+  bool isInView = false;           // it is the recording of the link that is open, and goes on
   friend bool operator==(const NotOpened&, const NotOpened&) = default;
 };
 

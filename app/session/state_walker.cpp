@@ -15,8 +15,19 @@ StateWalker::~StateWalker() = default;
 void StateWalker::request(Cursor cursor) {
   {
     const std::lock_guard lock(m_lock);
-    if (m_latest->cursor() == cursor) return;
+    if (m_latest->cursor() == cursor && !m_notesCame) return;
     m_request = cursor;
+  }
+  m_wake.notify_one();
+}
+
+void StateWalker::notesCame() {
+  m_document->roles.invalidateAfter(0);
+  {
+    const std::lock_guard lock(m_lock);
+    m_notesCame = true;
+    m_indexRequested = true;
+    if (!m_request) m_request = m_latest->cursor();
   }
   m_wake.notify_one();
 }
@@ -40,6 +51,7 @@ bool StateWalker::isSuperseded() const {
 }
 
 void StateWalker::run(std::stop_token stop) {
+  bool isAnew = false;  // no state was found since notes came
   while (!stop.stop_requested()) {
     std::optional<Cursor> cursor;
     {
@@ -47,10 +59,15 @@ void StateWalker::run(std::stop_token stop) {
       if (!m_wake.wait(lock, stop, [this] { return m_request.has_value() || m_indexRequested; })) return;
       cursor = std::exchange(m_request, std::nullopt);
       m_indexRequested = false;
+      if (std::exchange(m_notesCame, false)) {
+        isAnew = true;
+        m_document->keyframes.invalidateAfter(0);
+      }
     }
-    if (auto state = cursor ? walkTo(*cursor, stop) : nullptr) {
+    if (auto state = cursor ? walkTo(*cursor, isAnew, stop) : nullptr) {
       const std::lock_guard lock(m_lock);
       m_latest = std::move(state);
+      isAnew = false;
     }
     while (!stop.stop_requested() && !isSuperseded() && indexMore()) {
     }
@@ -64,7 +81,7 @@ bool StateWalker::indexMore() {
 }
 
 // Null where a newer request or the end came between.
-std::shared_ptr<const State> StateWalker::walkTo(Cursor cursor, const std::stop_token& stop) {
+std::shared_ptr<const State> StateWalker::walkTo(Cursor cursor, bool isAnew, const std::stop_token& stop) {
   // Far from every keyframe the way leads over new ones, so that it can be left at each.
   while ((m_document->keyframes.count() + 1) * Keyframes::kEvery <= cursor.frames) {
     if (stop.stop_requested() || !indexMore()) break;
@@ -72,7 +89,7 @@ std::shared_ptr<const State> StateWalker::walkTo(Cursor cursor, const std::stop_
   }
   const std::shared_ptr<const State> here = latest();
   const Cursor from = here->cursor();
-  const bool ahead = from.frames <= cursor.frames && from.time <= cursor.time;
+  const bool ahead = !isAnew && from.frames <= cursor.frames && from.time <= cursor.time;
   if (!ahead || cursor.frames - from.frames > Keyframes::kEvery) {
     return std::make_shared<const State>(m_document->keyframes.at(cursor));
   }

@@ -23,12 +23,14 @@ class StateWalker {
   void request(Cursor cursor);
   // The log has grown: index what is new.
   void index();
+  // Notes came at places that were walked already: what was found there is found anew.
+  void notesCame();
   // The state at the last cursor that was reached; never null.
   std::shared_ptr<const State> latest() const;
 
  private:
   void run(std::stop_token stop);
-  std::shared_ptr<const State> walkTo(Cursor cursor, const std::stop_token& stop);
+  std::shared_ptr<const State> walkTo(Cursor cursor, bool isAnew, const std::stop_token& stop);
   // A step of keyframes and roles; false where both are complete.
   bool indexMore();
   bool isSuperseded() const;
@@ -38,6 +40,7 @@ class StateWalker {
   std::condition_variable_any m_wake;
   std::optional<Cursor> m_request;
   bool m_indexRequested = false;
+  bool m_notesCame = false;
   std::shared_ptr<const State> m_latest;
   std::jthread m_thread;  // last: it uses all of the above
 };

@@ -13,11 +13,13 @@ namespace deckpipe {
 // One line of log form with its line feed, appended to `out`: what reading makes the same frame of, but for
 // kConfirmed (the form knows sent or not) and kTimeJump (which the store works out). The stamp has six
 // decimals, as can-utils reads nine as if they were microseconds; what is finer is cut off. A frame without a
-// stamp becomes a line of the screen form, the only one that programs read without. Of a name, what would not
-// be read back becomes '_'.
+// stamp becomes a line of the screen form, the only one that programs read without. The name is candumpName().
 void writeCandump(const Frame& frame, std::string_view channelName, std::string& out);
 
+// The name of a channel as it is read back: what would not be becomes '_'.
+std::string candumpName(std::string_view channelName);
+
 inline constexpr LogFormat kCandumpFormat =
-    textFormat<CandumpParser>("candump", "*.log *.txt *.candump", writeCandump);
+    writable<writeCandump, candumpName>(textFormat<CandumpParser>("candump", "*.log *.txt *.candump"));
 
 }  // namespace deckpipe

@@ -10,6 +10,7 @@ namespace {
 
 // A line of either form needs less, its name apart.
 constexpr std::size_t kLineRoom = 128;
+constexpr std::size_t kLongestName = 63;
 
 struct Writer {
   char* p;
@@ -23,11 +24,10 @@ struct Writer {
     for (unsigned i = digits; i-- > 0; number /= 10) p[i] = static_cast<char>('0' + number % 10);
     p += digits;
   }
-  // What a reader would not take as one name is replaced.
   void name(std::string_view n) {
-    if (n.empty()) n = kUnnamedInterface;
     char* const first = p;
-    for (const char c : n.substr(0, 63)) *p++ = c > ' ' && c <= '~' ? c : '_';
+    if (n.empty()) n = kUnnamedInterface;
+    for (const char c : n.substr(0, kLongestName)) *p++ = c > ' ' && c <= '~' ? c : '_';
     if (*first == '(' || *first == '#' || *first == '<') *first = '_';
   }
   void identifier(const Frame& frame) {
@@ -81,8 +81,15 @@ void screenForm(const Frame& frame, std::string_view name, Writer& w) {
 
 }  // namespace
 
+std::string candumpName(std::string_view channelName) {
+  std::array<char, kLongestName + 1> name;
+  Writer w{name.data()};
+  w.name(channelName);
+  return {name.data(), w.p};
+}
+
 void writeCandump(const Frame& frame, std::string_view channelName, std::string& out) {
-  std::array<char, kLineRoom + 64> line;
+  std::array<char, kLineRoom + kLongestName + 1> line;
   Writer w{line.data()};
   if (frame.hasStamp()) {
     logForm(frame, channelName, w);

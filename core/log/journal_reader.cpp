@@ -2,6 +2,7 @@
 #include "log/journal_reader.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,59 +18,36 @@ Bytes bytesOf(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-class JournalReading {
+// Takes the head and the blocks of a journal one after another, wherever they come from.
+class JournalContent {
  public:
-  JournalReading(const LogBytes& bytes, const LogTarget& target, const ReadOptions& options)
-      : m_bytes(bytes), m_target(target), m_options(options) {}
+  enum class Outcome : std::uint8_t { Taken, Damaged, Full, NewerVersion };
 
-  Result<ReadSummary, ReadError> run() {
-    std::string_view piece;
-    const std::uint64_t size = m_bytes.size();
-    if (std::string why = m_bytes.get(0, std::min<std::uint64_t>(size, JournalHead::kBytes), m_buffer, piece);
-        !why.empty())
-      return cannotRead(std::move(why));
-    JournalHead head;
-    m_summary.isOpenEnded = true;
-    if (!takeJournalHead(bytesOf(piece), head)) return endAt(0);
-    if (head.major > JournalHead::kMajor)
-      return Failure{ReadError{ReadError::Kind::NewerVersion, std::to_string(head.major)}};
-    for (std::uint64_t at = JournalHead::kBytes; at < size;) {
-      if (size - at < kJournalBlockHead) return endAt(at);
-      if (std::string why = m_bytes.get(at, at + kJournalBlockHead, m_buffer, piece); !why.empty())
-        return cannotRead(std::move(why));
-      const JournalBlockHead block = journalBlockHead(bytesOf(piece));
-      const std::uint64_t next = at + kJournalBlockHead + block.length;
-      if (block.length > kMostJournalContent || next > size) return endAt(at);
-      if (std::string why = m_bytes.get(at, next, m_buffer, piece); !why.empty())
-        return cannotRead(std::move(why));
-      if (journalBlockCrc(bytesOf(piece)) != block.crc) return endAt(at);
-      const Outcome outcome = take(block, bytesOf(piece).subspan(kJournalBlockHead));
-      if (outcome == Outcome::Damaged) return endAt(at);
-      if (outcome == Outcome::Full) return Failure{ReadError{ReadError::Kind::StoreFull, {}}};
-      at = next;
-      if (m_options.onProgress && !m_options.onProgress({at, size, m_target.frames.count()})) {
-        m_summary.cancelled = true;
-        break;
-      }
-    }
-    return summary();
+  explicit JournalContent(const LogTarget& target) : m_target(target) { m_summary.isOpenEnded = true; }
+
+  // `bytes`: as many as a head has, or all there are.
+  Outcome takeHead(Bytes bytes) {
+    if (!takeJournalHead(bytes, m_head)) return Outcome::Damaged;
+    return m_head.major > JournalHead::kMajor ? Outcome::NewerVersion : Outcome::Taken;
   }
-
- private:
-  enum class Outcome : std::uint8_t { Taken, Damaged, Full };
-
-  static Result<ReadSummary, ReadError> cannotRead(std::string why) {
-    return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
+  // Of head and content.
+  Outcome takeBlock(Bytes bytes) {
+    const JournalBlockHead block = journalBlockHead(bytes);
+    if (journalBlockCrc(bytes) != block.crc) return Outcome::Damaged;
+    return take(block, bytes.subspan(kJournalBlockHead));
   }
-  Result<ReadSummary, ReadError> summary() {
+  // How reading ended, if so many bytes at the end were not taken.
+  Result<ReadSummary, ReadError> ended(Outcome outcome, std::uint64_t left) {
+    if (outcome == Outcome::NewerVersion)
+      return Failure{ReadError{ReadError::Kind::NewerVersion, std::to_string(m_head.major)}};
+    if (outcome == Outcome::Full) return Failure{ReadError{ReadError::Kind::StoreFull, {}}};
     m_summary.frames = m_target.frames.count();
+    m_summary.cutBytes = left;
     return m_summary;
   }
-  Result<ReadSummary, ReadError> endAt(std::uint64_t at) {
-    m_summary.cutBytes = m_bytes.size() - at;
-    return summary();
-  }
+  void setCancelled() { m_summary.cancelled = true; }
 
+ private:
   Outcome take(const JournalBlockHead& block, Bytes content) {
     const auto type = static_cast<JournalBlock>(block.type);
     if (block.version == 0 && (!m_isBeyond || type == JournalBlock::End)) {
@@ -161,15 +139,66 @@ class JournalReading {
     return true;
   }
 
-  const LogBytes& m_bytes;
-  const LogTarget& m_target;
-  const ReadOptions& m_options;
-  std::vector<char> m_buffer;
+  const LogTarget m_target;
+  JournalHead m_head;
   std::vector<Frame> m_frames;
   std::vector<ChannelOffset> m_offsets;  // of the next frames
   std::vector<Note> m_notes;             // of frames that were not read yet
   bool m_isBeyond = false;               // behind a block whose version is not known and is needed
   ReadSummary m_summary;
+};
+
+using Outcome = JournalContent::Outcome;
+
+// Of a block with its head, at the front of `bytes`; nothing if its head is not whole, or none.
+std::optional<std::uint64_t> blockSize(Bytes bytes) {
+  if (bytes.size() < kJournalBlockHead) return {};
+  const std::uint64_t length = journalBlockHead(bytes).length;
+  if (length > kMostJournalContent) return {};
+  return kJournalBlockHead + length;
+}
+
+class JournalStream final : public StreamReader {
+ public:
+  explicit JournalStream(const LogTarget& target) : m_content(target) {}
+
+  // What comes behind damage is counted.
+  bool feed(std::string_view bytes) override {
+    m_pending.append(bytes);
+    std::size_t at = 0;
+    while (m_outcome == Outcome::Taken) {
+      const Bytes rest = bytesOf(m_pending).subspan(at);
+      if (!m_hasHead) {
+        if (rest.size() < JournalHead::kBytes) break;
+        m_outcome = m_content.takeHead(rest.first(JournalHead::kBytes));
+        m_hasHead = true;
+        if (m_outcome == Outcome::Taken) at += JournalHead::kBytes;
+        continue;
+      }
+      if (rest.size() < kJournalBlockHead) break;
+      const auto size = blockSize(rest);
+      if (size && rest.size() < *size) break;
+      m_outcome = size ? m_content.takeBlock(rest.first(*size)) : Outcome::Damaged;
+      if (m_outcome == Outcome::Taken) at += *size;
+    }
+    m_pending.erase(0, at);
+    if (m_outcome == Outcome::Damaged) {
+      m_left += m_pending.size();
+      m_pending.clear();
+    }
+    return m_outcome == Outcome::Taken || m_outcome == Outcome::Damaged;
+  }
+
+  Result<ReadSummary, ReadError> finish() override {
+    return m_content.ended(m_outcome, m_left + m_pending.size());
+  }
+
+ private:
+  JournalContent m_content;
+  std::string m_pending;  // from a head or block on that is not whole yet
+  bool m_hasHead = false;
+  Outcome m_outcome = Outcome::Taken;
+  std::uint64_t m_left = 0;
 };
 
 }  // namespace
@@ -182,7 +211,38 @@ Sniff sniffJournal(std::string_view head, bool isWhole) {
 
 Result<ReadSummary, ReadError> readJournal(const LogBytes& bytes, const LogTarget& target,
                                            const ReadOptions& options) {
-  return JournalReading(bytes, target, options).run();
+  JournalContent content(target);
+  std::vector<char> buffer;
+  std::string_view piece;
+  const std::uint64_t size = bytes.size();
+  std::uint64_t at = 0;
+  const auto get = [&](std::uint64_t length) { return bytes.get(at, at + length, buffer, piece); };
+  const auto cannotRead = [](std::string why) {
+    return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
+  };
+  if (std::string why = get(std::min<std::uint64_t>(size, JournalHead::kBytes)); !why.empty())
+    return cannotRead(std::move(why));
+  Outcome outcome = content.takeHead(bytesOf(piece));
+  if (outcome == Outcome::Taken) at = JournalHead::kBytes;
+  while (outcome == Outcome::Taken && at < size) {
+    if (std::string why = get(std::min<std::uint64_t>(size - at, kJournalBlockHead)); !why.empty())
+      return cannotRead(std::move(why));
+    const auto length = blockSize(bytesOf(piece));
+    if (!length || *length > size - at) break;
+    if (std::string why = get(*length); !why.empty()) return cannotRead(std::move(why));
+    outcome = content.takeBlock(bytesOf(piece));
+    if (outcome != Outcome::Taken) break;
+    at += *length;
+    if (options.onProgress && !options.onProgress({at, size, target.frames.count()})) {
+      content.setCancelled();
+      return content.ended(outcome, 0);
+    }
+  }
+  return content.ended(outcome, size - at);
+}
+
+std::unique_ptr<StreamReader> streamJournal(const LogTarget& target, const ReadOptions&) {
+  return std::make_unique<JournalStream>(target);
 }
 
 }  // namespace deckpipe

@@ -4,6 +4,7 @@
 // now.
 #pragma once
 
+#include "log/journal_export.h"
 #include "log/log_format.h"
 
 namespace deckpipe {
@@ -12,11 +13,15 @@ Sniff sniffJournal(std::string_view head, bool isWhole);
 Result<ReadSummary, ReadError> readJournal(const LogBytes& bytes, const LogTarget& target,
                                            const ReadOptions& options);
 
-inline constexpr LogFormat kJournalFormat{.name = "Deckpipe",
+// The same of one that comes through a pipe, block by block.
+std::unique_ptr<StreamReader> streamJournal(const LogTarget& target, const ReadOptions& options);
+
+inline constexpr LogFormat kJournalFormat{.name = "Deckpipe recording",
                                           .patterns = "*.deckpipe",
                                           .sniff = sniffJournal,
                                           .read = readJournal,
-                                          .stream = nullptr,
-                                          .write = nullptr};
+                                          .stream = streamJournal,
+                                          .makeWriter = makeJournalExport,
+                                          .isOwn = true};
 
 }  // namespace deckpipe

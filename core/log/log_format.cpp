@@ -8,6 +8,7 @@
 #include "log/candump.h"
 #include "log/foreign_formats.h"
 #include "log/journal_reader.h"
+#include "log/sidecar.h"
 #include "log/text_marks.h"
 
 namespace deckpipe {
@@ -26,8 +27,8 @@ bool hasPatternOf(const LogFormat& format, std::string_view fileName) {
   return false;
 }
 
-Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, const LogTarget& target,
-                                         const ReadOptions& options, std::span<const LogFormat> formats) {
+// The format, or that there is none.
+Result<const LogFormat*, ReadError> formatOf(const LogBytes& bytes, std::span<const LogFormat> formats) {
   std::vector<char> buffer;
   std::string_view head;
   const std::uint64_t size = std::min<std::uint64_t>(bytes.size(), kSniffBytes);
@@ -38,11 +39,38 @@ Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, const LogTarget&
   });
   if (format == formats.end())
     return Failure{ReadError{ReadError::Kind::UnknownFormat, {}, std::string(foreignFormat(head))}};
-  auto result = format->read(bytes, target, options);
-  if (result) return result;
-  ReadError error = result.error();
-  error.format = format->name;
-  return Failure{std::move(error)};
+  return &*format;
+}
+
+// `path`: of the file that the bytes are, for its sidecar; empty for none.
+Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, const std::string& path,
+                                         const LogTarget& target, const ReadOptions& options,
+                                         std::span<const LogFormat> formats) {
+  const auto format = formatOf(bytes, formats);
+  if (!format) return Failure{format.error()};
+  auto result = format.value()->read(bytes, target, options);
+  if (!result) {
+    ReadError error = result.error();
+    error.format = format.value()->name;
+    return Failure{std::move(error)};
+  }
+  const bool mayHaveSidecar = !path.empty() && !format.value()->isOwn && target.notes != nullptr;
+  if (mayHaveSidecar && !result.value().cancelled)
+    readSidecar(path, target.frames, *target.notes, result.value());
+  return result;
+}
+
+Result<ReadSummary, ReadError> readMarked(const LogBytes& bytes, const std::string& path,
+                                          const LogTarget& target, const ReadOptions& options,
+                                          std::span<const LogFormat> formats) {
+  std::vector<char> buffer;
+  std::string_view head;
+  if (std::string why = bytes.get(0, std::min<std::uint64_t>(bytes.size(), kMaxTextMark), buffer, head);
+      !why.empty())
+    return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
+  const TextMark mark = textMarkOf(head);
+  if (mark == TextMark::None) return readPlain(bytes, path, target, options, formats);
+  return readPlain(UnmarkedBytes(bytes, mark), path, target, options, formats);
 }
 
 }  // namespace
@@ -54,27 +82,20 @@ Result<ReadSummary, ReadError> openLog(const std::string& path, const LogTarget&
   BytesOfFile file;
   if (std::string why = file.open(path); !why.empty())
     return Failure{ReadError{ReadError::Kind::CannotOpen, std::move(why)}};
-  return readLog(file, target, options, formats);
+  return readMarked(file, path, target, options, formats);
 }
 
 Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, const LogTarget& target,
                                        const ReadOptions& options, std::span<const LogFormat> formats) {
-  std::vector<char> buffer;
-  std::string_view head;
-  if (std::string why = bytes.get(0, std::min<std::uint64_t>(bytes.size(), kMaxTextMark), buffer, head);
-      !why.empty())
-    return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
-  const TextMark mark = textMarkOf(head);
-  if (mark == TextMark::None) return readPlain(bytes, target, options, formats);
-  return readPlain(UnmarkedBytes(bytes, mark), target, options, formats);
+  return readMarked(bytes, {}, target, options, formats);
 }
 
 const LogFormat& formatToWrite(std::string_view fileName, std::span<const LogFormat> formats) {
   const LogFormat* first = nullptr;
   for (const LogFormat& format : formats) {
-    if (format.write == nullptr) continue;
+    if (format.makeWriter == nullptr) continue;
     if (hasPatternOf(format, fileName)) return format;
-    if (first == nullptr) first = &format;
+    if (first == nullptr && !format.isOwn) first = &format;
   }
   return *first;
 }
@@ -83,7 +104,7 @@ std::string formatNames(LogUse use, std::span<const LogFormat> formats) {
   std::string names;
   for (const LogFormat& format : formats) {
     if (use == LogUse::ReadFromPipe && format.stream == nullptr) continue;
-    if (use == LogUse::Write && format.write == nullptr) continue;
+    if (use == LogUse::Write && format.makeWriter == nullptr) continue;
     if (!names.empty()) names += ", ";
     names += format.name;
   }

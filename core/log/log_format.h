@@ -16,6 +16,7 @@
 #include "bus/frame.h"
 #include "log/frame_store.h"
 #include "log/log_bytes.h"
+#include "log/log_writer.h"
 #include "log/note_store.h"
 #include "log/reading.h"
 #include "log/unkept.h"
@@ -47,15 +48,18 @@ struct LogFormat {
   Sniff (*sniff)(std::string_view head, bool isWhole);
   Result<ReadSummary, ReadError> (*read)(const LogBytes&, const LogTarget&, const ReadOptions&);
   // Null if it cannot be read from a pipe.
-  std::unique_ptr<StreamReader> (*stream)(FrameStore&, UnkeptList&, const ReadOptions&);
-  // Appends one frame to a log of this format. Null if it cannot be written.
-  void (*write)(const Frame&, std::string_view channelName, std::string& out);
+  std::unique_ptr<StreamReader> (*stream)(const LogTarget&, const ReadOptions&) = nullptr;
+  // Null if it cannot be written.
+  std::unique_ptr<LogWriter> (*makeWriter)() = nullptr;
+  // Deckpipe's own: it holds notes and log times, and has no sidecar.
+  bool isOwn = false;
 };
 
 // In the order in which they are asked whether a log is theirs.
 std::span<const LogFormat> logFormats();
 
-// Finds the format and reads the log. An error names the format that its content seemed to be, if any.
+// Finds the format and reads the log; openLog() also the sidecar beside it (sidecar.h), once the log was read
+// whole. An error names the format that its content seemed to be, if any.
 Result<ReadSummary, ReadError> openLog(const std::string& path, const LogTarget& target,
                                        const ReadOptions& options = {},
                                        std::span<const LogFormat> formats = logFormats());
@@ -64,7 +68,7 @@ Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, const LogTarget& t
                                        std::span<const LogFormat> formats = logFormats());
 
 // What a log of this file name is written as: the first that can be written and has a pattern of its suffix,
-// otherwise the first that can be written.
+// otherwise the first that other programs read too.
 const LogFormat& formatToWrite(std::string_view fileName, std::span<const LogFormat> formats = logFormats());
 
 // "candump, BLF": of the formats with which that can be done.

@@ -18,7 +18,7 @@ void LogStream::decide(bool isWhole) {
   if (format == m_formats.end()) m_sniff = Sniff::No;
   if (m_sniff != Sniff::Yes) return;
   m_format = &*format;
-  if (format->stream != nullptr) m_reader = format->stream(m_store, m_unkept, m_options);
+  if (format->stream != nullptr) m_reader = format->stream(m_target, m_options);
 }
 
 bool LogStream::feed(std::string_view bytes) { return feedPlain(m_unmarker.take(bytes)); }

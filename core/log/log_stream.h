@@ -17,9 +17,9 @@ namespace deckpipe {
 class LogStream {
  public:
   // Of the options a pipe knows addsUpTimes alone.
-  LogStream(FrameStore& store, UnkeptList& unkept, std::span<const LogFormat> formats = logFormats(),
-            ReadOptions options = {})
-      : m_store(store), m_unkept(unkept), m_formats(formats), m_options(std::move(options)) {}
+  explicit LogStream(const LogTarget& target, std::span<const LogFormat> formats = logFormats(),
+                     ReadOptions options = {})
+      : m_target(target), m_formats(formats), m_options(std::move(options)) {}
 
   // False once it is clear that nothing more will be taken; finish() then says why. What is whole by then is
   // in the store when feed() returns.
@@ -31,8 +31,7 @@ class LogStream {
   bool feedPlain(std::string_view bytes);
   void decide(bool isWhole);
 
-  FrameStore& m_store;
-  UnkeptList& m_unkept;
+  const LogTarget m_target;
   std::span<const LogFormat> m_formats;
   ReadOptions m_options;
   Unmarker m_unmarker;

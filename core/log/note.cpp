@@ -29,7 +29,10 @@ std::string_view noteKey(const NoteValue& value) {
                [](const note::AskEnded&) -> Key { return "ask_ended"; },
                [](const note::AskWaits&) -> Key { return "ask_waits"; },
                [](const note::StillWaits&) -> Key { return "still_waits"; },
-               [](const note::Pipe&) -> Key { return "pipe"; }},
+               [](const note::Pipe&) -> Key { return "pipe"; },
+               [](const note::LeftOut&) -> Key { return "left_out"; },
+               [](const note::Label&) -> Key { return "label"; },
+               [](const note::Added&) -> Key { return "added"; }},
       value);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Notes: facts of a log that no frame carries. Each kind is a small struct; Note puts one at its place in the
 // log. The window and the tool make sentences of them, State and the indexes take from them what they need,
-// note_codec.h writes and reads them as bytes. To add a kind: the struct, its place in NoteValue, its layout
-// in note_codec.cpp; the compiler names the other places.
+// note_codec.h writes and reads them as bytes, note_text.h as text. To add a kind: the struct, its place in
+// NoteValue, its layout in note_layout.h; the compiler names the other places.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +45,7 @@ struct Mark {
 };
 struct LinkUp {
   Channel channel;
+  NoteText adapter{};  // plugin, interface and rate in words; empty where that was not written down
   friend bool operator==(const LinkUp&, const LinkUp&) = default;
 };
 struct LinkDown {
@@ -124,6 +125,30 @@ struct StillWaits {
   std::uint64_t count = 0;
   friend bool operator==(const StillWaits&, const StillWaits&) = default;
 };
+// So many frames came before this place, and after the note of this kind before, that the log cannot hold.
+struct LeftOut {
+  // Numbers stand in files: never renumber one, never use one again.
+  enum class Why : std::uint8_t {
+    CanFd = 1,
+    NotClassic = 2,  // what the adapter handed over is no frame of classic CAN
+  };
+  Channel channel;
+  Why why = Why::CanFd;
+  std::uint64_t count = 0;
+  friend bool operator==(const LeftOut&, const LeftOut&) = default;
+};
+// What the person who saved the log calls a device.
+struct Label {
+  Pin pin;
+  NoteText text;
+  friend bool operator==(const Label&, const Label&) = default;
+};
+// So many frames from here on were not received at this place: saving a part of a log put them there, since
+// they tell who held which address then.
+struct Added {
+  std::uint64_t count = 0;
+  friend bool operator==(const Added&, const Added&) = default;
+};
 // Something happened to the data pipe of a device.
 struct Pipe {
   Channel channel;
@@ -148,12 +173,16 @@ constexpr bool isKnown(OwnAddress::How how) {
   }
   return false;
 }
+constexpr bool isKnown(LeftOut::Why why) {
+  return why == LeftOut::Why::CanFd || why == LeftOut::Why::NotClassic;
+}
 
 }  // namespace note
 
-using NoteValue = std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked,
-                               note::Unlocked, note::DriveSaid, note::OwnAddress, note::Asked, note::AskEnded,
-                               note::AskWaits, note::StillWaits, note::Pipe>;
+using NoteValue =
+    std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
+                 note::DriveSaid, note::OwnAddress, note::Asked, note::AskEnded, note::AskWaits,
+                 note::StillWaits, note::Pipe, note::LeftOut, note::Label, note::Added>;
 
 struct Note {
   std::uint64_t frame = 0;  // stands before this frame; the store's count where it is the last thing so far
@@ -166,6 +195,13 @@ struct Note {
 // The word for a kind in machine-readable output; never changes once shipped.
 std::string_view noteKey(const NoteValue& value);
 
+// Frames that a note says are not in the log although they came.
+inline std::uint64_t framesMissed(const NoteValue& value) {
+  if (const auto* dropped = std::get_if<note::Dropped>(&value)) return dropped->count;
+  const auto* leftOut = std::get_if<note::LeftOut>(&value);
+  return leftOut != nullptr ? leftOut->count : 0;
+}
+
 // The channel that a note speaks of; nothing if it speaks of the whole log.
 inline std::optional<Channel> channelOf(const NoteValue& value) {
   return std::visit(
@@ -175,6 +211,14 @@ inline std::optional<Channel> channelOf(const NoteValue& value) {
         } else {
           return {};
         }
+      },
+      value);
+}
+
+inline void setChannel(NoteValue& value, Channel channel) {
+  std::visit(
+      [channel](auto& n) {
+        if constexpr (requires { n.channel; }) n.channel = channel;
       },
       value);
 }

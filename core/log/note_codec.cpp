@@ -1,93 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "log/note_codec.h"
 
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
+#include "log/note_layout.h"
+
 namespace deckpipe {
 namespace {
-
-template <typename... Fields>
-struct Layout {
-  std::uint8_t number;
-  std::tuple<Fields...> fields;
-};
-template <typename... Fields>
-constexpr Layout<Fields...> layout(std::uint8_t number, Fields... fields) {
-  return {number, {fields...}};
-}
-
-template <typename T>
-struct HasNoLayout;
-template <typename T>
-constexpr HasNoLayout<T> kLayout{};
-
-// The one list of numbers and fields. Numbers are never changed and never used again.
-template <>
-constexpr auto kLayout<note::LinkUp> = layout(1, &note::LinkUp::channel);
-template <>
-constexpr auto kLayout<note::LinkDown> = layout(2, &note::LinkDown::channel, &note::LinkDown::fault,
-                                                &note::LinkDown::words);
-template <>
-constexpr auto kLayout<note::Dropped> = layout(3, &note::Dropped::channel, &note::Dropped::count);
-template <>
-constexpr auto kLayout<note::Locked> = layout(4, &note::Locked::channel);
-template <>
-constexpr auto kLayout<note::Unlocked> = layout(5, &note::Unlocked::channel);
-template <>
-constexpr auto kLayout<note::Mark> = layout(6, &note::Mark::text);
-template <>
-constexpr auto kLayout<note::DriveSaid> = layout(7, &note::DriveSaid::channel, &note::DriveSaid::address,
-                                                 &note::DriveSaid::isDrive);
-template <>
-constexpr auto kLayout<note::OwnAddress> = layout(8, &note::OwnAddress::channel, &note::OwnAddress::address,
-                                                  &note::OwnAddress::how);
-template <>
-constexpr auto kLayout<note::Asked> = layout(9, &note::Asked::channel, &note::Asked::address,
-                                             &note::Asked::pin, &note::Asked::ask);
-template <>
-constexpr auto kLayout<note::AskEnded> = layout(10, &note::AskEnded::channel, &note::AskEnded::address,
-                                                &note::AskEnded::pin, &note::AskEnded::ask,
-                                                &note::AskEnded::end);
-template <>
-constexpr auto kLayout<note::Pipe> = layout(11, &note::Pipe::channel, &note::Pipe::address, &note::Pipe::pin,
-                                            &note::Pipe::event, &note::Pipe::file);
-template <>
-constexpr auto kLayout<note::AskWaits> = layout(12, &note::AskWaits::channel, &note::AskWaits::address,
-                                                &note::AskWaits::pin, &note::AskWaits::ask);
-template <>
-constexpr auto kLayout<note::StillWaits> = layout(13, &note::StillWaits::channel, &note::StillWaits::count);
-
-// Whether a struct has so many fields: as many as its braces take. A layout must name each of them.
-struct AnyField {
-  template <typename T>
-  operator T() const;
-};
-template <typename T, std::size_t... I>
-constexpr bool takesFields(std::index_sequence<I...>) {
-  return requires { T{((void)I, AnyField{})...}; };
-}
-template <typename T>
-constexpr std::size_t kFields = std::tuple_size_v<decltype(kLayout<T>.fields)>;
-template <typename T>
-constexpr bool kNamesEveryField = takesFields<T>(std::make_index_sequence<kFields<T>>{}) &&
-                                  !takesFields<T>(std::make_index_sequence<kFields<T> + 1>{});
-
-template <typename... Kinds>
-constexpr bool areLayoutsSound(const std::variant<Kinds...>*) {
-  std::array numbers{kLayout<Kinds>.number...};
-  std::ranges::sort(numbers);
-  const bool areUnique = std::ranges::adjacent_find(numbers) == numbers.end() && numbers[0] != 0;
-  return areUnique && (kNamesEveryField<Kinds> && ...);
-}
-static_assert(areLayoutsSound(static_cast<const NoteValue*>(nullptr)),
-              "two kinds have one number, or a layout leaves a field out");
 
 class NoteWriter {
  public:
@@ -122,6 +44,11 @@ class NoteWriter {
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : m_bytes(bytes) {}
+
+  template <typename Member, typename T>
+  void take(const layouts::Field<Member>& field, T& value) {
+    if (!field.isLater || !m_bytes.empty()) take(value);
+  }
 
   bool isDamaged() const { return m_isDamaged; }
   bool isUnknown() const { return m_isUnknown; }
@@ -181,21 +108,6 @@ class Reader {
   bool m_isUnknown = false;
 };
 
-template <typename T>
-T takeFields(Reader& reader) {
-  T value;
-  std::apply([&](auto... fields) { (reader.take(value.*fields), ...); }, kLayout<T>.fields);
-  return value;
-}
-
-// Nothing if no kind has this number.
-template <typename... Kinds>
-std::optional<NoteValue> takeValue(std::uint8_t number, Reader& reader, const std::variant<Kinds...>*) {
-  std::optional<NoteValue> value;
-  (void)((kLayout<Kinds>.number == number && (value = takeFields<Kinds>(reader), true)) || ...);
-  return value;
-}
-
 constexpr std::size_t kLengthBytes = 2;
 
 }  // namespace
@@ -205,10 +117,11 @@ void appendNote(std::vector<std::uint8_t>& out, const Note& note) {
   NoteWriter writer(bytes);
   std::visit(
       [&]<typename T>(const T& value) {
-        writer.put(kLayout<T>.number);
+        writer.put(layouts::kLayout<T>.number);
         writer.put(note.frame);
         writer.put(note.time);
-        std::apply([&](auto... fields) { (writer.put(value.*fields), ...); }, kLayout<T>.fields);
+        std::apply([&](const auto&... fields) { (writer.put(value.*fields.member), ...); },
+                   layouts::kLayout<T>.fields);
       },
       note.value);
   NoteWriter(out).put(static_cast<std::uint16_t>(bytes.size()));
@@ -225,7 +138,7 @@ Result<std::variant<Note, UnknownNote>, NoteFault> takeNote(std::span<const std:
   reader.take(kind);
   reader.take(note.frame);
   reader.take(note.time);
-  const auto value = takeValue(kind, reader, static_cast<const NoteValue*>(nullptr));
+  const auto value = layouts::takeValue(kind, reader);
   if (reader.isDamaged() || kind == 0) return Failure{NoteFault::Damaged};
   bytes = bytes.subspan(kLengthBytes + length);
   if (!value || reader.isUnknown())

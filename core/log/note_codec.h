@@ -5,10 +5,11 @@
 //   1 byte   kind, from 1 on
 //   8 bytes  the frame before which the note stands
 //   8 bytes  log time in ns, signed
-//   …        the fields of the kind, in the order of its layout (note_codec.cpp)
+//   …        the fields of the kind, in the order of its layout (note_layout.h)
 //
 // 1. The number of a kind, and of a value of its enums, is never changed and never used again.
-// 2. Fields are only ever added at the end: what follows the known ones is skipped.
+// 2. Fields are only ever added at the end: what follows the known ones is skipped, and what a later version
+//    added may be missing.
 // 3. A kind, or a value of an enum, that this version does not know is from a newer one. It is told as unknown
 //    and skipped; what follows is read.
 #pragma once

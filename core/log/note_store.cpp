@@ -39,6 +39,13 @@ std::vector<Note> NoteStore::all() const {
   return notes;
 }
 
+std::uint64_t NoteStore::missedFrames() const {
+  const std::lock_guard lock(m_lock);
+  std::uint64_t frames = 0;
+  for (const Note& note : m_notes) frames += framesMissed(note.value);
+  return frames;
+}
+
 std::vector<Note> NoteStore::appendedAfter(std::size_t count) const {
   const std::lock_guard lock(m_lock);
   const auto first = m_notes.begin() + static_cast<std::ptrdiff_t>(std::min(count, m_notes.size()));

@@ -20,6 +20,8 @@ class NoteStore {
   // The notes that stand before a frame in [from, to), in order.
   std::vector<Note> between(std::uint64_t from, std::uint64_t to) const;
   std::vector<Note> all() const;
+  // All that framesMissed() says of them.
+  std::uint64_t missedFrames() const;
   // The notes that were appended after the first `count` ones, as they were appended.
   std::vector<Note> appendedAfter(std::size_t count) const;
 

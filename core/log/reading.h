@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,14 +35,51 @@ struct ReadOptions {
   std::size_t blockBytes = 256 * 1024;
 };
 
+// Why the file beside a log that holds its notes was not used (sidecar.h).
+struct SidecarFault {
+  enum class Kind : std::uint8_t {
+    CannotRead,    // detail: the system's words
+    NoSidecar,     // its first line is that of no such file
+    NewerVersion,  // of Deckpipe wrote it
+    BadLine,       // no version writes such a line
+    Cut,           // its end is missing
+    Changed,       // not as it was written
+    OtherCount,    // the log has another number of frames
+    OtherFrame,    // a frame of the log is another
+  };
+  Kind kind = Kind::CannotRead;
+  std::uint64_t line = 0;  // from 1; 0: none
+  std::string path{};
+  std::string detail{};
+
+  friend bool operator==(const SidecarFault&, const SidecarFault&) = default;
+};
+
+// English, for the headless tool; windows translate the kind.
+constexpr std::string_view sidecarFaultText(SidecarFault::Kind kind) {
+  switch (kind) {
+    case SidecarFault::Kind::CannotRead: return "cannot be read";
+    case SidecarFault::Kind::NoSidecar: return "expected 'Deckpipe notes 1'";
+    case SidecarFault::Kind::NewerVersion: return "written by a newer version of Deckpipe";
+    case SidecarFault::Kind::BadLine: return "not a line that Deckpipe writes";
+    case SidecarFault::Kind::Cut: return "its end is missing";
+    case SidecarFault::Kind::Changed: return "it was changed since it was written";
+    case SidecarFault::Kind::OtherCount: return "the log has another number of frames";
+    case SidecarFault::Kind::OtherFrame: return "the log has another frame there";
+  }
+  return {};
+}
+
 struct ReadSummary {
   std::uint64_t frames = 0;  // put into the store
   std::uint64_t lines = 0;   // of a text format
   bool cancelled = false;
-  // Of a recording:
-  std::uint64_t cutBytes = 0;    // at its end, that are not whole and were left out
+  bool hasSidecar = false;                     // its notes came from the file beside it, after its frames
+  std::optional<SidecarFault> sidecarFault{};  // the log was read without its notes
   std::uint64_t newerParts = 0;  // that a newer version of Deckpipe wrote, and that were left out
-  bool isOpenEnded = false;      // it has no end: it still goes on, or its last second was lost
+  // Of a recording:
+  std::uint64_t cutBytes = 0;  // at its end, that are not whole and were left out
+  bool isOpenEnded = false;    // it has no end: it still goes on, or its last second was lost
 
   friend bool operator==(const ReadSummary&, const ReadSummary&) = default;
 };

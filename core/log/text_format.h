@@ -3,8 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "log/log_format.h"
+#include "log/sidecar.h"
 #include "log/text_reader.h"
 #include "log/text_stream.h"
 
@@ -16,8 +19,7 @@ std::unique_ptr<TextParser> makeTextParser() {
 }
 
 template <typename Parser>
-constexpr LogFormat textFormat(std::string_view name, std::string_view patterns,
-                               decltype(LogFormat::write) write = nullptr) {
+constexpr LogFormat textFormat(std::string_view name, std::string_view patterns) {
   return {
       .name = name,
       .patterns = patterns,
@@ -30,12 +32,41 @@ constexpr LogFormat textFormat(std::string_view name, std::string_view patterns,
           [](const LogBytes& bytes, const LogTarget& target, const ReadOptions& options) {
             return readText(bytes, makeTextParser<Parser>, target.frames, target.unkept, options);
           },
-      .stream = [](FrameStore& store, UnkeptList& unkept,
-                   const ReadOptions& options) -> std::unique_ptr<StreamReader> {
-        return std::make_unique<TextStream>(std::make_unique<Parser>(), store, unkept, options);
+      .stream = [](const LogTarget& target, const ReadOptions& options) -> std::unique_ptr<StreamReader> {
+        return std::make_unique<TextStream>(std::make_unique<Parser>(), target.frames, target.unkept,
+                                            options);
       },
-      .write = write,
   };
+}
+
+// A format that is a line a frame, written by `writeLine`(frame, channel name, out); what it has no place for
+// goes into a sidecar. `nameRead`(channel name) is what is read back of a name.
+template <auto writeLine, auto nameRead>
+class LineWriter final : public LogWriter {
+ public:
+  void begin(std::string&) override {}
+  void channel(std::string_view name, std::string&) override {
+    m_names.emplace_back(name);
+    m_sidecar.channel(nameRead(name));
+  }
+  void note(const Note& note, std::string&) override { m_sidecar.note(note); }
+  void frame(const Frame& frame, Instant time, std::string& out) override {
+    writeLine(frame, m_names[frame.channel], out);
+    m_sidecar.frame(frame, time);
+  }
+  void end(std::string&) override {}
+  std::string beside() const override { return m_sidecar.text(); }
+
+ private:
+  std::vector<std::string> m_names;
+  SidecarMaker m_sidecar;
+};
+template <auto writeLine, auto nameRead>
+constexpr LogFormat writable(LogFormat format) {
+  format.makeWriter = []() -> std::unique_ptr<LogWriter> {
+    return std::make_unique<LineWriter<writeLine, nameRead>>();
+  };
+  return format;
 }
 
 }  // namespace deckpipe

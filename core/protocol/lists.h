@@ -45,6 +45,14 @@ constexpr bool isReport(const Message& message) {
 }
 inline constexpr auto kReports = messagesWhere<isReport>();
 
+// The messages that tell who their sender is: who holds an address, with which PIN and versions. What they say
+// holds until the address changes hands.
+constexpr bool isIdentity(const Message& message) {
+  return message.device == DeviceEnd::Sender &&
+         (message.page.has(PageGroup::Address) || message.page.has(PageGroup::Versions));
+}
+inline constexpr auto kIdentityMessages = messagesWhere<isIdentity>();
+
 // Place of a report in kReports; kReports.size() for any other message.
 inline constexpr EnumArray<MessageId, std::uint8_t> kReportPlaces = [] {
   EnumArray<MessageId, std::uint8_t> places;

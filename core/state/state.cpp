@@ -192,7 +192,8 @@ void State::apply(const Note& note) {
                       },
                       [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
                       [](const note::Asked&) {}, [](const note::AskWaits&) {}, [](const note::AskEnded&) {},
-                      [](const note::StillWaits&) {}, [](const note::Pipe&) {}},
+                      [](const note::StillWaits&) {}, [](const note::Pipe&) {}, [](const note::LeftOut&) {},
+                      [](const note::Label&) {}, [](const note::Added&) {}},
              note.value);
 }
 

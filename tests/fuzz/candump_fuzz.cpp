@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   demandEqual(whole, blocks);
 
   Reading pieces;
-  LogStream stream(pieces.store, pieces.unkept);
+  LogStream stream({pieces.store, pieces.unkept});
   for (std::size_t at = 0; at < text.size() && stream.feed(text.substr(at, piece)); at += piece) {
   }
   pieces.result = stream.finish();

@@ -20,7 +20,7 @@ inline const HasNoSample<Kind> kSample{};
 template <>
 inline const note::Mark kSample<note::Mark>{"water on"};
 template <>
-inline const note::LinkUp kSample<note::LinkUp>{kNotedChannel};
+inline const note::LinkUp kSample<note::LinkUp>{kNotedChannel, "socketcan can0"};
 template <>
 inline const note::LinkDown kSample<note::LinkDown>{kNotedChannel, LinkFault::Gone, "Network is down"};
 template <>
@@ -46,6 +46,13 @@ inline const note::StillWaits kSample<note::StillWaits>{kNotedChannel, 5};
 template <>
 inline const note::Pipe kSample<note::Pipe>{kNotedChannel, kNotedAddress, kNotedPin, PipeEvent::FileDone,
                                             "axis.txt"};
+
+template <>
+inline const note::LeftOut kSample<note::LeftOut>{kNotedChannel, note::LeftOut::Why::NotClassic, 7};
+template <>
+inline const note::Label kSample<note::Label>{kNotedPin, "front bumper"};
+template <>
+inline const note::Added kSample<note::Added>{9};
 
 template <typename... Kinds>
 std::vector<NoteValue> samplesOf(const std::variant<Kinds...>*) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/device_labels.h"
 
+#include "model/field_text.h"
 #include "text/device_text.h"
 
 namespace deckpipe {
@@ -20,6 +21,21 @@ bool DeviceLabels::set(const Pin& pin, const QString& label) {
     m_byPin.insert(pinText(pin), text);
   }
   return true;
+}
+
+void DeviceLabels::fillFrom(const DeviceLabels& others) {
+  for (auto label = others.m_byPin.cbegin(); label != others.m_byPin.cend(); ++label) {
+    if (!m_byPin.contains(label.key())) m_byPin.insert(label.key(), label.value());
+  }
+}
+
+DeviceLabels labelsIn(const NoteStore& notes) {
+  DeviceLabels labels;
+  for (const Note& note : notes.all()) {
+    if (const auto* label = std::get_if<note::Label>(&note.value))
+      labels.set(label->pin, toQString(label->text.str()));
+  }
+  return labels;
 }
 
 }  // namespace deckpipe

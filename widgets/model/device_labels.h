@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "base/device_key.h"
+#include "log/note_store.h"
 
 namespace deckpipe {
 
@@ -22,6 +23,9 @@ class DeviceLabels {
   // changes nothing.
   bool set(const Pin& pin, const QString& label);
 
+  // Takes those of others where there is none.
+  void fillFrom(const DeviceLabels& others);
+
   // By PIN text.
   const QMap<QString, QString>& all() const { return m_byPin; }
   friend bool operator==(const DeviceLabels&, const DeviceLabels&) = default;
@@ -29,6 +33,9 @@ class DeviceLabels {
  private:
   QMap<QString, QString> m_byPin;
 };
+
+// What a log's notes call its devices: labels of whoever saved it.
+DeviceLabels labelsIn(const NoteStore& notes);
 
 // Where labels stay between runs of the program. The console passes one in; a test its own.
 class LabelStorage {

@@ -103,6 +103,8 @@ EventWeight weightOf(How how) {
   return EventWeight::Attend;
 }
 
+int forPlural(std::uint64_t count) { return static_cast<int>(std::min<std::uint64_t>(count, INT_MAX)); }
+
 // Of whom: the PIN, or where it has none the address.
 QString deviceText(const Pin& pin, Address address) {
   return pin.isNull() ? EventText::tr("address %1").arg(hexText(address.value)) : toQString(pin.text());
@@ -122,16 +124,18 @@ QString noteText(const LogDocument& log, const Note& note) {
       Overload{[](const note::Mark& n) {
                  return n.text.isEmpty() ? EventText::tr("Mark") : toQString(n.text.str());
                },
-               [&](const note::LinkUp& n) { return EventText::tr("%1 up").arg(busOf(n)); },
+               [&](const note::LinkUp& n) {
+                 const QString text = EventText::tr("%1 up").arg(busOf(n));
+                 return n.adapter.isEmpty() ? text
+                                            : QStringLiteral("%1: %2").arg(text, toQString(n.adapter.str()));
+               },
                [&](const note::LinkDown& n) {
                  const QString text = EventText::tr("%1 down").arg(busOf(n));
                  const QString why = n.words.isEmpty() ? linkFaultText(n.fault) : toQString(n.words.str());
                  return why.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, why);
                },
                [&](const note::Dropped& n) {
-                 return EventText::tr("%1: %Ln frames lost", nullptr,
-                                      static_cast<int>(std::min<std::uint64_t>(n.count, INT_MAX)))
-                     .arg(busOf(n));
+                 return EventText::tr("%1: %Ln frames lost", nullptr, forPlural(n.count)).arg(busOf(n));
                },
                [](const note::Locked&) { return EventText::tr("Transmit locked"); },
                [](const note::Unlocked&) { return EventText::tr("Transmit unlocked"); },
@@ -154,10 +158,28 @@ QString noteText(const LogDocument& log, const Note& note) {
                },
                [&](const note::StillWaits& n) {
                  return EventText::tr("%1: %Ln frames are not on the bus yet and may still go out", nullptr,
-                                      static_cast<int>(std::min<std::uint64_t>(n.count, INT_MAX)))
+                                      forPlural(n.count))
                      .arg(busOf(n));
                },
-               [](const note::Pipe& n) { return pipeText(n); }},
+               [](const note::Pipe& n) { return pipeText(n); },
+               [&](const note::LeftOut& n) {
+                 return (n.why == note::LeftOut::Why::CanFd
+                             ? EventText::tr("%1: %Ln CAN FD frames came and are not held", nullptr,
+                                             forPlural(n.count))
+                             : EventText::tr("%1: %Ln frames came that are not classic CAN and are not held",
+                                             nullptr, forPlural(n.count)))
+                     .arg(busOf(n));
+               },
+               [](const note::Label& n) {
+                 return EventText::tr("%1 is called “%2”", "PIN, label")
+                     .arg(toQString(n.pin.text()), toQString(n.text.str()));
+               },
+               [](const note::Added& n) {
+                 return EventText::tr(
+                     "%Ln frames were added here when this part was saved: who held which "
+                     "address",
+                     nullptr, forPlural(n.count));
+               }},
       note.value);
 }
 
@@ -177,7 +199,10 @@ EventWeight weightOf(const Note& note) {
                              },
                              [](const note::AskWaits&) { return Weight::Fault; },
                              [](const note::StillWaits&) { return Weight::Fault; },
-                             [](const note::Pipe&) { return Weight::Plain; }},
+                             [](const note::Pipe&) { return Weight::Plain; },
+                             [](const note::LeftOut&) { return Weight::Attend; },
+                             [](const note::Label&) { return Weight::Plain; },
+                             [](const note::Added&) { return Weight::Plain; }},
                     note.value);
 }
 

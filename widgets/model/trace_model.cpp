@@ -24,6 +24,7 @@ void TraceModel::setView(const LogView& view) {
   m_view = view;
   if (!isSame) startFilter();
   if (m_sieve) m_sieve->wake();
+  const bool isAddedNews = readAdded() && isSame;
   const std::uint64_t rows = countRows();
   if (!isSame || rows < m_count) {
     beginResetModel();
@@ -38,6 +39,8 @@ void TraceModel::setView(const LogView& view) {
     countPassed();
     take(m_first, read(m_first, windowEnd()));
     if (passedBefore != m_passed) sayMarksChanged(passedBefore);
+    if (isAddedNews && !m_rows.empty())
+      Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(m_rows.size()) - 1, ColumnCount - 1));
   }
   Q_EMIT viewChanged();
 }
@@ -57,6 +60,25 @@ void TraceModel::setFilter(const TraceFilter& filter) {
 void TraceModel::startFilter() {
   m_sieve.reset();
   if (m_view.document && isFiltered()) m_sieve = std::make_unique<TraceSieve>(m_view.document, m_filter);
+}
+
+// A sidecar's notes come once all frames are there.
+bool TraceModel::readAdded() {
+  const std::size_t notes = m_view.document ? m_view.document->notes.count() : 0;
+  if (std::exchange(m_addedNotes, notes) == notes) return false;
+  const auto before = std::exchange(m_added, {});
+  if (notes > 0) {
+    for (const Note& note : m_view.document->notes.all()) {
+      if (const auto* added = std::get_if<note::Added>(&note.value))
+        m_added.emplace_back(note.frame, note.frame + added->count);
+    }
+  }
+  return m_added != before;
+}
+
+bool TraceModel::isAdded(std::uint64_t frame) const {
+  return std::ranges::any_of(m_added,
+                             [frame](const auto& run) { return frame >= run.first && frame < run.second; });
 }
 
 // How many rows there are, and how far the filter has looked: of one and the same moment.
@@ -201,6 +223,7 @@ TraceModel::Marks TraceModel::marks(const TraceRow& row) const {
   marks.setFlag(AfterCursor, row.index >= m_view.cursor.frames);
   marks.setFlag(TimeJump, (row.frame.flags & Frame::kTimeJump) != 0);
   marks.setFlag(Own, (row.frame.flags & Frame::kSent) != 0);
+  marks.setFlag(Added, isAdded(row.index));
   marks.setFlag(Error, row.frame.isError());
   marks.setFlag(Remote, row.frame.isRemote());
   marks.setFlag(Malformed, row.what.malformed);
@@ -218,6 +241,7 @@ QString TraceModel::marksText(Marks marks) {
   say(AfterCursor, tr("after the cursor"));
   say(TimeJump, tr("the clock jumps here"));
   say(Own, tr("sent"));
+  say(Added, tr("added when the log was saved"));
   say(Error, tr("error frame"));
   say(Remote, tr("remote frame"));
   say(Malformed, tr("malformed"));
@@ -249,7 +273,7 @@ QString TraceModel::text(const TraceRow& row, int column) const {
     case Time: return timeText(row);
     case Delta: return deltaText(row.delta);
     case ChannelName: return toQString(m_view.document->frames.channelName(row.frame.channel));
-    case Direction: return directionText(row.frame);
+    case Direction: return isAdded(row.index) ? tr("+", "a frame that was added") : directionText(row.frame);
     case Identifier: return identifierText(row.frame);
     case Pgn: return pgnText(row.frame);
     case Ends: return endsText(row.frame);
@@ -264,6 +288,10 @@ QString TraceModel::text(const TraceRow& row, int column) const {
 QString TraceModel::toolTip(const TraceRow& row, int column) const {
   switch (column) {
     case Delta: return (row.frame.flags & Frame::kTimeJump) != 0 ? tr("The clock jumps here.") : QString();
+    case Direction:
+      return isAdded(row.index) ? tr("Not received here: it was added when the log was saved, since it tells "
+                                     "who held which address.")
+                                : QString();
     case Pgn: {
       if (pgnText(row.frame).isEmpty()) return {};
       return tr("PGN %1").arg(J1939Id::of(row.frame.identifier()).pgn);

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/trace_filter.h"
@@ -58,6 +59,7 @@ class TraceModel : public QAbstractTableModel {
     Malformed = 64,   // known, and of a wrong length
     Presumed = 128,   // decoded on a presumption
     Ambiguous = 256,  // several readings, none decided
+    Added = 512,      // put there when the log was saved, not received there
   };
   Q_DECLARE_FLAGS(Marks, Mark)
   enum class TimeMode : std::uint8_t { Absolute, SinceBegin, SinceRowBefore, Clock };
@@ -117,6 +119,9 @@ class TraceModel : public QAbstractTableModel {
   void sayMarksChanged(std::uint64_t passedBefore);
   void startFilter();
   std::uint64_t countRows();
+  // Whether others were added than was known.
+  bool readAdded();
+  bool isAdded(std::uint64_t frame) const;
   std::uint64_t windowEnd() const;
   void countPassed();
 
@@ -129,6 +134,9 @@ class TraceModel : public QAbstractTableModel {
   std::uint64_t m_passed = 0;                 // of them that have happened
   std::optional<std::uint64_t> m_lastPassed;  // the frame of the last of those
   std::size_t m_notes = 0;                    // of the log, when rows were last read
+  // Frames [first, second) that were added, as the notes say; and notes of the log when that was read.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> m_added;
+  std::size_t m_addedNotes = 0;
   std::uint64_t m_first = 0;
   int m_wanted = 0;
   std::vector<TraceRow> m_rows;

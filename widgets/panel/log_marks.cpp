@@ -84,7 +84,7 @@ bool LogMarks::takeNotes() {
   for (const Note& note : notes) {
     const auto* linkDown = std::get_if<note::LinkDown>(&note.value);
     const auto* linkUp = std::get_if<note::LinkUp>(&note.value);
-    const bool isLoss = linkDown != nullptr || std::holds_alternative<note::Dropped>(note.value);
+    const bool isLoss = linkDown != nullptr || framesMissed(note.value) > 0;
     m_notes.push_back(
         {isLoss ? TimelineMark::Kind::Attend : TimelineMark::Kind::Note, note.time, noteText(*m_log, note)});
     if (linkDown != nullptr) down.emplace(linkDown->channel, note.time);

@@ -21,6 +21,8 @@ namespace {
 
 constexpr int kSettingsColumn = 640;
 constexpr int kIndent = 30;
+constexpr int kMostMegabytes = 1'000'000;
+constexpr int kMostDays = 10'000;
 
 QLabel* heading(const QString& text, double size, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -88,6 +90,14 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
                          1, 1);
   addStory(tr("Both hold from the next connection."));
   m_column->addSpacing(12);
+  m_column->addWidget(heading(tr("Recordings"), 1.15, inside));
+  m_megabytes = addNumber(new QSpinBox(this), "recordingMegabytes", tr("All together at most, MB"),
+                          tr("Beyond it the oldest go, when the program starts."), 0, kMostMegabytes);
+  m_days = addNumber(new QSpinBox(this), "recordingDays", tr("Kept at most, days"),
+                     tr("Only what was saved, or was received from the simulated truck, goes by itself. What "
+                        "was not saved stays until you delete it."),
+                     0, kMostDays);
+  m_column->addSpacing(12);
   m_column->addWidget(heading(tr("Put back"), 1.15, inside));
   addAction("settingsResetLayout", tr("Reset layout"), tr("Puts every dock back where it was at first."),
             &SettingsPage::resetLayoutRequested);
@@ -115,6 +125,10 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
           [this](int id) { Q_EMIT densityChosen(static_cast<Density>(id)); });
   connect(m_address, &QSpinBox::valueChanged, this, &SettingsPage::takeAddress);
   connect(m_identity, &QSpinBox::valueChanged, this, &SettingsPage::sayIdentity);
+  for (const QSpinBox* box : {m_megabytes, m_days}) {
+    connect(box, &QSpinBox::valueChanged, this,
+            [this] { Q_EMIT recordingLimitsChosen(m_megabytes->value(), m_days->value()); });
+  }
 }
 
 QButtonGroup* SettingsPage::addGroup(const QString& title) {
@@ -216,6 +230,12 @@ void SettingsPage::setIdentity(int preferredAddress, int identityNumber, int lar
   m_identity->setMaximum(largestIdentity);
   m_identity->setValue(identityNumber);
   sayUse();
+}
+
+void SettingsPage::setRecordingLimits(int megabytes, int days) {
+  const QSignalBlocker ofMegabytes(m_megabytes), ofDays(m_days);
+  m_megabytes->setValue(megabytes);
+  m_days->setValue(days);
 }
 
 void SettingsPage::setPath(const QString& path) { m_path->setText(tr("Settings are kept in %1").arg(path)); }

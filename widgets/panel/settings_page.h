@@ -26,6 +26,8 @@ class SettingsPage : public QWidget {
   // Who the console is on a bus: the address it would like and the identity number of its NAME, with the
   // largest there is.
   void setIdentity(int preferredAddress, int identityNumber, int largestIdentity);
+  // How much of what was recorded is kept.
+  void setRecordingLimits(int megabytes, int days);
   // Says why this address is not used: it is a joystick's or a monitor's.
   void refuseAddress(int address);
   // Where all this is kept.
@@ -37,6 +39,7 @@ class SettingsPage : public QWidget {
   void densityChosen(deckpipe::Density density);
   // The address is never one that addressUse() refuses.
   void identityChosen(int preferredAddress, int identityNumber);
+  void recordingLimitsChosen(int megabytes, int days);
   void resetLayoutRequested();
   void forgetLogsRequested();
   void closeRequested();
@@ -62,6 +65,8 @@ class SettingsPage : public QWidget {
   QLabel* m_addressNote;
   int m_takenAddress = 0;  // the last that was not refused
   QSpinBox* m_identity;
+  QSpinBox* m_megabytes;
+  QSpinBox* m_days;
   QLabel* m_path;
   QList<QLabel*> m_stories;
 };

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-#include "log/log_format.h"
+#include "log/candump.h"
 
 namespace deckpipe {
 namespace {
@@ -289,13 +289,12 @@ void TraceView::paintEvent(QPaintEvent*) {
 
 QString TraceView::copyText() const {
   if (!m_log || m_selection.isEmpty()) return {};
-  const LogFormat& format = formatToWrite({});
   std::string text;
   const std::uint64_t row = m_model->rowOf(m_selection.first);
   const std::uint64_t end = std::min(m_model->rowOf(m_selection.end), row + kMostCopied);
   for (const std::uint64_t i : m_model->framesOf(row, static_cast<std::size_t>(end - row))) {
     const Frame& frame = m_log->frames[i];
-    format.write(frame, m_log->frames.channelName(frame.channel), text);
+    writeCandump(frame, m_log->frames.channelName(frame.channel), text);
   }
   return QString::fromStdString(text);
 }

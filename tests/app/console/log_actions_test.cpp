@@ -10,9 +10,13 @@
 #include <QSettings>
 
 #include "app/console/window_test.h"
+#include "console/log_filters.h"
 #include "console/recent_logs.h"
-#include "log/log_format.h"
+#include "console/settings_labels.h"
+#include "console/workspace.h"
+#include "log/journal_reader.h"
 #include "model/event_model.h"
+#include "panel/device_panel.h"
 #include "panel/event_panel.h"
 #include "panel/trace_panel.h"
 
@@ -108,17 +112,70 @@ TEST_F(LogActions, SaveWhatIsSelectedInTheTraceOrPassesItsFilter) {
   };
   auto* trace = only<TracePanel>();
   trace->setFilter(QStringLiteral("name~position"));
+  // What tells who is at address 80 comes first.
+  const auto added = [&](int line) {
+    return lines[line].left(lines[line].indexOf(')')) + lines[0].mid(lines[0].indexOf(')'));
+  };
   saveBy("saveShownAction", "Saved 2 frames");
-  EXPECT_EQ(read(path), lines[1] + '\n' + lines[2] + '\n');
+  EXPECT_EQ(read(path), added(1) + '\n' + lines[1] + '\n' + lines[2] + '\n');
+  EXPECT_TRUE(text("saveText").contains(QStringLiteral("were added before them")))
+      << qPrintable(text("saveText"));
+  EXPECT_TRUE(QFile::exists(path + QStringLiteral(".deckpipe-notes")));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !trace->model()->isFiltering(); }, kPatience));
   QTest::keyClick(trace->view(), Qt::Key_End);
   saveBy("saveSelectionAction", "Saved 1 frame");
-  EXPECT_EQ(read(path), lines[2] + '\n');
+  EXPECT_EQ(read(path), added(2) + '\n' + lines[2] + '\n');
   trace->setFilter({});
   QTest::keyClick(trace->view(), Qt::Key_Home);
   QTest::keyClick(trace->view(), Qt::Key_Down, Qt::ShiftModifier);
   saveBy("saveSelectionAction", "Saved 2 frames");
   EXPECT_EQ(read(path), lines[0] + '\n' + lines[1] + '\n');
+  EXPECT_FALSE(QFile::exists(path + QStringLiteral(".deckpipe-notes"))) << "nothing was added";
+}
+
+TEST_F(LogActions, MarksAndLabelsComeBackWithASavedLogAndTheirOwnerKeepsHis) {
+  openLog(kTruck);
+  const Pin pin = *Pin::parse("1032AE100801035");
+  SettingsLabels storage;
+  DeviceLabels own;
+  m_session.seekFrames(2);
+  m_session.mark(m_session.snapshot().view.cursor, QStringLiteral("valve opened"));
+  Q_EMIT only<DevicePanel>()->labelEdited(pin, QStringLiteral("front bumper"));
+  const QString path = m_dir.filePath(QStringLiteral("mine.log"));
+  m_window.saveLog(path);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("saveText").contains(QStringLiteral("mine.log.deckpipe-notes")); }, kPatience));
+  // Another person's computer.
+  Q_EMIT only<DevicePanel>()->labelEdited(pin, {});
+  const auto labelShown = [&] { return only<Workspace>()->labels().of(pin).toStdString(); };
+  EXPECT_EQ(labelShown(), "");
+  m_session.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return labelShown() == "front bumper"; }, kPatience));
+  EXPECT_EQ(storage.read(), own) << "seen, not remembered";
+  const auto notes = m_session.snapshot().view.document->notes.all();
+  EXPECT_TRUE(std::ranges::any_of(notes, [](const Note& note) {
+    return note.frame == 2 && note.value == NoteValue(note::Mark{"valve opened"});
+  }));
+  Q_EMIT only<DevicePanel>()->labelEdited(pin, QStringLiteral("my own"));
+  EXPECT_EQ(labelShown(), "my own");
+  Q_EMIT only<DevicePanel>()->labelEdited(pin, {});
+  EXPECT_EQ(labelShown(), "front bumper");
+  m_session.openLog(writeLog(kTruck, QStringLiteral("other.log")));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return labelShown().empty(); }, kPatience)) << "no other log's";
+}
+
+TEST_F(LogActions, ASidecarThatDoesNotFitIsSaidWithItsLine) {
+  const QString path = writeLog(kTruck);
+  QFile sidecar(path + QStringLiteral(".deckpipe-notes"));
+  ASSERT_TRUE(sidecar.open(QIODevice::WriteOnly));
+  sidecar.write("Deckpipe notes 1\nframes 3\n");
+  sidecar.close();
+  m_session.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("noticeText").contains(QStringLiteral("are left out")); },
+                              kPatience));
+  EXPECT_TRUE(text("noticeText").contains(QStringLiteral("truck.log.deckpipe-notes, line 3")))
+      << qPrintable(text("noticeText"));
+  EXPECT_EQ(m_session.snapshot().view.frameCount, 3u);
 }
 
 TEST_F(LogActions, OfferToSaveAPartOnlyWhereThereIsOne) {
@@ -210,14 +267,17 @@ TEST_F(LogActions, DialogsOfferWhatTheTableOfFormatsHas) {
     ASSERT_NE(dialog, nullptr);
     const QString filters = dialog->nameFilters().join(QLatin1Char('\n'));
     for (const LogFormat& format : logFormats()) {
-      if (dialog->acceptMode() == QFileDialog::AcceptSave && format.write == nullptr) continue;
-      const std::string filter = std::string(format.name) + " logs (" + std::string(format.patterns) + ")";
+      if (dialog->acceptMode() == QFileDialog::AcceptSave && format.makeWriter == nullptr) continue;
+      const std::string filter = std::string(format.name) + " (" + std::string(format.patterns) + ")";
       EXPECT_TRUE(filters.contains(QString::fromStdString(filter))) << action << qPrintable(filters);
     }
     EXPECT_TRUE(filters.endsWith(QStringLiteral("All files (*)")));
     if (dialog->acceptMode() == QFileDialog::AcceptSave) {
+      EXPECT_TRUE(dialog->nameFilters().first().startsWith(QStringLiteral("candump"))) << "for all programs";
       EXPECT_EQ(dialog->defaultSuffix(), QStringLiteral("log"));
       EXPECT_TRUE(dialog->selectedFiles().value(0).endsWith(QStringLiteral(".log")));
+      Q_EMIT dialog->filterSelected(filterOf(kJournalFormat));
+      EXPECT_TRUE(dialog->selectedFiles().value(0).endsWith(QStringLiteral(".deckpipe")));
     }
     delete dialog;
   }
@@ -240,7 +300,7 @@ TEST_F(LogActions, WhatIsNoLogIsSaidWithTheFormatsThatAre) {
   m_session.openLog(writeLog("no log\n"));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return text("noticeText").contains(QStringLiteral("truck.log cannot be read")); }, kPatience));
-  EXPECT_TRUE(text("noticeText").endsWith(QStringLiteral("Deckpipe reads: Deckpipe, candump.")))
+  EXPECT_TRUE(text("noticeText").endsWith(QStringLiteral("Deckpipe reads: Deckpipe recording, candump.")))
       << qPrintable(text("noticeText"));
 }
 

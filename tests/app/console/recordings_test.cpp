@@ -155,16 +155,43 @@ TEST_F(RecordingsPageTest, TheFirstLookDeletesSavedOnesBeyondTheLimits) {
   EXPECT_TRUE(QFile::exists(unsaved));
 }
 
-TEST_F(RecordingsPageTest, SavingALogWithoutItsMarksDoesNotMarkItsRecording) {
+TEST_F(RecordingsPageTest, SavingALogWhoseNotesCannotBeSavedDoesNotMarkItsRecording) {
   const QString path = record();
   start();
   session->openLog(path);
   ASSERT_TRUE(waitFor([&] { return session->snapshot().source.progress == SourceStatus::Progress::Done; }));
   session->mark(session->snapshot().view.cursor, QStringLiteral("water on"));
-  window->saveLog(dir.filePath(QStringLiteral("mine.log")));
-  EXPECT_TRUE(waitFor([&] { return named<QLabel>("saveText")->text().startsWith(QStringLiteral("Saved")); }));
-  QTest::qWait(0);
-  EXPECT_FALSE(readRecording(path).isSaved) << "the mark is in the recording alone";
+  const QString mine = dir.filePath(QStringLiteral("mine.log"));
+  ASSERT_TRUE(QDir().mkdir(mine + QStringLiteral(".deckpipe-notes")));
+  const auto said = [&] { return named<QLabel>("saveText")->text(); };
+  window->saveLog(mine);
+  ASSERT_TRUE(waitFor([&] { return said().startsWith(QStringLiteral("Saved")); }));
+  EXPECT_TRUE(said().contains(QStringLiteral("its marks, notes and labels cannot be saved")))
+      << qPrintable(said());
+  EXPECT_FALSE(readRecording(path).isSaved) << "the copy is no substitute";
+  ASSERT_TRUE(QDir().rmdir(mine + QStringLiteral(".deckpipe-notes")));
+  window->saveLog(mine);
+  ASSERT_TRUE(waitFor([&] { return said().contains(QStringLiteral("mine.log.deckpipe-notes")); }));
+  EXPECT_TRUE(waitFor([&] { return readRecording(path).isSaved; }));
+}
+
+TEST_F(RecordingsPageTest, OpeningTheOneThatIsInViewLeavesItAlone) {
+  start();
+  session->openDemo();
+  ASSERT_TRUE(waitFor([&] { return session->snapshot().source.isRecorded(); }));
+  const auto before = session->snapshot().view.document;
+  showPage();
+  ASSERT_TRUE(waitFor([&] { return rows() == 1 && named<QPushButton>("recordingOpen")->isEnabled(); }));
+  click("recordingOpen");
+  EXPECT_FALSE(named<QWidget>("recordingsPage")->isVisible());
+  EXPECT_TRUE(notice().contains(QStringLiteral("is the recording that is in view here")))
+      << qPrintable(notice());
+  EXPECT_EQ(session->snapshot().view.document, before);
+  const QString path = QString::fromStdString(session->snapshot().source.recording->path);
+  window->saveLog(path);
+  ASSERT_TRUE(
+      waitFor([&] { return named<QLabel>("saveText")->text().contains(QStringLiteral("cannot be saved")); }));
+  EXPECT_TRUE(readRecording(path).isGrowing);
 }
 
 TEST_F(RecordingsPageTest, SavingTheOpenLogMarksItsRecording) {

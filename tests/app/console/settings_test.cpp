@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "app/console/window_test.h"
+#include "console/recordings_list.h"
 #include "console/sending_actions.h"
 #include "model/field_text.h"
 #include "paint/density_style.h"
@@ -93,6 +94,22 @@ TEST_F(Looks, LetAPersonSayWhoTheConsoleIsOnABus) {
   QTest::keyClicks(identity, QStringLiteral("4711\t"));
   EXPECT_EQ(claimSettings().preferred, Address{0xFB}) << "kept";
   EXPECT_EQ(claimSettings().identityNumber, 4711u);
+}
+
+TEST_F(Looks, LetAPersonSayHowMuchOfTheRecordingsIsKept) {
+  trigger("settingsAction");
+  auto* megabytes = named<QSpinBox>("recordingMegabytes");
+  auto* days = named<QSpinBox>("recordingDays");
+  EXPECT_EQ(megabytes->value(), 2'048);
+  EXPECT_EQ(days->value(), 30);
+  megabytes->setFocus();
+  megabytes->selectAll();
+  QTest::keyClicks(megabytes, QStringLiteral("500\t"));
+  days->setFocus();
+  days->selectAll();
+  QTest::keyClicks(days, QStringLiteral("7\t"));
+  EXPECT_EQ(recordingLimits().mostBytes, std::uint64_t{500} << 20);
+  EXPECT_EQ(recordingLimits().mostDays, 7);
 }
 
 TEST_F(Looks, TakeNoJoysticksOrMonitorsAddressForTheConsole) {

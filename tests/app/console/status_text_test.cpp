@@ -324,8 +324,9 @@ TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {
   snapshot.source.error = ReadError{ReadError::Kind::CannotOpen, "No such file or directory"};
   EXPECT_EQ(notice(snapshot), "truck.log cannot be read: cannot be opened: No such file or directory");
   snapshot.source.error = ReadError{.kind = ReadError::Kind::UnknownFormat};
-  EXPECT_EQ(notice(snapshot),
-            "truck.log cannot be read: not a log of a known format. Deckpipe reads: Deckpipe, candump.");
+  EXPECT_EQ(
+      notice(snapshot),
+      "truck.log cannot be read: not a log of a known format. Deckpipe reads: Deckpipe recording, candump.");
 }
 
 TEST(ClockNotice, IsForAClockThatGoesBackAndNotForTheUsualSmallSteps) {

@@ -123,7 +123,7 @@ TEST(Decode, SaysUnreadableLinesWithNumberAndReasonAndGoesOn) {
 TEST(Decode, SaysOfWhatIsNoLogWhichFormatsAreRead) {
   const Outcome r = run(decode(), "no log\n");
   EXPECT_EQ(r.status, 3);
-  EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: Deckpipe, candump"))
+  EXPECT_TRUE(r.err.contains("standard input: not a log of a known format: Deckpipe recording, candump"))
       << r.err.constData();
 }
 

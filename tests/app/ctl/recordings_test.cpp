@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "log/journal_writer.h"
+#include "log/log_format.h"
 #include "run_ctl.h"
 #include "support/frames.h"
 
@@ -57,6 +58,77 @@ TEST_F(RecordingsOfTheTool, AreReadByInfoAndDecodeWhileTheyGrow) {
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.err.isEmpty()) << r.err.constData();
   EXPECT_TRUE(r.lines()[2].contains(R"("family":"copley")")) << r.lines()[2].constData();
+}
+
+TEST_F(RecordingsOfTheTool, AreReadFromAPipeToo) {
+  record();
+  m_writer->end();
+  QFile file(m_path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  for (const char* command : {"info --devices", "decode"}) {
+    const QStringList words = test::words(command);
+    QProcess process;
+    process.start(QStringLiteral(DECKPIPECTL), words + QStringList{QStringLiteral("-")});
+    file.seek(0);
+    process.write(file.readAll());
+    process.closeWriteChannel();
+    ASSERT_TRUE(process.waitForFinished(60'000));
+    const Outcome piped = test::outcomeOf(process), read = run(words + QStringList{m_path});
+    EXPECT_EQ(piped.status, 0) << piped.err.constData();
+    EXPECT_EQ(QByteArray(piped.out).replace("standard input", m_path.toUtf8()), read.out);
+  }
+}
+
+TEST_F(RecordingsOfTheTool, SayWhatTheirNotesSayOfThem) {
+  m_frames.channel("can0");
+  m_notes.append({.frame = 0, .time = {}, .value = note::LinkUp{{}, "socketcan can0, 250 kbit/s"}});
+  m_notes.append(
+      {.frame = 0, .time = {}, .value = note::Label{*Pin::parse("1032AE100801035"), "front bumper"}});
+  record();
+  m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, note::LeftOut::Why::CanFd, 7}});
+  m_writer->end();
+  const Outcome text = run({QStringLiteral("info"), QStringLiteral("--devices"), m_path});
+  EXPECT_EQ(text.status, 1) << "seven frames came that are not in it";
+  EXPECT_TRUE(text.err.contains("7 frames came that it cannot hold")) << text.err.constData();
+  EXPECT_TRUE(text.out.contains("can0 was socketcan can0, 250 kbit/s")) << text.out.constData();
+  EXPECT_TRUE(text.out.contains("front bumper"));
+  const QJsonObject json =
+      run({QStringLiteral("info"), QStringLiteral("--json"), QStringLiteral("--devices"), m_path})
+          .objects()[0];
+  EXPECT_EQ(json[QStringLiteral("missed")].toInt(), 7);
+  EXPECT_EQ(json[QStringLiteral("devices")].toArray()[0].toObject()[QStringLiteral("label")].toString(),
+            QStringLiteral("front bumper"));
+  const Outcome listed = run({QStringLiteral("recordings"), QStringLiteral("--folder"), m_dir.path()});
+  EXPECT_TRUE(listed.out.contains("socketcan can0, 250 kbit/s")) << listed.out.constData();
+}
+
+TEST_F(RecordingsOfTheTool, HaveASidecarWhereTheyAreCandumpLogs) {
+  record();
+  const auto writer = formatToWrite("x.log").makeWriter();
+  std::string text;
+  writer->channel("can0", text);
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    for (const Note& note : m_notes.between(i, i + 1)) writer->note(note, text);
+    writer->frame(m_frames[i], m_frames.timeAt(i), text);
+  }
+  const auto put = [this](const char* name, const std::string& content) {
+    QFile file(m_dir.filePath(QLatin1String(name)));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(content.c_str());
+    return file.fileName();
+  };
+  const QString path = put("mine.log", text);
+  EXPECT_FALSE(run({QStringLiteral("decode"), path}).out.contains(R"("family":"copley")"));
+  put("mine.log.deckpipe-notes", writer->beside());
+  const Outcome with = run({QStringLiteral("decode"), path});
+  EXPECT_EQ(with.status, 0) << with.err.constData();
+  EXPECT_TRUE(with.lines()[2].contains(R"("family":"copley")")) << with.out.constData();
+  put("mine.log.deckpipe-notes", writer->beside().substr(0, 60));
+  const Outcome cut = run({QStringLiteral("decode"), path});
+  EXPECT_EQ(cut.status, 1);
+  EXPECT_EQ(cut.lines().size(), 3) << "the log is read all the same";
+  EXPECT_TRUE(cut.err.contains("mine.log.deckpipe-notes:")) << cut.err.constData();
+  EXPECT_TRUE(cut.err.contains("its end is missing")) << cut.err.constData();
 }
 
 TEST_F(RecordingsOfTheTool, ThatWereCutOffSayHowMuchIsMissing) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QCanBus>
+#include <QCanBusDevice>
 #include <QSemaphore>
 #include <QTest>
 #include <QThread>
@@ -128,6 +130,28 @@ TEST_F(EndOfALiveBus, IsWrittenDownWhenItIsStopped) {
   live->stop();
   EXPECT_EQ(noted(), (std::vector<std::string_view>{"link_up", "link_down"}));
   EXPECT_EQ(live->latest().link.state, LinkState::Closed);
+}
+
+TEST_F(EndOfALiveBus, NamesItsAdapterInWords) {
+  const auto up = std::get<note::LinkUp>(log->notes.all().front().value);
+  EXPECT_EQ(up.adapter.str(), "virtualcan " + bus.interfaceName(0).toStdString() + ", 250 kbit/s");
+}
+
+TEST_F(EndOfALiveBus, NotesHowManyFramesTheLogCannotHold) {
+  const std::unique_ptr<QCanBusDevice> flexible(
+      QCanBus::instance()->createDevice(QStringLiteral("virtualcan"), bus.interfaceName(0)));
+  flexible->setConfigurationParameter(QCanBusDevice::CanFdKey, true);
+  ASSERT_TRUE(flexible->connectDevice());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bus.clients(0) == 2; }, kPatience));
+  for (int i = 0; i < 5; ++i) flexible->writeFrame(QCanBusFrame(0x102, QByteArray(64, 'b')));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return live->latest().notKept == 5; }, kPatience));
+  live->stop();
+  EXPECT_EQ(log->notes.missedFrames(), 5u);
+  for (const Note& note : log->notes.all()) {
+    if (const auto* leftOut = std::get_if<note::LeftOut>(&note.value)) {
+      EXPECT_EQ(leftOut->why, note::LeftOut::Why::CanFd);
+    }
+  }
 }
 
 TEST_F(EndOfALiveBus, WritesNothingWhileItIsDestroyed) {

@@ -10,6 +10,8 @@
 #include <QTest>
 #include <latch>
 
+#include "log/candump.h"
+#include "protocol/typed.h"
 #include "support/frames.h"
 #include "support/logs.h"
 #include "support/patience.h"
@@ -74,6 +76,206 @@ TEST_F(LogSavingTest, LeavesNoFileWhereItIsCancelled) {
   go.count_down();
   EXPECT_EQ(outcomeOf(saving), LogSaving::Outcome::Cancelled);
   EXPECT_TRUE(QDir(dir.path()).isEmpty());
+}
+
+// --- With what belongs to the frames.
+
+constexpr std::string_view kBench =
+    "(100.000000) can0 18EEFF80#0000C02800840000\n"  // the NAME of address 80
+    "(100.100000) can0 18EFFF80#FF83150206021A0B\n"  // its PIN
+    "(100.200000) can1 18EFFF81#FF83150206021A0C\n"
+    "(100.300000) can0 18EFFF80#011D940371000041\n"
+    "(100.400000) can1 18EFFF81#011D940371000041\n"
+    "(100.500000) can0 18EFFF80#01000C0371000041\n";
+
+struct SavedPartTest : testing::Test {
+  QTemporaryDir dir;
+  QString path = dir.filePath(QStringLiteral("part.log"));
+  std::shared_ptr<LogDocument> log = test::logOfText(kBench);
+  const Pin monitor = *announcedPin(log->frames[1]), other = *announcedPin(log->frames[2]);
+
+  struct Outcome {
+    LogSaving::Outcome outcome;
+    QString reason, sidecar;
+    std::uint64_t written = 0, added = 0;
+  };
+  Outcome save(SavedPart part = {}) {
+    LogSaving saving(log, path, std::move(part));
+    QSignalSpy ended(&saving, &LogSaving::ended);
+    EXPECT_TRUE(ended.wait(kPatience));
+    return {ended.at(0).at(0).value<LogSaving::Outcome>(), ended.at(0).at(1).toString(), saving.sidecar(),
+            saving.written(), saving.added()};
+  }
+  std::shared_ptr<LogDocument> reopened() const {
+    auto read = std::make_shared<LogDocument>();
+    const auto result = openLog(path.toStdString(), {read->frames, read->unkept, &read->notes});
+    EXPECT_TRUE(result);
+    EXPECT_TRUE(!result || !result.value().sidecarFault);
+    return read;
+  }
+  static std::vector<std::string> told(const LogDocument& document) {
+    std::vector<std::string> all;
+    for (const Note& note : document.notes.all())
+      all.push_back(std::to_string(note.frame) + " " + std::string(noteKey(note.value)));
+    return all;
+  }
+  static State stateOf(const LogDocument& document) {
+    State state;
+    advance(state, document.frames, document.notes, cursorAfter(document.frames, document.frames.count()));
+    return state;
+  }
+  static std::string line(const LogDocument& document, std::uint64_t i) {
+    std::string text;
+    writeCandump(document.frames[i], document.frames.channelName(document.frames[i].channel), text);
+    return text;
+  }
+  QStringList files() const { return QDir(dir.path()).entryList(QDir::Files, QDir::Name); }
+};
+
+TEST_F(SavedPartTest, ALogWithoutNotesHasNoSidecar) {
+  EXPECT_EQ(save().outcome, LogSaving::Outcome::Saved);
+  EXPECT_EQ(files(), QStringList{QStringLiteral("part.log")});
+  EXPECT_EQ(reopened()->frames.count(), 6u);
+}
+
+TEST_F(SavedPartTest, MarksLabelsAndDrivesComeBackWithTheLog) {
+  log->notes.append({.frame = 0, .time = {99'000'000'000}, .value = note::LinkUp{{0}, "socketcan can0"}});
+  log->notes.append({.frame = 4, .time = {100'350'000'000}, .value = note::Mark{"valve opened"}});
+  log->notes.append({.frame = 4, .time = {100'350'000'000}, .value = note::DriveSaid{{1}, {0x5A}, true}});
+  log->notes.append({.frame = 6, .time = {101'000'000'000}, .value = note::LinkDown{{1}, LinkFault::Gone}});
+  const Outcome outcome =
+      save({.labels = {{monitor, "front bumper"}, {*Pin::parse("1032AE999999999"), "elsewhere"}}});
+  EXPECT_EQ(outcome.reason, QString());
+  EXPECT_EQ(outcome.sidecar, path + QStringLiteral(".deckpipe-notes"));
+  const auto read = reopened();
+  EXPECT_EQ(told(*read),
+            (std::vector<std::string>{"0 link_up", "1 label", "4 mark", "4 drive_said", "6 link_down"}));
+  std::vector<Note> notes = read->notes.all();
+  std::erase_if(notes, [](const Note& note) { return std::holds_alternative<note::Label>(note.value); });
+  EXPECT_EQ(notes, log->notes.all());
+  EXPECT_EQ(read->notes.between(1, 2).at(0).value, NoteValue(note::Label{monitor, "front bumper"}));
+  for (std::uint64_t i = 0; i < 6; ++i) EXPECT_EQ(line(*read, i), line(*log, i));
+}
+
+TEST_F(SavedPartTest, ASelectionBeginsWithWhoHeldWhichAddressThen) {
+  log->notes.append({.frame = 1, .time = {100'050'000'000}, .value = note::DriveSaid{{0}, {0x5A}, true}});
+  log->notes.append({.frame = 2, .time = {100'150'000'000}, .value = note::Mark{"before"}});
+  log->notes.append({.frame = 5, .time = {100'450'000'000}, .value = note::Mark{"in it"}});
+  const Outcome outcome = save({.begin = 4, .end = 6, .labels = {{other, "tail"}}});
+  EXPECT_EQ(outcome.written, 2u);
+  EXPECT_EQ(outcome.added, 3u);
+  const auto read = reopened();
+  ASSERT_EQ(read->frames.count(), 5u);
+  EXPECT_EQ(line(*read, 0), "(0000000100.400000) can0 18EEFF80#0000C02800840000\n");
+  EXPECT_EQ(line(*read, 1), "(0000000100.400000) can0 18EFFF80#FF83150206021A0B\n");
+  EXPECT_EQ(line(*read, 2), "(0000000100.400000) can1 18EFFF81#FF83150206021A0C\n");
+  EXPECT_EQ(line(*read, 3), line(*log, 4));
+  EXPECT_EQ(line(*read, 4), line(*log, 5));
+  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 drive_said", "0 added", "2 label", "4 mark"}));
+  EXPECT_EQ(read->notes.all()[1].value, NoteValue(note::Added{3}));
+  const State state = stateOf(*read);
+  ASSERT_NE(state.devices().byPin(monitor), nullptr);
+  ASSERT_NE(state.devices().byPin(other), nullptr);
+  EXPECT_EQ(state.devices().byPin(other)->address, Address{0x81});
+  EXPECT_EQ(state.channel({0}).book.holder({0x80}), stateOf(*log).channel({0}).book.holder({0x80}));
+}
+
+TEST_F(SavedPartTest, WhatPassesAFilterBeginsSoTooAndIsMarkedFrameByFrameWhenSavedAgain) {
+  const Outcome first = save({.passes = [](std::uint64_t frame) { return frame >= 3; }});
+  EXPECT_EQ(first.written, 3u);
+  EXPECT_EQ(first.added, 3u);
+  log = reopened();
+  const Outcome again = save({.passes = [](std::uint64_t frame) { return frame != 1; }});
+  EXPECT_EQ(again.written, 5u);
+  EXPECT_EQ(again.added, 0u);
+  const auto read = reopened();
+  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "1 added"}));
+  EXPECT_EQ(read->notes.all()[0].value, NoteValue(note::Added{1}));
+}
+
+TEST_F(SavedPartTest, WhoLeftItsAddressIsNotAddedThere) {
+  log = test::logOfText(
+      "(100.000000) can0 18EFFF80#FF83150206021A0B\n"
+      "(100.100000) can0 18EFFF82#FF83150206021A0B\n"  // the same PIN at another address
+      "(100.200000) can0 18EFFF83#FF83150206021A0C\n"
+      "(100.300000) can0 18EFFF83#FF83150206021A0D\n"  // another PIN at the same
+      "(100.400000) can0 18EFFF82#011D940371000041\n");
+  EXPECT_EQ(save({.begin = 4, .end = 5}).added, 2u);
+  const auto read = reopened();
+  EXPECT_EQ(line(*read, 0), "(0000000100.400000) can0 18EFFF82#FF83150206021A0B\n");
+  EXPECT_EQ(line(*read, 1), "(0000000100.400000) can0 18EFFF83#FF83150206021A0D\n");
+}
+
+TEST_F(SavedPartTest, VersionsAreThoseOfWhoHasTheAddressThen) {
+  log = test::logOfText(
+      "(100.000000) can0 18EFFF80#FF83150206021A0B\n"
+      "(100.100000) can0 18EFF980#03010203040506\n"  // its firmware
+      "(100.200000) can0 18EFFF83#FF83150206021A0C\n"
+      "(100.300000) can0 18EFF983#03010203040506\n"
+      "(100.400000) can0 18EFFF83#FF83150206021A0D\n"  // another PIN at the same
+      "(100.500000) can0 18EFFF80#011D940371000041\n");
+  EXPECT_EQ(save({.begin = 5, .end = 6}).added, 3u);
+  const auto read = reopened();
+  EXPECT_EQ(line(*read, 0), "(0000000100.500000) can0 18EFFF80#FF83150206021A0B\n");
+  EXPECT_EQ(line(*read, 1), "(0000000100.500000) can0 18EFF980#03010203040506\n");
+  EXPECT_EQ(line(*read, 2), "(0000000100.500000) can0 18EFFF83#FF83150206021A0D\n");
+}
+
+TEST_F(SavedPartTest, AddedFramesHaveTheStampThatTheirChannelsClockShows) {
+  log = std::make_shared<LogDocument>();
+  const std::uint8_t wall = log->frames.channel("can0"), own = log->frames.channel("can1");
+  const auto hear = [&](Frame frame, std::uint8_t channel, std::int64_t stamp, Instant now) {
+    frame.channel = channel;
+    frame.stamp = stamp;
+    Arrival arrival{.now = now, .reached = now - 1s};
+    if (channel == wall) arrival.wallOffset = Duration{-1'700'000'000'000'000'000};
+    ASSERT_TRUE(log->frames.append({&frame, 1}, arrival));
+  };
+  const Frame announced = test::frame("18EFFF80", "FF83150206021A0B");
+  const Frame position = test::frame("18EFFF80", "011D940371000041");
+  hear(announced, wall, 1'700'000'010'000'000'000, {10'000'000'000});
+  hear(announced, own, 5'000'000'000, {11'000'000'000});
+  hear(position, wall, 1'700'000'020'000'000'000, {20'000'000'000});
+  hear(position, own, 14'500'000'000, {20'500'000'000});
+  EXPECT_EQ(save({.begin = 2, .end = 4}).added, 2u);
+  const auto read = reopened();
+  EXPECT_EQ(read->frames[0].stamp, 1'700'000'020'000'000'000);
+  EXPECT_EQ(read->frames[1].stamp, 14'000'000'000);
+  EXPECT_EQ(read->frames.jumps().size(), 0u);
+  EXPECT_EQ(read->frames.lastTime() - read->frames.timeAt(0), Duration{500ms});
+}
+
+TEST_F(SavedPartTest, ARecordingHoldsItsNotesItself) {
+  path = dir.filePath(QStringLiteral("part.deckpipe"));
+  log->notes.append({.frame = 5, .time = {100'450'000'000}, .value = note::Mark{"in it"}});
+  const Outcome outcome = save({.begin = 4, .end = 6, .labels = {{monitor, "front"}}});
+  EXPECT_EQ(outcome.added, 3u);
+  EXPECT_EQ(outcome.sidecar, QString());
+  EXPECT_EQ(files(), QStringList{QStringLiteral("part.deckpipe")});
+  const auto read = reopened();
+  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "1 label", "4 mark"}));
+  EXPECT_EQ(read->notes.all()[2].time, Instant{100'450'000'000});
+  EXPECT_EQ(read->frames.timeAt(3), log->frames.timeAt(4));
+  EXPECT_EQ(line(*read, 4), line(*log, 5));
+}
+
+TEST_F(SavedPartTest, SavingOverALogReplacesOrRemovesItsSidecar) {
+  log->notes.append({.frame = 6, .time = {100'500'000'000}, .value = note::Mark{"old"}});
+  save();
+  ASSERT_EQ(files().size(), 2);
+  EXPECT_EQ(save({.begin = 0, .end = 3}).sidecar, QString());
+  EXPECT_EQ(files(), QStringList{QStringLiteral("part.log")});
+  EXPECT_EQ(reopened()->notes.count(), 0u);
+}
+
+TEST_F(SavedPartTest, ASidecarThatCannotBeWrittenIsSaidAndTheLogStays) {
+  log->notes.append({.frame = 6, .time = {100'500'000'000}, .value = note::Mark{"old"}});
+  ASSERT_TRUE(QDir(dir.path()).mkdir(QStringLiteral("part.log.deckpipe-notes")));
+  const Outcome outcome = save();
+  EXPECT_EQ(outcome.outcome, LogSaving::Outcome::Saved);
+  EXPECT_NE(outcome.reason, QString());
+  EXPECT_EQ(outcome.sidecar, QString());
+  EXPECT_EQ(reopened()->frames.count(), 6u);
 }
 
 }  // namespace

@@ -234,6 +234,30 @@ TEST_F(InAFolder, OneThatWasCutOffIsNotWhole) {
   EXPECT_TRUE(cut.isUnsaved());
 }
 
+TEST_F(InAFolder, ALargeOneIsOnlyGlancedAtAndItsNumbersAreRight) {
+  const auto log = std::make_shared<LogDocument>();
+  log->frames.channel("can0");
+  log->notes.append({.value = note::LinkUp{{}, "socketcan can0, 250 kbit/s"}});
+  JournalWriter writer(log->frames, log->notes, recordingIn(folder), [] { return recordingHead(false); });
+  for (int i = 0; i < 2'000; ++i) {
+    Frame frame = i == 0 ? kAnnouncement : kPosition;
+    frame.stamp = i * std::int64_t{100'000'000};
+    ASSERT_TRUE(log->frames.append({&frame, 1}));
+    if (i % 20 == 0) writer.timeCame(Instant{} + i * 100ms);
+  }
+  writer.end();
+  const QString path = QString::fromStdString(writer.status().path);
+  Recording whole = readRecording(path);
+  EXPECT_FALSE(whole.isGlanced);
+  EXPECT_EQ(whole.adapters, QStringList{QStringLiteral("socketcan can0, 250 kbit/s")});
+  const Recording glanced = readRecording(path, 20'000);
+  EXPECT_TRUE(glanced.isGlanced);
+  whole.isGlanced = true;
+  EXPECT_EQ(glanced, whole);
+  EXPECT_EQ(glanced.frames, 2'000u);
+  EXPECT_EQ(glanced.length, Duration(1'999 * 100ms));
+}
+
 TEST(RecordingLimits, NeverDeleteWhatWasNotSavedAndTheOldestFirst) {
   const QDateTime now(QDate(2026, 11, 28), QTime(12, 0));
   const auto at = [&](const char* path, int days, std::uint64_t bytes, bool isSaved) {

@@ -12,6 +12,8 @@
 #include <QThread>
 
 #include "link/virtual_bus.h"
+#include "log/log_format.h"
+#include "log/sidecar.h"
 #include "support/frames.h"
 #include "support/patience.h"
 #include "support/recording_listener.h"
@@ -79,6 +81,30 @@ TEST_F(OpenedLog, GivesWayToAnotherOnceItsFramesAreThere) {
   EXPECT_EQ(m_session.snapshot().view.frameCount, 3u) << "not before";
   ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.frameCount == 1; }, kPatience));
   EXPECT_EQ(m_session.snapshot().source.name, other);
+}
+
+TEST_F(OpenedLog, TakesTheNotesBesideItIntoItsState) {
+  m_session.closeSource();
+  const QString path = writeLog(m_dir, kThreeFrames);
+  SidecarMaker maker;
+  FrameStore frames;
+  UnkeptList unkept;
+  ASSERT_TRUE(openLog(path.toStdString(), {frames, unkept}));
+  maker.channel("can0");
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    if (i == 1)
+      maker.note({.frame = 1, .time = {10'500'000'000}, .value = note::DriveSaid{{0}, {0x5A}, true}});
+    maker.frame(frames[i], frames.timeAt(i));
+  }
+  QFile sidecar(path + QStringLiteral(".deckpipe-notes"));
+  ASSERT_TRUE(sidecar.open(QIODevice::WriteOnly));
+  sidecar.write(maker.text().c_str());
+  sidecar.close();
+  m_session.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return isSettled(m_session) && view().state->channel({0}).book.isDrive({0x5A}); }, kPatience));
+  EXPECT_TRUE(m_session.snapshot().source.read.hasSidecar);
+  EXPECT_EQ(view().document->notes.all().at(0).time, Instant{10'500'000'000});
 }
 
 TEST_F(OpenedLog, StandsAtItsEndWithTheStateThere) {

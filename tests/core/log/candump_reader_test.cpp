@@ -58,7 +58,7 @@ Outcome readText(const std::string& text, const ReadOptions& options = {}) {
 Outcome readStream(const std::string& text, std::size_t piece) {
   FrameStore store;
   UnkeptList unkept;
-  LogStream stream(store, unkept);
+  LogStream stream({store, unkept});
   for (std::size_t at = 0; at < text.size(); at += piece) {
     if (!stream.feed(std::string_view(text).substr(at, piece))) break;
   }
@@ -203,7 +203,7 @@ TEST(DeltaTimes, AreAddedUpAlikeOfFileAndPipe) {
       std::ranges::none_of(file.frames, [](const Frame& f) { return (f.flags & Frame::kTimeJump) != 0; }));
   FrameStore store;
   UnkeptList unkept;
-  LogStream stream(store, unkept, logFormats(), options);
+  LogStream stream({store, unkept}, logFormats(), options);
   for (const char c : text) stream.feed({&c, 1});
   EXPECT_EQ(outcomeOf(stream.finish(), store, unkept), file);
 }
@@ -379,7 +379,7 @@ TEST(CandumpReader, SaysThatTheStoreIsFull) {
   const auto result = readLog(BytesInMemory(usualText(10)), {store, unkept});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ReadError::Kind::StoreFull);
-  LogStream stream(store, unkept);
+  LogStream stream({store, unkept});
   EXPECT_FALSE(stream.feed(std::string_view("(1.0) can0 123#11\n")));
   EXPECT_EQ(stream.finish().error().kind, ReadError::Kind::StoreFull);
 }
@@ -416,7 +416,7 @@ TEST(CandumpReader, ReportsAFileThatShrinksWhileItIsRead) {
 TEST(LogStream, PutsWholeLinesIntoTheStoreAtOnce) {
   FrameStore store;
   UnkeptList unkept;
-  LogStream stream(store, unkept);
+  LogStream stream({store, unkept});
   EXPECT_TRUE(stream.feed(std::string_view("(1.0) can0 123#11\n(2.0) can0 123#2")));
   EXPECT_EQ(store.count(), 1u);
   EXPECT_TRUE(stream.feed(std::string_view("2\n")));
@@ -426,7 +426,7 @@ TEST(LogStream, PutsWholeLinesIntoTheStoreAtOnce) {
 TEST(LogStream, GivesUpOnWhatIsNoLogBeforeItEnds) {
   FrameStore store;
   UnkeptList unkept;
-  LogStream stream(store, unkept);
+  LogStream stream({store, unkept});
   std::uint64_t fed = 0;
   const std::string rubbish = "this is not a line of any log\n";
   while (fed < 1'000'000 && stream.feed(std::string_view(rubbish))) fed += rubbish.size();

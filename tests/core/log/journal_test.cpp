@@ -217,7 +217,7 @@ TEST(Journal, OfANewerVersionIsRefusedByName) {
   Recording read;
   read.read(bytes);
   ASSERT_FALSE(read.result);
-  EXPECT_EQ(read.result.error(), (ReadError{ReadError::Kind::NewerVersion, "2", "Deckpipe"}));
+  EXPECT_EQ(read.result.error(), (ReadError{ReadError::Kind::NewerVersion, "2", "Deckpipe recording"}));
 }
 
 // Changes type or version of a block, with the CRC that belongs to it.
@@ -302,9 +302,93 @@ TEST(Journal, IsKnownByItsFirstBytes) {
   EXPECT_EQ(kJournalFormat.sniff(text.substr(0, 5), false), Sniff::Open);
   EXPECT_EQ(kJournalFormat.sniff(text.substr(0, 5), true), Sniff::No);
   EXPECT_EQ(kJournalFormat.sniff("(1.0) can0 123#11\n", false), Sniff::No);
-  LogStream stream(written.frames, written.unkept);
-  EXPECT_FALSE(stream.feed(text));
-  EXPECT_EQ(stream.finish().error(), (ReadError{ReadError::Kind::NoPipe, {}, "Deckpipe"}));
+}
+
+TEST(Journal, IsReadFromAPipeHoweverItIsCut) {
+  Recording written;
+  written.fill(3);
+  const JournalBytes bytes = journalOf(written);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const std::size_t piece : {1u, 7u, 1'000u, 1'000'000u}) {
+    Recording read;
+    LogStream stream(read.target());
+    for (std::size_t at = 0; at < text.size(); at += piece) EXPECT_TRUE(stream.feed(text.substr(at, piece)));
+    const auto result = stream.finish();
+    ASSERT_TRUE(result) << piece;
+    EXPECT_EQ(result.value(), (ReadSummary{.frames = written.frames.count()}));
+    expectSame(read, written);
+  }
+}
+
+TEST(Journal, FromAPipeThatBreaksOffOrIsDamagedIsReadAsAFileIs) {
+  Recording written;
+  written.fill();
+  JournalBytes bytes = journalOf(written);
+  const auto expectAsFile = [](std::span<const std::uint8_t> part, const std::string& what) {
+    Recording file, pipe;
+    file.read(part);
+    LogStream stream(pipe.target());
+    const std::string_view text(reinterpret_cast<const char*>(part.data()), part.size());
+    for (std::size_t at = 0; at < text.size(); at += 100) stream.feed(text.substr(at, 100));
+    const auto result = stream.finish();
+    ASSERT_EQ(bool(result), bool(file.result)) << what;
+    if (!result) {
+      EXPECT_EQ(result.error(), file.result.error()) << what;
+      return;
+    }
+    EXPECT_EQ(result.value(), file.result.value()) << what;
+    EXPECT_EQ(told(pipe.frames), told(file.frames)) << what;
+    EXPECT_EQ(pipe.notes.all(), file.notes.all()) << what;
+  };
+  for (std::size_t size = kJournalMagic.size(); size <= bytes.size(); ++size)
+    expectAsFile(std::span(bytes).first(size), "cut at " + std::to_string(size));
+  for (std::size_t at = kJournalMagic.size(); at < bytes.size(); at += 13) {
+    bytes[at] ^= 0x10u;
+    expectAsFile(bytes, "damaged at " + std::to_string(at));
+    bytes[at] ^= 0x10u;
+  }
+}
+
+// Written as whoever saves a log writes it.
+JournalBytes exportOf(const Recording& recording) {
+  const auto writer = kJournalFormat.makeWriter();
+  std::string out;
+  writer->begin(out);
+  const FrameStore& frames = recording.frames;
+  for (std::uint8_t i = 0; i < frames.channelCount(); ++i) writer->channel(frames.channelName(i), out);
+  std::vector<Note> notes = recording.notes.all();
+  auto note = notes.begin();
+  for (std::uint64_t i = 0; i <= frames.count(); ++i) {
+    for (; note != notes.end() && note->frame == i; ++note) writer->note(*note, out);
+    if (i < frames.count()) writer->frame(frames[i], frames.timeAt(i), out);
+  }
+  writer->end(out);
+  EXPECT_EQ(writer->beside(), "");
+  return {out.begin(), out.end()};
+}
+
+TEST(Journal, OfALogThatIsSavedBringsBackFramesNotesAndLogTimes) {
+  Recording live;
+  live.fill(4);
+  Recording file;
+  ASSERT_TRUE(readLog(BytesInMemory("(100.0) can0 123#11\n(5000.0) can0 123#12\n(100.1) can0 123#13\n"
+                                    "(3.0) can0 123#14\n(3.5) can0 123#15\n(3.6) can1 123#16\n"),
+                      file.target()));
+  Recording timeless;
+  ASSERT_TRUE(readLog(BytesInMemory("  can0  123   [1]  11\n  can0  123   [1]  12\n"), timeless.target()));
+  Recording many;
+  many.frames.channel("can0");
+  std::vector<Frame> frames(2 * kMostJournalFrames + 5, test::frame("123", "00"));
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].stamp = static_cast<std::int64_t>(i) * 1'000'000;
+  ASSERT_TRUE(many.frames.append(frames));
+  many.notes.append({.frame = kMostJournalFrames + 1, .time = {4}, .value = note::Mark{"between"}});
+  for (const Recording* written : {&live, &file, &timeless, &many}) {
+    Recording read;
+    read.read(exportOf(*written));
+    ASSERT_TRUE(read.result);
+    EXPECT_EQ(read.result.value(), (ReadSummary{.frames = written->frames.count()}));
+    expectSame(read, *written);
+  }
 }
 
 }  // namespace

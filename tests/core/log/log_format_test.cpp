@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "log/candump.h"
+#include "log/journal_reader.h"
 #include "log/log_stream.h"
 
 namespace deckpipe {
@@ -48,7 +49,9 @@ void writeTiny(const Frame& frame, std::string_view, std::string& out) {
   out += "\n";
 }
 
-constexpr LogFormat kTiny = textFormat<TinyParser>("tiny", "*.tiny *.t", writeTiny);
+std::string tinyName(std::string_view) { return std::string(kUnnamedInterface); }
+
+constexpr LogFormat kTiny = writable<writeTiny, tinyName>(textFormat<TinyParser>("tiny", "*.tiny *.t"));
 constexpr LogFormat kFormats[] = {kCandumpFormat, kTiny};
 
 std::string tinyLog(int lines) {
@@ -65,8 +68,11 @@ struct Reading {
 
   std::string written(const LogFormat& format) const {
     std::string text;
-    for (std::uint64_t i = 0; i < store.count(); ++i)
-      format.write(store[i], store.channelName(store[i].channel), text);
+    const auto writer = format.makeWriter();
+    writer->begin(text);
+    for (std::uint8_t i = 0; i < store.channelCount(); ++i) writer->channel(store.channelName(i), text);
+    for (std::uint64_t i = 0; i < store.count(); ++i) writer->frame(store[i], store.timeAt(i), text);
+    writer->end(text);
     return text;
   }
 };
@@ -100,7 +106,7 @@ TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
 
   for (const std::size_t piece : {1u, 1'000u, 1'000'000u}) {
     Reading pipe;
-    LogStream stream(pipe.store, pipe.unkept, kFormats);
+    LogStream stream({pipe.store, pipe.unkept}, kFormats);
     for (std::size_t at = 0; at < text.size(); at += piece)
       EXPECT_TRUE(stream.feed(std::string_view(text).substr(at, piece)));
     pipe.result = stream.finish();
@@ -121,7 +127,7 @@ TEST(LogFormats, ContentDecidesNotTheOrderOrTheName) {
       EXPECT_EQ(reading.store.count(), 1u);
       EXPECT_EQ(reading.unkept.content().unreadable(), 1u);
       Reading pipe;
-      LogStream stream(pipe.store, pipe.unkept, formats);
+      LogStream stream({pipe.store, pipe.unkept}, formats);
       for (const char c : text) stream.feed({&c, 1});
       ASSERT_TRUE(stream.finish());
       EXPECT_EQ(pipe.store.count(), 1u);
@@ -149,7 +155,7 @@ TEST(LogFormats, WhatAnotherProgramWroteIsNamedAlikeOfFileAndPipe) {
     ASSERT_FALSE(reading.result);
     EXPECT_EQ(reading.result.error(), (ReadError{ReadError::Kind::UnknownFormat, {}, name}));
     Reading pipe;
-    LogStream stream(pipe.store, pipe.unkept);
+    LogStream stream({pipe.store, pipe.unkept});
     for (std::size_t at = 0; at < content.size() && stream.feed(content.substr(at, 5)); at += 5) {
     }
     pipe.result = stream.finish();
@@ -174,7 +180,7 @@ TEST(LogFormats, OneThatCannotBeReadFromAPipeSaysSo) {
   fileOnly.stream = nullptr;
   const LogFormat formats[] = {kCandumpFormat, fileOnly};
   Reading reading;
-  LogStream stream(reading.store, reading.unkept, formats);
+  LogStream stream({reading.store, reading.unkept}, formats);
   bool wantsMore = true;
   for (int i = 0; i < 1'000 && wantsMore; ++i) wantsMore = stream.feed(tinyLog(100));
   EXPECT_FALSE(wantsMore) << "and does not wait for the end";
@@ -191,7 +197,7 @@ TEST(LogFormats, AreNamedAndChosenForWritingByTheTable) {
   EXPECT_EQ(formatToWrite("truck.log", kFormats).name, "candump");
   EXPECT_EQ(formatToWrite("no suffix", kFormats).name, "candump") << "the first";
   LogFormat readOnly = kCandumpFormat;
-  readOnly.write = nullptr;
+  readOnly.makeWriter = nullptr;
   const LogFormat formats[] = {readOnly, kTiny};
   EXPECT_EQ(formatToWrite("truck.log", formats).name, "tiny");
   EXPECT_EQ(formatNames(LogUse::Write, formats), "tiny");
@@ -203,13 +209,19 @@ TEST(LogFormats, OfTheTableAreWhole) {
     EXPECT_FALSE(format.name.empty());
     EXPECT_TRUE(format.patterns.starts_with("*."));
     EXPECT_TRUE(format.sniff != nullptr && format.read != nullptr);
-    if (format.write != nullptr) {
+    if (format.makeWriter != nullptr) {
+      const auto writer = format.makeWriter();
       std::string text;
-      format.write({}, "can0", text);
+      writer->begin(text);
+      writer->channel("can0", text);
+      writer->frame({}, {}, text);
+      writer->end(text);
       EXPECT_EQ(format.sniff(text, true), Sniff::Yes) << "it knows what it wrote";
     }
   }
-  EXPECT_NE(formatToWrite("x.log").write, nullptr);
+  EXPECT_EQ(formatToWrite("x.deckpipe").name, kJournalFormat.name);
+  EXPECT_EQ(formatToWrite("x.log").name, "candump");
+  EXPECT_EQ(formatToWrite("no suffix").name, "candump") << "what other programs read too";
 }
 
 }  // namespace

@@ -39,16 +39,17 @@ constexpr std::string_view kPinHex = "0f313033324145313030383031303335";
 
 TEST(NoteCodec, BeginsWithLengthKindFrameAndTime) {
   EXPECT_EQ(hexOf(bytesOf(note::LinkUp{Channel{4}}, 0x0102030405060708, {-2})),
-            "1200"
+            "1300"
             "01"
             "0807060504030201"
             "feffffffffffffff"
-            "04");
+            "04"
+            "00");
 }
 
 TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
   const std::map<std::string_view, std::string> expected{
-      {"link_up", "01 02"},
+      {"link_up", "01 020e736f636b657463616e2063616e30"},
       {"link_down", "02 02070f4e6574776f726b20697320646f776e"},
       {"dropped", "03 020200000001000000"},
       {"locked", "04 02"},
@@ -61,6 +62,9 @@ TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
       {"ask_waits", "0c 0281" + std::string(kPinHex) + "05"},
       {"still_waits", "0d 020500000000000000"},
       {"pipe", "0b 0281" + std::string(kPinHex) + "0108617869732e747874"},
+      {"left_out", "0e 02020700000000000000"},
+      {"label", "0f " + std::string(kPinHex) + "0c66726f6e742062756d706572"},
+      {"added", "10 0900000000000000"},
   };
   for (const NoteValue& value : test::noteSamples()) {
     const auto found = expected.find(noteKey(value));
@@ -99,6 +103,16 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
   EXPECT_EQ(test::allOf<PipeEvent>().size(), std::size(events));
 }
 
+TEST(NoteCodec, KeepsTheNumbersOfWhyFramesAreLeftOut) {
+  using Why = note::LeftOut::Why;
+  const Why whys[] = {Why::CanFd, Why::NotClassic};
+  for (std::uint8_t n = 0; n < std::size(whys); ++n) {
+    const Bytes bytes = bytesOf(note::LeftOut{{}, whys[n], 0});
+    EXPECT_EQ(bytes[bytes.size() - 9], n + 1);
+  }
+  EXPECT_EQ(test::allOf<Why>().size(), std::size(whys));
+}
+
 template <typename E>
 void expectKnown() {
   for (const E value : test::allOf<E>()) EXPECT_TRUE(isKnown(value)) << static_cast<int>(value);
@@ -111,6 +125,7 @@ TEST(NoteCodec, KnowsEveryValueOfItsEnums) {
   expectKnown<PipeEvent>();
   expectKnown<LinkFault>();
   expectKnown<note::OwnAddress::How>();
+  expectKnown<note::LeftOut::Why>();
 }
 
 TEST(NoteCodec, ReadsBackWhatItWrote) {
@@ -179,6 +194,16 @@ TEST(NoteCodec, SkipsFieldsThatANewerVersionAdded) {
   }
 }
 
+TEST(NoteCodec, ReadsANoteOfBeforeAFieldWasAdded) {
+  Bytes bytes = bytesOf(note::LinkUp{test::kNotedChannel});
+  bytes.pop_back();
+  bytes[0] = static_cast<std::uint8_t>(bytes.size() - 2);
+  std::span<const std::uint8_t> rest(bytes);
+  const auto read = takeNote(rest);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(std::get<Note>(read.value()).value, NoteValue(note::LinkUp{test::kNotedChannel}));
+}
+
 TEST(NoteCodec, TellsANoteThatEndsTooSoon) {
   for (const NoteValue& value : test::noteSamples()) {
     const Bytes whole = bytesOf(value);
@@ -188,6 +213,7 @@ TEST(NoteCodec, TellsANoteThatEndsTooSoon) {
       // The same with a length that says that this is all.
       Bytes shorter(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
       shorter[0] = static_cast<std::uint8_t>(size - 2);
+      if (std::holds_alternative<note::LinkUp>(value) && size == 20) continue;  // as it once was
       EXPECT_EQ(told(shorter), "damaged") << noteKey(value) << " of " << size;
     }
   }

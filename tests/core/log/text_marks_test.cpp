@@ -78,7 +78,7 @@ TEST(TextMarks, EveryFrameIsReadFromAPipeHoweverItIsCut) {
       SCOPED_TRACE(piece);
       FrameStore store;
       UnkeptList unkept;
-      LogStream stream(store, unkept);
+      LogStream stream({store, unkept});
       for (std::size_t at = 0; at < row.bytes.size(); at += piece)
         EXPECT_TRUE(stream.feed(std::string_view(row.bytes).substr(at, piece)));
       ASSERT_TRUE(stream.finish());
@@ -92,7 +92,7 @@ TEST(TextMarks, AMarkAloneIsAnEmptyLog) {
     FrameStore store;
     UnkeptList unkept;
     EXPECT_TRUE(readLog(BytesInMemory(bytes), {store, unkept}));
-    LogStream stream(store, unkept);
+    LogStream stream({store, unkept});
     stream.feed(bytes);
     EXPECT_TRUE(stream.finish());
     EXPECT_EQ(store.count(), 0u);
@@ -104,7 +104,7 @@ TEST(TextMarks, ASecondMarkIsText) {
   FrameStore file, pipe;
   UnkeptList ofFile, ofPipe;
   ASSERT_TRUE(readLog(BytesInMemory(bytes), {file, ofFile}));
-  LogStream stream(pipe, ofPipe);
+  LogStream stream({pipe, ofPipe});
   stream.feed(bytes);
   ASSERT_TRUE(stream.finish());
   EXPECT_EQ(file.count(), 1u);

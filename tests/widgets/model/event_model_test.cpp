@@ -60,7 +60,7 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
   for (const NoteValue& value : values) sentences.push_back(noteText(*log, {.value = value}).toStdString());
   EXPECT_EQ(sentences, (std::vector<std::string>{
                            "water on",
-                           "can2 up",
+                           "can2 up: socketcan can0",
                            "can2 down: Network is down",
                            "can2: 2147483647 frames lost",
                            "Transmit locked",
@@ -72,6 +72,9 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "Zero axes of 1032AE100801035: not on the bus yet; it may still go out",
                            "can2: 5 frames are not on the bus yet and may still go out",
                            "Data pipe 1032AE100801035 axis.txt: file sent",
+                           "can2: 7 frames came that are not classic CAN and are not held",
+                           "1032AE100801035 is called “front bumper”",
+                           "9 frames were added here when this part was saved: who held which address",
                            "The console holds address F9",
                            "The console lost its address to a lower NAME",
                            "The console cannot claim any address",

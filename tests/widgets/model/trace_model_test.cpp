@@ -215,6 +215,21 @@ TEST_F(TraceModelTest, TakesNotesWithinItsWindow) {
   EXPECT_EQ(cell(1, Decoded).toStdString(), "Position −4000");
 }
 
+TEST_F(TraceModelTest, SaysWhichFramesWereAddedOnSaving) {
+  const auto log = test::logOf(manyFrames(3));
+  model.setWindow(0, 10);
+  model.setView(test::viewOf(log));
+  EXPECT_FALSE(marks(0).testFlag(TraceModel::Added));
+  log->notes.append({.frame = 0, .value = note::Added{2}});
+  QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+  model.setView(test::viewOf(log));
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(cell(1, TraceModel::Direction).toStdString(), "+");
+  EXPECT_TRUE(marks(1).testFlag(TraceModel::Added));
+  EXPECT_FALSE(marks(2).testFlag(TraceModel::Added));
+  EXPECT_EQ(cell(2, TraceModel::Direction).toStdString(), "Rx");
+}
+
 TEST_F(TraceModelTest, StartsAnewWithAnotherLog) {
   model.setWindow(0, 50);
   model.setView(test::viewOf(test::logOfText(kSmall)));

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/part_writer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/lists.h"
+#include "protocol/typed.h"
+#include "state/in_force.h"
+
+namespace deckpipe {
+
+PartWriter::PartWriter(const LogDocument& log, const Span& span, const LabelsByPin& labels, LogWriter& writer,
+                       std::string& out)
+    : m_log(log),
+      m_span(span),
+      m_labels(labels),
+      m_writer(writer),
+      m_out(out),
+      m_notes(log.notes.all()),
+      m_times(log.frames) {
+  m_writer.begin(m_out);
+}
+
+bool PartWriter::frame(std::uint64_t i, const std::stop_token& stop) {
+  if (m_written == 0 && i > 0 && !beginAt(i, stop)) return false;
+  passNotes(i);
+  const Instant time = m_times.at(i);
+  addedUntil(i);
+  write(m_log.frames[i], time);
+  ++m_written;
+  return true;
+}
+
+bool PartWriter::beginAt(std::uint64_t i, const std::stop_token& stop) {
+  const FrameStore& frames = m_log.frames;
+  if (m_span.begin > 0) {
+    for (Note& note : notesInForce(frames, m_log.notes, m_span.begin))
+      write(std::move(note.value), note.time);
+  }
+  const std::vector<Frame> inForce = framesInForce(frames, m_log.notes, i, stop);
+  if (stop.stop_requested()) return false;
+  const Instant time = m_times.at(i);
+  if (!inForce.empty()) write(note::Added{inForce.size()}, time);
+  for (const Frame& frame : inForce) {
+    write(frame, time);
+    ++m_added;
+  }
+  return true;
+}
+
+// Labels and what was added are noted anew.
+void PartWriter::passNotes(std::uint64_t before) {
+  for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame <= before; ++m_nextNote) {
+    const Note& note = m_notes[m_nextNote];
+    if (const auto* added = std::get_if<note::Added>(&note.value)) {
+      m_wereAdded = std::max(m_wereAdded, note.frame + added->count);
+    } else if (note.frame >= m_span.begin && !std::holds_alternative<note::Label>(note.value)) {
+      write(note.value, note.time);
+    }
+  }
+}
+
+void PartWriter::addedUntil(std::uint64_t i) {
+  if (i >= m_wereAdded || i < m_saidAdded) return;
+  const std::uint64_t end = m_span.isFiltered ? i + 1 : std::min(m_wereAdded, m_span.end);
+  write(note::Added{end - i}, m_times.at(i));
+  m_saidAdded = end;
+}
+
+void PartWriter::end() {
+  const std::uint64_t end = m_span.end;
+  if (end > 0) passNotes(end - 1);
+  for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame == end; ++m_nextNote) {
+    const Note& note = m_notes[m_nextNote];
+    // A mark at the part's last frame stands behind it.
+    const bool isOfPart = m_span.isToEnd || (end > m_span.begin && note.time <= m_log.frames.timeAt(end - 1));
+    const bool isAnew =
+        std::holds_alternative<note::Added>(note.value) || std::holds_alternative<note::Label>(note.value);
+    if (isOfPart && !isAnew) write(note.value, note.time);
+  }
+  m_writer.end(m_out);
+}
+
+void PartWriter::write(const Frame& frame, Instant time) {
+  if (hasTypeOf(frame, MessageId::AddressAnnouncement)) {
+    const auto pin = announcedPin(frame);
+    const auto label = pin ? m_labels.find(*pin) : m_labels.end();
+    if (label != m_labels.end() && m_labelled.insert(*pin).second)
+      write(note::Label{*pin, label->second}, time);
+  }
+  Frame own = frame;
+  own.channel = channel(frame.channel);
+  m_writer.frame(own, time, m_out);
+}
+
+void PartWriter::write(NoteValue value, Instant time) {
+  if (const auto about = channelOf(value)) setChannel(value, {channel(about->value)});
+  m_writer.note({.frame = m_written + m_added, .time = time, .value = std::move(value)}, m_out);
+}
+
+std::uint8_t PartWriter::channel(std::uint8_t of) {
+  const auto [known, isNew] = m_channels.try_emplace(of, static_cast<std::uint8_t>(m_channels.size()));
+  if (isNew) m_writer.channel(m_log.frames.channelName(of), m_out);
+  return known->second;
+}
+
+}  // namespace deckpipe
