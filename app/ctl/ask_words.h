@@ -45,6 +45,7 @@ constexpr std::string_view refusalWord(Refusal refusal) {
     case Refusal::NotHeard: return "not_heard";
     case Refusal::Contested: return "contested";
     case Refusal::ListenOnly: return "listen_only";
+    case Refusal::Disputed: return "disputed";
   }
   return "none";
 }
@@ -65,6 +66,7 @@ constexpr const char* refusalSentence(Refusal refusal) {
     case Refusal::NotHeard: return "the device was not heard for 1 s";
     case Refusal::Contested: return "two nodes claim the address of the device";
     case Refusal::ListenOnly: return "the adapter is in listen-only mode";
+    case Refusal::Disputed: return "another node sends from our own address";
   }
   return "it was refused";
 }

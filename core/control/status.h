@@ -30,6 +30,7 @@ enum class Refusal : std::uint8_t {
   NotHeard,    // a command or packet to a device that was not heard for 1 s
   Contested,   // … or whose address two nodes claim at this moment
   ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
+  Disputed,    // a command or packet while another node sends from our address: its acks would look like ours
 };
 
 struct ClaimStatus {

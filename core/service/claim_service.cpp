@@ -155,6 +155,7 @@ void ClaimService::timeCame(Instant now, const Live& live, Outgoing& out) {
       if (!m_status.isOnBus) return claimNext(now, live, out);
       m_status.progress = Progress::Claimed;
       noteAddress(live, m_status.address, How::Claimed, out);
+      if (m_conflict != kNotYet && now - m_conflict <= kConflictOver) dispute(live, out);
       return;
     case Progress::CannotClaim: sendName(live, kNullAddress, out); return;
     case Progress::Claimed: m_status.isDisputed = false; return;
@@ -186,8 +187,10 @@ void ClaimService::requestHeard(Instant now, const Live& live, const J1939Id& id
   if (!isToUs && id.destination != kGlobalAddress) return;
   const auto wanted = static_cast<std::uint32_t>(readBits(frame.data, kRequested));
   if (wanted != pgn::kAddressClaimed) {
-    if (isToUs && address() != kNullAddress)
-      out.send(live, negativeAcknowledgement(address(), id.source, wanted));
+    if (!isToUs || address() == kNullAddress) return;
+    if (m_declined != kNotYet && now - m_declined < kDeclineAgain) return;
+    m_declined = now;
+    out.send(live, negativeAcknowledgement(address(), id.source, wanted));
     return;
   }
   if (hasAddress) sendName(live, m_status.address, out);
@@ -224,17 +227,19 @@ void ClaimService::leave(Instant now, const Live& live, How why, Outgoing& out) 
   claimNext(now, live, out);
 }
 
+void ClaimService::dispute(const Live& live, Outgoing& out) {
+  m_status.isDisputed = true;
+  m_deadline = m_conflict + kConflictOver;
+  noteAddress(live, m_status.address, How::Disputed, out);
+}
+
 // It may not have heard our claim; then our NAME tells it.
 void ClaimService::strangerHeard(Instant now, const Live& live, Outgoing& out) {
   if (!m_hasSpoken) return;
   if (m_conflict == kNotYet || now - m_conflict > kConflictOver) {
     m_conflict = now;
     ++m_status.conflicts;
-    if (m_status.progress == Progress::Claimed) {
-      m_status.isDisputed = true;
-      m_deadline = now + kConflictOver;
-      noteAddress(live, m_status.address, How::Disputed, out);
-    }
+    if (m_status.progress == Progress::Claimed) dispute(live, out);
     sendName(live, m_status.address, out);
   } else if (now - m_conflict >= kClaimTime) {
     leave(now, live, How::InUse, out);

@@ -59,6 +59,8 @@ class ClaimService : public Service {
   static constexpr Duration kClaimAgain = 1s;
   // A conflict is over when nobody else was heard at our address for so long.
   static constexpr Duration kConflictOver = 10s;
+  // From one negative acknowledgement to the next: a node that asks without end must not fill the bus twice.
+  static constexpr Duration kDeclineAgain = 100ms;
 
   explicit ClaimService(const ClaimSettings& settings, bool echoes = true);
 
@@ -78,6 +80,9 @@ class ClaimService : public Service {
     return m_status.progress == ClaimStatus::Progress::Claimed ? m_status.address : kNullAddress;
   }
 
+  // Another node was heard sending from it within kConflictOver: an answer to it may be the other node's.
+  bool isDisputed() const { return m_status.isDisputed; }
+
  private:
   using Progress = ClaimStatus::Progress;
   using How = note::OwnAddress::How;
@@ -91,6 +96,7 @@ class ClaimService : public Service {
   void cannotClaim(Instant now, const Live& live, Outgoing& out);
   FrameTag sendName(const Live& live, Address from, Outgoing& out) const;
   void leave(Instant now, const Live& live, How why, Outgoing& out);
+  void dispute(const Live& live, Outgoing& out);
   void strangerHeard(Instant now, const Live& live, Outgoing& out);
   void requestHeard(Instant now, const Live& live, const J1939Id& id, const Frame& frame, Outgoing& out);
   void claimHeard(Instant now, const Live& live, Address source, Name name, Outgoing& out);
@@ -103,6 +109,7 @@ class ClaimService : public Service {
   Instant m_deadline = kNever;
   FrameTag m_claim;              // the NAME that claims the present address
   Instant m_conflict = kNotYet;  // we claimed again because another sends from our address
+  Instant m_declined = kNotYet;  // the last negative acknowledgement
   bool m_hasSpoken = false;      // something of ours was on the bus since it began
   bool m_echoes;
   std::uint32_t m_spread;  // of the delays of 'cannot claim'

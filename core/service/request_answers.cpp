@@ -123,13 +123,16 @@ void RequestService::answered(Instant now, const Live& live, Asked& at, Ask ask,
     const unsigned whole = wholeAnswer(ruleOf(ask));
     if ((timing.answers >> part & 1u) != 0) ++status.unasked;
     timing.answers = static_cast<std::uint8_t>(timing.answers | 1u << part);
-    if (timing.answers == whole) end(now, live, at, ask, RequestEnd::Answered, out);
+    if (timing.answers != whole) return;
+    // An acknowledgement to our address may be the other node's that sends from it.
+    const bool canTell = !isCommand(ask) || !m_own.isDisputed();
+    end(now, live, at, ask, canTell ? RequestEnd::Answered : RequestEnd::CannotTell, out);
     return;
   }
   const bool wasGivenUp = status.end == RequestEnd::NoAnswer || status.end == RequestEnd::WrongAnswer ||
                           status.end == RequestEnd::NotOnBus || status.end == RequestEnd::WentOutLate ||
                           status.end == RequestEnd::CannotTell;
-  if (!wasGivenUp || now - status.ended > kLate) {
+  if (!wasGivenUp || now - status.ended > kLate || (isCommand(ask) && m_own.isDisputed())) {
     if (timing.spare > 0) {
       --timing.spare;
     } else {

@@ -91,6 +91,7 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
   if (takes.isEmpty()) return Refusal::NotTaken;
   // A silent device may be polled; nothing is sent to an address that is contested.
   const Refusal why = live.whyNotTo(now, wish.device);
+  if (m_own.isDisputed() && (takes & kPolls) != takes) return Refusal::Disputed;
   if (why == Refusal::Contested || (why != Refusal::None && (takes & kPolls) != takes)) return why;
   Asked& at = asked(live.canonical(wish.device));
   Refusal refusal = Refusal::Busy;
@@ -182,6 +183,10 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   }
   // A command was refused before; a poll waits until it is decided whose the address is.
   if (live.bus().book.isContested(*to)) {
+    if (status.progress == Progress::Waiting) {  // an earlier try may still be answered
+      timing.deadline = now + kClaimTime;
+      return;
+    }
     status.progress = Progress::Queued;
     timing.due = now + kClaimTime;
     timing.deadline = kNever;

@@ -77,6 +77,8 @@ QString refusalText(Refusal refusal) {
     case Refusal::LogFull: return ServiceText::tr("The log takes no more; what is not recorded is not sent.");
     case Refusal::NotHeard: return ServiceText::tr("The device was not heard for 1 s.");
     case Refusal::Contested: return ServiceText::tr("Two nodes claim the device's address at this moment.");
+    case Refusal::Disputed:
+      return ServiceText::tr("Another node sends from the console's address at this moment.");
     case Refusal::ListenOnly: return ServiceText::tr("The adapter is in listen-only mode: it cannot send.");
   }
   return {};

@@ -24,8 +24,8 @@ QStringList healthOf(const QByteArray& log) {
 }
 
 const QByteArray kAnnounced = "(1700000000.0) can0 18EFFF80#FF83150206021A0B\n";
-const QByteArray kPosition = "(1700000000.1) can0 18EFFF80#011D940371000041\n";
-const QByteArray kStatus = kPosition + "(1700000000.1) can0 18EFFF80#83C051\n";
+const QByteArray kStill = "(1700000000.1) can0 18EFFF80#011D940371000041\n";
+const QByteArray kStatus = kStill + "(1700000000.1) can0 18EFFF80#83C051\n";
 const QByteArray kAnswered = "(1700000000.2) can0 18EF80F9#02\n(1700000000.2) can0 18EFF980#02000000000000\n";
 
 struct LogCase {
@@ -43,10 +43,10 @@ INSTANTIATE_TEST_SUITE_P(
             "NeverAsked", kAnnounced + kStatus, {QStringLiteral("1032AE100801035 can0 faults_never_asked")}},
         LogCase{"Fine", kAnnounced + kStatus + kAnswered, {QStringLiteral("1032AE100801035 can0 fine")}},
         LogCase{"WhetherItIsEnabledWasNeverHeard",
-                kAnnounced + kPosition + kAnswered,
+                kAnnounced + kStill + kAnswered,
                 {QStringLiteral("1032AE100801035 can0 status_never_heard")}},
         LogCase{"Disabled",
-                kAnnounced + kPosition + "(1700000000.1) can0 18EFFF80#834000\n" + kAnswered,
+                kAnnounced + kStill + "(1700000000.1) can0 18EFFF80#834000\n" + kAnswered,
                 {QStringLiteral("1032AE100801035 can0 disabled")}},
         LogCase{"Silent",
                 kAnnounced + kStatus + kAnswered + "(1700000040.0) can0 18FEF100#FFFFFFFFFFFFFFFF\n",

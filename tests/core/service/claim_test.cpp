@@ -197,6 +197,13 @@ TEST_F(Claim, ARequestToUsForAnythingElseIsSaidToBeForWhatWeHaveNot) {
   EXPECT_EQ(sent[0].frame.id, answer.id);
   EXPECT_EQ(sent[0].frame.length, answer.length);
   EXPECT_EQ(sent[0].frame.data, answer.data);
+  pair.inject(wanted);
+  pair.run(1ms);
+  EXPECT_EQ(pair.sentBy(&pair.console(), before).size(), 1u) << "not as often as somebody may ask";
+  pair.run(ClaimService::kDeclineAgain);
+  pair.inject(wanted);
+  pair.run(1ms);
+  EXPECT_EQ(pair.sentBy(&pair.console(), before).size(), 2u);
 }
 
 TEST_F(Claim, OurOwnFramesOfAnEarlierRunThatTheAdapterKeptAreNobodys) {

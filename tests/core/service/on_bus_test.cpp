@@ -110,6 +110,8 @@ TEST_F(OnBus, WithoutEchoesAClaimCountsFromItsBeingTaken) {
 
 TEST_F(OnBus, AFrameFromOurAddressThatWeDidNotSendIsAnsweredByOurClaimAndThenWeMove) {
   pair.unlock();
+  ask(Ask::Reset);
+  pair.run(10ms);
   const Frame stranger = frame("18EF80F9", "02");
   Instant before = pair.now();
   pair.inject(stranger);
@@ -126,12 +128,35 @@ TEST_F(OnBus, AFrameFromOurAddressThatWeDidNotSendIsAnsweredByOurClaimAndThenWeM
   pair.inject(stranger);  // it may not have heard us yet
   pair.run(kClaimTime);
   EXPECT_EQ(pair.claim().address, Address{0xF9});
-  ask(Ask::Reset);
   pair.inject(stranger);
   pair.run(1s);
   EXPECT_EQ(pair.claim().progress, Claim::Claimed);
   EXPECT_EQ(pair.claim().address, Address{0xFA});
   EXPECT_EQ(request(Ask::Reset).end, RequestEnd::AddressLost) << "what depended on it has ended";
+}
+
+TEST_F(OnBus, NoCommandGoesFromAnAddressThatAnotherSendsFromAndNoAckIsBelievedThere) {
+  pair.unlock();
+  keep(kZeroAxes, 50ms);
+  ask(Ask::ZeroAxes);
+  pair.run(10ms);
+  pair.inject(frame("18EF80F9", "02"));
+  pair.run(1s);
+  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell) << "the ack may be for the other node";
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Disputed);
+  EXPECT_EQ(ask(Ask::Fault), Refusal::None) << "an answer to a poll is true, whoever asked";
+  pair.run(ClaimService::kConflictOver);
+  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None);
+}
+
+TEST_F(OnBus, AConflictWhileClaimingIsSaidOnceTheAddressIsOurs) {
+  pair.want(wish::Unlock{});
+  pair.run(ClaimService::kListen + kClaimTime / 2);
+  ASSERT_EQ(pair.claim().progress, Claim::Claiming);
+  pair.inject(frame("18EF80F9", "02"));
+  pair.run(kClaimTime);
+  ASSERT_EQ(pair.claim().progress, Claim::Claimed);
+  EXPECT_TRUE(pair.claim().isDisputed);
 }
 
 TEST_F(OnBus, AConflictLongAgoIsAnotherOne) {
