@@ -27,6 +27,20 @@
             <numerusform>%1: %Ln frames are not on the bus yet and may still go out</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>No more error frames; there were %Ln</source>
+        <translation>
+            <numerusform>No more error frames; there was %Ln</numerusform>
+            <numerusform>No more error frames; there were %Ln</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%Ln changes right before it are not listed)</source>
+        <translation>
+            <numerusform>%1 (%Ln change right before it is not listed)</numerusform>
+            <numerusform>%1 (%Ln changes right before it are not listed)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>

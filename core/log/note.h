@@ -11,6 +11,7 @@
 #include <string_view>
 #include <variant>
 
+#include "base/event_kind.h"
 #include "base/ids.h"
 #include "base/link_fault.h"
 #include "base/time.h"
@@ -163,6 +164,9 @@ struct Note {
 
 // The word for a kind in machine-readable output; never changes once shipped.
 std::string_view noteKey(const NoteValue& value);
+
+// How much a note wants attention.
+EventWeight noteWeight(const NoteValue& value);
 
 // The channel that a note speaks of; nothing if it speaks of the whole log.
 inline std::optional<Channel> channelOf(const NoteValue& value) {

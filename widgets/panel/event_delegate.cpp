@@ -25,9 +25,9 @@ struct Look {
 Look lookOf(EventWeight weight, const Colours& c) {
   switch (weight) {
     case EventWeight::Fault: return {Glyph::Fault, c.fault.ink};
-    case EventWeight::Attend: return {Glyph::Attend, c.attend.ink};
-    case EventWeight::Mark: return {Glyph::Commanded, c.accent.ink};
-    case EventWeight::Plain: break;
+    case EventWeight::Warning: return {Glyph::Attend, c.attend.ink};
+    case EventWeight::Info:
+    case EventWeight::Count: break;
   }
   return {{}, c.text};
 }

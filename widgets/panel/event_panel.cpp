@@ -15,11 +15,6 @@
 #include "panel/label_ink.h"
 
 namespace deckpipe {
-namespace {
-
-constexpr int kRowsMoreMs = 20;
-
-}  // namespace
 
 EventPanel::EventPanel(QWidget* parent)
     : QWidget(parent),
@@ -62,12 +57,6 @@ EventPanel::EventPanel(QWidget* parent)
 
   connect(m_list, &QTreeView::clicked, this, &EventPanel::seek);
   connect(m_list, &QTreeView::activated, this, &EventPanel::seek);
-  m_more.setInterval(kRowsMoreMs);
-  m_more.setSingleShot(true);
-  connect(&m_more, &QTimer::timeout, this, [this] {
-    m_model->look();
-    showPage();
-  });
 }
 
 void EventPanel::setView(const LogView& view) {
@@ -89,7 +78,6 @@ void EventPanel::setColours(const Colours& colours) {
 }
 
 void EventPanel::showPage() {
-  if (m_model->isLooking()) m_more.start();
   if (m_delegate->setLastRow(m_model->rowAtCursor())) m_list->viewport()->update();
   QWidget* page = m_model->rowCount() == 0 ? static_cast<QWidget*>(m_empty) : m_list;
   if (m_pages->currentWidget() != page) m_pages->setCurrentWidget(page);
@@ -101,6 +89,8 @@ void EventPanel::layOutColumns() {
   m_header->resizeSection(EventModel::When, static_cast<int>(std::ceil(time)) + padding);
   m_header->resizeSection(EventModel::Bus,
                           fontMetrics().horizontalAdvance(QStringLiteral("vcan00")) + padding);
+  m_header->resizeSection(EventModel::Who,
+                          fontMetrics().horizontalAdvance(QStringLiteral("1032AE1008010350")) + padding);
 }
 
 void EventPanel::seek(const QModelIndex& index) {

@@ -3,7 +3,6 @@
 // or presses Enter. What lies behind the cursor is lighter: it has not happened there.
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 
 #include "base/time.h"
@@ -46,7 +45,6 @@ class EventPanel : public QWidget {
   FlatHeader* m_header;
   QLabel* m_empty;
   QStackedLayout* m_pages;
-  QTimer m_more;  // while a long log is looked through
 };
 
 }  // namespace deckpipe

@@ -156,7 +156,7 @@ TEST_F(LogActions, KeepAMarkWithItsWordsAtTheCursor) {
   EXPECT_EQ(notes[0].value, NoteValue(note::Mark{"valve opened"}));
   EXPECT_EQ(notes[0].frame, 2u);
   EXPECT_EQ(notes[0].time, Instant{10'100'000'000});
-  EXPECT_EQ(only<EventPanel>()->model()->rowCount(), 2);
+  EXPECT_EQ(only<EventPanel>()->model()->rowCount(), 1);
 }
 
 TEST_F(LogActions, KeepNoMarkAfterEscape) {

@@ -18,10 +18,15 @@ namespace {
 using test::logOfText;
 using test::viewOf;
 
+constexpr auto kLog =
+    "(09.000000) can0 18EFFF80#83C051\n"
+    "(10.000000) can0 18EFFF80#834051\n"
+    "(12.500000) can0 18EFFF80#83C051\n";
+
 struct PanelOfEvents : testing::Test {
   void SetUp() override {
     panel.resize(600, 240);
-    panel.setView(viewOf(logOfText("(10.000000) can0 18EFFF80#FF83150206021A0B\n(12.500000) can0 724#00\n")));
+    panel.setView(viewOf(logOfText(kLog)));
     panel.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
   }
