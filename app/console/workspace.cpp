@@ -121,6 +121,8 @@ void Workspace::showLabels() {
   m_page->setLabels(m_labels);
   m_overview->setLabels(m_labels);
   m_requests->setLabels(m_labels);
+  m_events->setLabels(m_labels);
+  Q_EMIT labelsChanged(m_labels);
 }
 
 void Workspace::toggleFullDial() {

@@ -49,6 +49,8 @@ class Workspace : public QMainWindow {
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
   TracePanel* trace() const { return m_trace; }
+  EventPanel* events() const { return m_events; }
+  const DeviceLabels& labels() const { return m_labels; }
   QMenu* createPopupMenu() override;
   void resetLayout();
   // The chosen device's dial over the whole window, and back.
@@ -69,6 +71,7 @@ class Workspace : public QMainWindow {
   void wished(const deckpipe::Wish& wish);
   void unlockRequested();
   void twinWished(const deckpipe::TwinWish& wish);
+  void labelsChanged(const deckpipe::DeviceLabels& labels);
 
  public Q_SLOTS:
   // Of the demo; its dock is there only while one runs.
