@@ -14,8 +14,8 @@
 namespace deckpipe {
 namespace {
 
-// Narrower than this the buttons have signs without words.
-constexpr int kWordsFrom = 1220;
+// What a button takes beside its words, and what the choices beside the buttons need.
+constexpr int kAroundWords = 36, kChoices = 560;
 
 }  // namespace
 
@@ -29,7 +29,6 @@ EventFilterBar::EventFilterBar(EventModel* events, EventFilter* filter, QWidget*
     auto* button = new QToolButton(this);
     const QString name = eventGroupText(group);
     button->setObjectName(QStringLiteral("eventGroup%1").arg(static_cast<int>(group)));
-    button->setText(name);
     button->setAccessibleName(tr("Only %1").arg(name));
     button->setToolTip(tr("Only %1").arg(name));
     button->setCheckable(true);
@@ -100,11 +99,18 @@ void EventFilterBar::updateDevices() {
 
 void EventFilterBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const auto style = width() >= kWordsFrom ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
+  int words = kChoices;
+  for (const EventGroup group : kAllOf<EventGroup>)
+    words += fontMetrics().horizontalAdvance(eventGroupText(group)) + kAroundWords;
+  const bool hasWords = width() >= words;
   const int target = targetHeight(this);
-  for (QToolButton* button : m_groups) {
+  for (const EventGroup group : kAllOf<EventGroup>) {
+    QToolButton* button = m_groups[group];
     button->setMinimumSize(target, target);
-    if (button->toolButtonStyle() != style) button->setToolButtonStyle(style);
+    const QString text = hasWords ? eventGroupText(group) : QString();
+    if (button->text() == text) continue;
+    button->setText(text);
+    button->setToolButtonStyle(hasWords ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
   }
 }
 
