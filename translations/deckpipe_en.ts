@@ -48,6 +48,20 @@
             <numerusform>%Ln frames were added here when this part was saved: who held which address</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>No more error frames; there were %Ln</source>
+        <translation>
+            <numerusform>No more error frames; there was %Ln</numerusform>
+            <numerusform>No more error frames; there were %Ln</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%Ln changes right before it are not listed)</source>
+        <translation>
+            <numerusform>%1 (%Ln change right before it is not listed)</numerusform>
+            <numerusform>%1 (%Ln changes right before it are not listed)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>

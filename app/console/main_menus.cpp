@@ -9,6 +9,7 @@
 #include "main_window.h"
 #include "mark_bar.h"
 #include "pane_cycle.h"
+#include "panel/event_panel.h"
 #include "panel/settings_page.h"
 #include "panel/trace_panel.h"
 #include "sending_actions.h"
@@ -29,6 +30,7 @@ void MainWindow::makeMenus() {
                                      m_workspace, &Workspace::showRequests),
         "askDeviceAction");
   makeViewMenu();
+  makeEventsMenu();
   makeHelpMenu();
 }
 
@@ -98,6 +100,19 @@ void MainWindow::makeViewMenu() {
   named(menu->addAction(tr("S&ettings"), QKeySequence(Qt::CTRL | Qt::Key_Comma), this,
                         [this] { showExtra(m_settings); }),
         "settingsAction");
+}
+
+void MainWindow::makeEventsMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Events"));
+  EventPanel* events = m_workspace->events();
+  named(menu->addAction(tr("&Next event"), QKeySequence(Qt::Key_F8), events, &EventPanel::goToNext),
+        "nextEventAction");
+  named(menu->addAction(tr("&Previous event"), QKeySequence(Qt::SHIFT | Qt::Key_F8), events,
+                        &EventPanel::goToPrevious),
+        "previousEventAction");
+  named(menu->addAction(tr("&Five seconds before this event"), QKeySequence(Qt::Key_F9), events,
+                        &EventPanel::goBefore),
+        "beforeEventAction");
 }
 
 void MainWindow::makeHelpMenu() {

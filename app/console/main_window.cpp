@@ -135,6 +135,8 @@ void MainWindow::connectPanels() {
   connect(m_workspace, &Workspace::frameRequested, this,
           [this](std::uint64_t frame) { m_session.seekFrames(frame + 1); });
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
+  connect(m_workspace, &Workspace::labelsChanged, m_transport, &TransportBar::setLabels);
+  m_transport->setLabels(m_workspace->labels());
   connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
   connect(m_workspace, &Workspace::wished, m_sending, &SendingActions::wish);
   connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);

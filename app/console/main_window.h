@@ -57,6 +57,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeFileMenu();
   void makeViewMenu();
+  void makeEventsMenu();
   void makeHelpMenu();
   void connectPanels();
   void showSnapshot();

@@ -123,6 +123,8 @@ void Workspace::showLabels() {
   m_page->setLabels(m_shownLabels);
   m_overview->setLabels(m_shownLabels);
   m_requests->setLabels(m_shownLabels);
+  m_events->setLabels(m_shownLabels);
+  Q_EMIT labelsChanged(m_shownLabels);
 }
 
 void Workspace::readLabels(const LogView& view) {

@@ -49,6 +49,7 @@ class Workspace : public QMainWindow {
   // What can be looked at now, in reading order, for going from one to the next by keyboard.
   QList<QWidget*> panes() const;
   TracePanel* trace() const { return m_trace; }
+  EventPanel* events() const { return m_events; }
   // What devices are called: by the person, and where the person has no label, by the log that is shown.
   const DeviceLabels& labels() const { return m_shownLabels; }
   QMenu* createPopupMenu() override;
@@ -71,6 +72,7 @@ class Workspace : public QMainWindow {
   void wished(const deckpipe::Wish& wish);
   void unlockRequested();
   void twinWished(const deckpipe::TwinWish& wish);
+  void labelsChanged(const deckpipe::DeviceLabels& labels);
 
  public Q_SLOTS:
   // Of the demo; its dock is there only while one runs.

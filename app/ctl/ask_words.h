@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of deckpipectl for what is asked and how that ended. They stand on command lines and in JSON: a
+// The words of deckpipectl for what is asked, how that ended, and what became of our own address. They stand on command lines and in JSON: a
 // word never changes once shipped.
 #pragma once
 
 #include <string_view>
 
 #include "control/status.h"
+#include "log/note.h"
 
 namespace deckpipe::ctl {
 
@@ -28,6 +29,21 @@ constexpr std::string_view endWord(Ask ask, RequestEnd end) {
     case RequestEnd::CannotTell: return "cannot_tell";
   }
   return "open";
+}
+
+constexpr std::string_view ownAddressWord(note::OwnAddress::How how) {
+  using How = note::OwnAddress::How;
+  switch (how) {
+    case How::Claimed: return "claimed";
+    case How::Lost: return "lost";
+    case How::CannotClaim: return "cannot claim";
+    case How::SameName: return "same name";
+    case How::Locked: return "locked";
+    case How::LinkLost: return "link lost";
+    case How::InUse: return "in use";
+    case How::Disputed: return "disputed";
+  }
+  return {};
 }
 
 constexpr std::string_view refusalWord(Refusal refusal) {

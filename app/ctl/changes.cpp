@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "changes.h"
 
+#include "ask_words.h"
 #include "base/overload.h"
 #include "json_line.h"
 #include "protocol/device_types.h"
@@ -9,22 +10,6 @@
 
 namespace deckpipe::ctl {
 namespace {
-
-// Words of the output: they never change once shipped.
-std::string_view ownAddressWord(note::OwnAddress::How how) {
-  using How = note::OwnAddress::How;
-  switch (how) {
-    case How::Claimed: return "claimed";
-    case How::Lost: return "lost";
-    case How::CannotClaim: return "cannot claim";
-    case How::SameName: return "same name";
-    case How::Locked: return "locked";
-    case How::LinkLost: return "link lost";
-    case How::InUse: return "in use";
-    case How::Disputed: return "disputed";
-  }
-  return {};
-}
 
 void addWho(JsonLine& line, const Device& device) {
   if (device.kind == Device::Kind::Node) {

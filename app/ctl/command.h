@@ -9,6 +9,7 @@
 namespace deckpipe::ctl {
 
 ExitStatus decodeCommand(const QStringList& arguments);
+ExitStatus eventsCommand(const QStringList& arguments);
 ExitStatus infoCommand(const QStringList& arguments);
 ExitStatus recordingsCommand(const QStringList& arguments);
 ExitStatus simulateCommand(const QStringList& arguments);

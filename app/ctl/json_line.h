@@ -23,6 +23,11 @@ class JsonLine {
     appendJsonNumber(begin(key), number);
     return *this;
   }
+  // A number that is written already.
+  JsonLine& addNumber(std::string_view key, std::string_view number) {
+    begin(key) += number;
+    return *this;
+  }
   JsonLine& add(std::string_view key, bool flag) {
     begin(key) += flag ? "true" : "false";
     return *this;

@@ -23,6 +23,7 @@ struct Command {
 constexpr Command kCommands[] = {
     {"decode", "decode every frame of a log, one line each", deckpipe::ctl::decodeCommand},
     {"info", "say what is in a log", deckpipe::ctl::infoCommand},
+    {"events", "say what changed in a log, and when", deckpipe::ctl::eventsCommand},
     {"recordings", "list what the console recorded on this machine", deckpipe::ctl::recordingsCommand},
     {"simulate", "put the bench twin on an interface, or write a log of it", deckpipe::ctl::simulateCommand},
     {"nodes", "say who is on a bus", deckpipe::ctl::nodesCommand},

@@ -145,7 +145,7 @@ void Session::forgetSaid() {
 void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   closeSource();
   m_document = std::move(document);
-  m_indexed = 0;
+  m_indexed = {};
   m_walker = std::make_unique<StateWalker>(m_document);
   m_snapshot.view.document = m_document;
   m_timer.start();
@@ -475,9 +475,9 @@ void Session::tick() {
     m_walker->request(view.cursor);
     view.state = m_walker->latest();
   }
-  // The walker's indexes grow with the log, wherever the cursor stands.
-  if (frames.count() != m_indexed) m_walker->index();
-  m_indexed = frames.count();
+  // The walker's indexes grow with the log, wherever the cursor stands, and its events with time alone.
+  if (end != m_indexed) m_walker->index(end);
+  m_indexed = end;
   const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
                     before.view.frameCount == view.frameCount && before.source == m_snapshot.source &&
                     before.playing == m_snapshot.playing && before.services == m_snapshot.services;

@@ -150,8 +150,8 @@ class Session : public QObject {
   std::vector<std::unique_ptr<Recorder>> m_oldRecorders;  // some of them still at work
   std::uint64_t m_serial = 0;
   QTimer m_timer;
-  std::uint64_t m_indexed = 0;  // frames of the log when the walker was last told
-  QElapsedTimer m_playClock;    // since the cursor was last moved by playing
+  Cursor m_indexed;           // the log's end when the walker was last told
+  QElapsedTimer m_playClock;  // since the cursor was last moved by playing
 };
 
 }  // namespace deckpipe

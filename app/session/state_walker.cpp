@@ -32,9 +32,10 @@ void StateWalker::notesCame() {
   m_wake.notify_one();
 }
 
-void StateWalker::index() {
+void StateWalker::index(Cursor end) {
   {
     const std::lock_guard lock(m_lock);
+    m_end = end;
     m_indexRequested = true;
   }
   m_wake.notify_one();
@@ -62,6 +63,7 @@ void StateWalker::run(std::stop_token stop) {
       if (std::exchange(m_notesCame, false)) {
         isAnew = true;
         m_document->keyframes.invalidateAfter(0);
+        m_document->events.restart();
       }
     }
     if (auto state = cursor ? walkTo(*cursor, isAnew, stop) : nullptr) {
@@ -75,9 +77,15 @@ void StateWalker::run(std::stop_token stop) {
 }
 
 bool StateWalker::indexMore() {
-  const bool roles = m_document->roles.build(Keyframes::kEvery);
-  const bool keyframe = m_document->keyframes.build();
-  return roles || keyframe;
+  Cursor end;
+  {
+    const std::lock_guard lock(m_lock);
+    end = m_end;
+  }
+  const bool hasRoles = m_document->roles.build(Keyframes::kEvery);
+  // The walk for events makes keyframes too. What lies behind the end that it knows has none yet.
+  const bool hasEvents = m_document->events.build(end);
+  return hasRoles || hasEvents || m_document->keyframes.build();
 }
 
 // Null where a newer request or the end came between.

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <variant>
 
+#include "base/event_kind.h"
 #include "base/ids.h"
 #include "base/link_fault.h"
 #include "base/time.h"
@@ -201,6 +202,9 @@ inline std::uint64_t framesMissed(const NoteValue& value) {
   const auto* leftOut = std::get_if<note::LeftOut>(&value);
   return leftOut != nullptr ? leftOut->count : 0;
 }
+
+// How much a note wants attention.
+EventWeight noteWeight(const NoteValue& value);
 
 // The channel that a note speaks of; nothing if it speaks of the whole log.
 inline std::optional<Channel> channelOf(const NoteValue& value) {

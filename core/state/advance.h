@@ -3,11 +3,40 @@
 // between.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "log/frame_store.h"
 #include "log/note_store.h"
 #include "state/state.h"
 
 namespace deckpipe {
+
+// Walks whatever takes frames, notes and time as a State does from where it is to `to`.
+template <typename Walk>
+void walkLog(Walk& walk, const FrameStore& frames, const NoteStore& notes, Cursor to) {
+  const Cursor from = walk.cursor();
+  std::vector<Note> pending = notes.between(from.frames, to.frames + 1);
+  // Of the notes before the very next frame, those up to the cursor's time have been applied.
+  std::erase_if(pending, [&](const Note& note) {
+    return (note.frame == from.frames && note.time <= from.time) ||
+           (note.frame == to.frames && note.time > to.time);
+  });
+  LogTimes times(frames);
+  std::size_t nextNote = 0;
+  std::uint64_t i = from.frames;
+  while (i < to.frames) {
+    const auto run = frames.run(i);
+    const std::uint64_t end = std::min(to.frames, i + run.size());
+    const std::uint64_t start = i;
+    for (; i < end; ++i) {
+      while (nextNote < pending.size() && pending[nextNote].frame <= i) walk.apply(pending[nextNote++]);
+      walk.apply(run[i - start], times.at(i));
+    }
+  }
+  while (nextNote < pending.size()) walk.apply(pending[nextNote++]);
+  walk.timeCame(to.time);
+}
 
 // From where the state is to `to`, which must not lie before it (take an earlier keyframe, or State(), then).
 // At `to` every frame below to.frames has happened, every note before them, and every note and time-out up to

@@ -39,6 +39,8 @@ struct Joystick {
 
 class Joysticks {
  public:
+  static constexpr std::size_t kMost = 8;  // 33..38 and two that controllers do not listen to
+
   // In order of first appearance; those never used have the null address.
   std::span<const Joystick> all() const { return m_sticks; }
   const Joystick* find(Address source) const;
@@ -53,7 +55,7 @@ class Joysticks {
  private:
   Joystick* at(Address source);
 
-  std::array<Joystick, 8> m_sticks{};  // 33..38 and two that controllers do not listen to
+  std::array<Joystick, kMost> m_sticks{};
 };
 
 }  // namespace deckpipe

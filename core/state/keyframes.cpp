@@ -29,6 +29,13 @@ bool Keyframes::build() {
   return true;
 }
 
+void Keyframes::offer(const State& state) {
+  if (state.cursor().frames != (count() + 1) * kEvery) return;
+  auto copy = std::make_shared<const State>(state);
+  const std::lock_guard lock(m_lock);
+  if ((m_states.size() + 1) * kEvery == copy->cursor().frames) m_states.push_back(std::move(copy));
+}
+
 void Keyframes::invalidateAfter(std::uint64_t frame) {
   const std::lock_guard lock(m_lock);
   m_states.resize(std::min<std::uint64_t>(m_states.size(), frame / kEvery));

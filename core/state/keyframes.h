@@ -19,6 +19,9 @@ class Keyframes {
 
   // Adds the next keyframe if the store has that many frames. False where it has not: nothing to do for now.
   bool build();
+  // The same from a state that somebody else has walked to kEvery frames more than the last keyframe has. Any
+  // other is left alone.
+  void offer(const State& state);
   // The state at a cursor, from the nearest keyframe before it.
   State at(Cursor cursor) const;
   // Keyframes hold notes: forget those behind a note that was added or taken back in the past.

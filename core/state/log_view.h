@@ -8,6 +8,7 @@
 #include "log/frame_store.h"
 #include "log/note_store.h"
 #include "log/unkept.h"
+#include "state/events.h"
 #include "state/keyframes.h"
 #include "state/role_index.h"
 
@@ -22,6 +23,7 @@ struct LogDocument {
   UnkeptList unkept;
   Keyframes keyframes{frames, notes};
   RoleIndex roles{frames, notes};
+  Events events{frames, notes, keyframes};
 };
 
 // Immutable once made; a new one comes at most 30 times a second.

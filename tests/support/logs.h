@@ -15,7 +15,8 @@ namespace deckpipe::test {
 inline void buildIndexes(LogDocument& log) {
   while (log.roles.build(100'000)) {
   }
-  while (log.keyframes.build()) {
+  const Cursor end = cursorAfter(log.frames, log.frames.count());
+  while (log.events.build(end) || log.keyframes.build()) {
   }
 }
 

@@ -2,57 +2,101 @@
 #include "model/event_model.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "model/field_text.h"
 #include "text/elapsed_text.h"
 
 namespace deckpipe {
+namespace {
+
+// Notes among which the question is looked for that an answer belongs to.
+constexpr std::size_t kQuestionRows = 256;
+
+bool isOfOneQuestion(const DeviceKey& device, Ask ask, const Note& ended) {
+  const auto* end = std::get_if<note::AskEnded>(&ended.value);
+  return end != nullptr && end->ask == ask && keyOf(ended) == device;
+}
+
+}  // namespace
 
 EventModel::EventModel(QObject* parent) : QAbstractTableModel(parent) {}
 
 void EventModel::setView(const LogView& view) {
-  if (view.document != m_view.document) {
+  const unsigned generation = view.document == nullptr ? 0 : view.document->events.generation();
+  if (view.document != m_view.document || generation != m_generation) {
     beginResetModel();
     m_view = view;
-    m_events = {};
+    m_generation = generation;
+    m_events.clear();
     m_notes.clear();
     m_rows.clear();
-    m_merged = 0;
     endResetModel();
   }
   m_view = view;
-  look();
+  if (m_view.document == nullptr) return;
+  const bool hasNotes = m_view.document->notes.count() != m_notes.size();
+  if (hasNotes || m_view.document->events.count() != m_events.size()) merge();
 }
 
-void EventModel::look() {
-  if (m_view.document == nullptr) return;
-  m_isLooking = !m_events.take(*m_view.document, m_view.frameCount, kFramesAtOnce);
-  const bool hasNotes = m_view.document->notes.count() != m_notes.size();
-  if (hasNotes || m_events.list().size() != m_merged) merge();
+void EventModel::setLabels(const DeviceLabels& labels) {
+  if (labels == m_labels) return;
+  m_labels = labels;
+  if (!m_rows.empty()) Q_EMIT dataChanged(index(0, Who), index(rowCount() - 1, Who));
+}
+
+// A question that has ended is told by its end. An end like the last one of that question is one more of it.
+std::vector<EventModel::Row> EventModel::noteRows(const std::vector<Note>& notes) const {
+  std::vector<Row> rows;
+  rows.reserve(notes.size());
+  const auto last = [&](std::size_t i, Ask ask) {
+    const DeviceKey device = keyOf(notes[i]);
+    const auto end = rows.rbegin() + static_cast<std::ptrdiff_t>(std::min(rows.size(), kQuestionRows));
+    const auto found = std::find_if(rows.rbegin(), end, [&](const Row& row) {
+      const auto* asked = std::get_if<note::Asked>(&notes[row.index].value);
+      return (asked != nullptr && asked->ask == ask && keyOf(notes[row.index]) == device) ||
+             isOfOneQuestion(device, ask, notes[row.index]);
+    });
+    return found == end ? rows.rend() : found;
+  };
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    const auto* ended = std::get_if<note::AskEnded>(&notes[i].value);
+    if (ended != nullptr) {
+      auto before = last(i, ended->ask);
+      if (before != rows.rend() && std::holds_alternative<note::Asked>(notes[before->index].value)) {
+        rows.erase(std::next(before).base());
+        before = last(i, ended->ask);
+      }
+      if (before != rows.rend() && notes[before->index].value == notes[i].value) {
+        ++before->times;
+        continue;
+      }
+    }
+    rows.push_back({notes[i].time, notes[i].frame, true, i, 1});
+  }
+  return rows;
 }
 
 // What is new is one run of rows: at the end, or where a note was put in between. Where both came in the same
 // tick, rows behind the first are taken out and in again.
 void EventModel::merge() {
   std::vector<Note> notes = m_view.document->notes.all();
-  std::vector<Row> rows;
-  rows.reserve(notes.size() + m_events.list().size());
-  std::size_t note = 0;
-  const auto takeNotes = [&](std::uint64_t before) {
-    for (; note < notes.size() && notes[note].frame <= before; ++note)
-      rows.push_back({notes[note].time, notes[note].frame, true, note});
-  };
-  for (std::size_t i = 0; i < m_events.list().size(); ++i) {
-    const Event& event = m_events.list()[i];
-    takeNotes(event.frame);
-    rows.push_back({event.time, event.frame, false, i});
-  }
-  takeNotes(std::numeric_limits<std::uint64_t>::max());
+  const std::vector<Event> more = m_view.document->events.after(m_events.size());
+  m_events.insert(m_events.end(), more.begin(), more.end());
+  std::vector<Row> events;
+  events.reserve(m_events.size());
+  for (std::size_t i = 0; i < m_events.size(); ++i)
+    events.push_back({m_events[i].time, m_events[i].frame, false, i, 1});
+  const std::vector<Row> noted = noteRows(notes);
+  std::vector<Row> rows(events.size() + noted.size());
+  // A note stands behind what had happened by then.
+  std::merge(
+      events.begin(), events.end(), noted.begin(), noted.end(), rows.begin(),
+      [](const Row& a, const Row& b) { return std::pair(a.time, a.frame) < std::pair(b.time, b.frame); });
 
   const auto same = [](const Row& a, const Row& b) {
-    return a.isNote == b.isNote && a.frame == b.frame && a.time == b.time && (a.isNote || a.index == b.index);
+    return a.isNote == b.isNote && a.frame == b.frame && a.time == b.time && a.times == b.times &&
+           (a.isNote || a.index == b.index);
   };
   const auto front = std::mismatch(m_rows.begin(), m_rows.end(), rows.begin(), rows.end(), same);
   const auto back = std::mismatch(m_rows.rbegin(), std::make_reverse_iterator(front.first), rows.rbegin(),
@@ -68,7 +112,6 @@ void EventModel::merge() {
   if (added > 0) beginInsertRows({}, first, first + added - 1);
   m_rows = std::move(rows);
   m_notes = std::move(notes);
-  m_merged = m_events.list().size();
   if (added > 0) endInsertRows();
 }
 
@@ -87,34 +130,64 @@ int EventModel::columnCount(const QModelIndex& parent) const { return parent.isV
 QString EventModel::busText(const Row& row) const {
   const FrameStore& frames = m_view.document->frames;
   const auto channel =
-      row.isNote ? channelOf(m_notes[row.index].value) : std::optional(m_events.list()[row.index].channel);
+      row.isNote ? channelOf(m_notes[row.index].value) : std::optional(m_events[row.index].channel);
   return channel ? toQString(frames.channelName(channel->value)) : QString();
 }
 
-QString EventModel::whatText(const Row& row) const {
-  return row.isNote ? noteText(*m_view.document, m_notes[row.index]) : eventText(m_events.list()[row.index]);
+QString EventModel::text(int row) const {
+  const Row& r = at(row);
+  if (!r.isNote) return eventText(m_events[r.index]);
+  const QString text = noteText(*m_view.document, m_notes[r.index]);
+  return r.times == 1 ? text : tr("%1, %2 times").arg(text).arg(r.times);
 }
 
-EventWeight EventModel::weight(const Row& row) const {
-  return row.isNote ? weightOf(m_notes[row.index]) : weightOf(m_events.list()[row.index]);
+EventWeight EventModel::weight(int row) const {
+  const Row& r = at(row);
+  return r.isNote ? noteWeight(m_notes[r.index].value) : kEvents[m_events[r.index].kind].weight;
+}
+
+EventGroup EventModel::group(int row) const {
+  const Row& r = at(row);
+  return r.isNote ? EventGroup::Note : kEvents[m_events[r.index].kind].group;
+}
+
+DeviceKey EventModel::device(int row) const {
+  const Row& r = at(row);
+  return r.isNote ? keyOf(m_notes[r.index]) : keyOf(m_events[r.index]);
+}
+
+QString EventModel::deviceText(int row) const { return nameOf(device(row)); }
+
+std::vector<DeviceKey> EventModel::devices() const {
+  std::vector<DeviceKey> keys;
+  for (int row = 0; row < rowCount(); ++row) {
+    const DeviceKey key = device(row);
+    if (!key.isNull() && std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  }
+  return keys;
 }
 
 QVariant EventModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-  const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+  const int row = index.row();
   switch (role) {
     case Qt::DisplayRole:
       switch (index.column()) {
-        case When: return elapsedText(row.time - m_view.begin);
-        case Bus: return busText(row);
-        case What: return whatText(row);
+        case When: return elapsedText(time(row) - m_view.begin);
+        case Bus: return busText(at(row));
+        case Who: return deviceText(row);
+        case What: return text(row);
         default: return {};
       }
+    case Qt::ToolTipRole: return index.column() == What ? text(row) : QVariant();
     case Qt::AccessibleTextRole:
-      return index.column() == When ? tr("%1: %2").arg(elapsedText(row.time - m_view.begin), whatText(row))
-                                    : QVariant();
-    case TimeRole: return QVariant::fromValue<qint64>(row.time.ns);
+      if (index.column() != When) return {};
+      return tr("%1: %2, %3, %4")
+          .arg(elapsedText(time(row) - m_view.begin), eventWeightText(weight(row)), deviceText(row),
+               text(row));
+    case TimeRole: return QVariant::fromValue<qint64>(time(row).ns);
     case WeightRole: return static_cast<int>(weight(row));
+    case GroupRole: return static_cast<int>(group(row));
     default: return {};
   }
 }
@@ -129,6 +202,7 @@ QVariant EventModel::headerData(int section, Qt::Orientation orientation, int ro
   switch (section) {
     case When: return tr("Time");
     case Bus: return tr("Bus");
+    case Who: return tr("Device");
     case What: return tr("What happened");
     default: return {};
   }

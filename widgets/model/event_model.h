@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened in a log, as an item model in order of time: events found in its frames together with its
-// notes. The window gives it each view; new rows come at the end, or in between where a person marked an
-// earlier place. Looking through a long log is done in bounded pieces: while isLooking(), call look() again
-// soon.
+// What happened in a log, as an item model in order of time: events (state/events.h) together with its notes. The
+// window gives it each view; new rows come at the end, or in between where a person marked an earlier place. A
+// question and its answer are one row, and so are answers that repeat themselves.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -17,23 +16,33 @@ class EventModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { When, Bus, What, ColumnCount };
+  enum Column { When, Bus, Who, What, ColumnCount };
   enum Role {
     TimeRole = Qt::UserRole,  // log time, qint64 ns
     WeightRole,               // EventWeight, as int
+    GroupRole,                // EventGroup, as int
   };
-  // A look at so many frames takes about two milliseconds.
-  static constexpr std::uint64_t kFramesAtOnce = 100'000;
 
   explicit EventModel(QObject* parent = nullptr);
 
   void setView(const LogView& view);
-  void look();
-  bool isLooking() const { return m_isLooking; }
+  void setLabels(const DeviceLabels& labels);
   // More happened than is listed.
-  bool isCut() const { return m_events.isFull(); }
+  bool isCut() const { return m_view.document != nullptr && m_view.document->events.isFull(); }
   // The last row that has happened at the cursor; -1 where none has.
   int rowAtCursor() const;
+  const LogView& view() const { return m_view; }
+
+  EventWeight weight(int row) const;
+  EventGroup group(int row) const;
+  Instant time(int row) const { return at(row).time; }
+  // Null where the whole bus is concerned.
+  DeviceKey device(int row) const;
+  QString deviceText(int row) const;
+  QString text(int row) const;
+  // Each device that an event or note concerns, in order of the first one.
+  std::vector<DeviceKey> devices() const;
+  QString nameOf(const DeviceKey& key) const { return deviceNameText(key, m_labels); }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -45,20 +54,21 @@ class EventModel : public QAbstractTableModel {
     Instant time;
     std::uint64_t frame = 0;
     bool isNote = false;
-    std::size_t index = 0;  // in the events or the notes
+    std::size_t index = 0;    // in the events or the notes
+    std::uint32_t times = 1;  // that a note repeats itself
     friend bool operator==(const Row&, const Row&) = default;
   };
   void merge();
+  std::vector<Row> noteRows(const std::vector<Note>& notes) const;
+  const Row& at(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
   QString busText(const Row& row) const;
-  QString whatText(const Row& row) const;
-  EventWeight weight(const Row& row) const;
 
   LogView m_view;
-  Events m_events;
+  DeviceLabels m_labels;
+  std::vector<Event> m_events;
+  unsigned m_generation = 0;  // of the log's events
   std::vector<Note> m_notes;
   std::vector<Row> m_rows;
-  std::size_t m_merged = 0;  // events among the rows
-  bool m_isLooking = false;
 };
 
 }  // namespace deckpipe

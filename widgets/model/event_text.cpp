@@ -2,13 +2,19 @@
 #include "model/event_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <climits>
 
 #include "base/overload.h"
 #include "model/field_text.h"
+#include "protocol/address_use.h"
+#include "protocol/name.h"
 #include "text/age_text.h"
+#include "text/axis_text.h"
 #include "text/device_text.h"
+#include "text/fault_text.h"
+#include "text/joystick_text.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
@@ -18,55 +24,186 @@ struct EventText {
   Q_DECLARE_TR_FUNCTIONS(EventText)
 };
 
-QString makerOf(Name name) { return makerText(name.manufacturerCode()); }
+QString makerOf(std::int64_t name) {
+  return makerText(Name{static_cast<std::uint64_t>(name)}.manufacturerCode());
+}
 
-// Who says so: "Address 80", "Node 24".
-QString senderText(const Event& event) {
-  return event.node.value != 0 ? EventText::tr("Node %1").arg(hexText(event.node.value))
-                               : EventText::tr("Address %1").arg(hexText(event.address.value));
+QString addressOf(std::int64_t address) { return hexText(static_cast<std::uint8_t>(address)); }
+
+QString lengthOf(std::int64_t ns) { return briefAge(Duration(ns)); }
+
+AxisText axisOf(const Event& event) {
+  return axisText(event.pin.isNull() ? std::nullopt : std::optional(event.pin.deviceType()), event.axis);
+}
+
+// "Rotation, right"
+QString sideOf(const Event& event) {
+  const AxisText axis = axisOf(event);
+  return EventText::tr("%1, %2", "an axis and its side")
+      .arg(axis.name, (event.isPlus ? axis.plus : axis.minus).toLower());
+}
+
+QString degreesOf(std::int64_t tenths) {
+  return EventText::tr("%1°").arg(QLocale().toString(static_cast<double>(tenths) / 10, 'f', 1));
+}
+
+QString sharedText(const Event& event) {
+  const QString text =
+      EventText::tr("Two devices at one address: both send from %1").arg(hexText(event.address.value));
+  return event.other.isNull() ? text : EventText::tr("%1; the other is %2").arg(text, pinText(event.other));
+}
+
+QString whatHappened(const Event& event) {
+  switch (event.kind) {
+    case EventKind::Appeared:
+      return event.address == kNullAddress
+                 ? EventText::tr("Appeared")
+                 : EventText::tr("Appeared at address %1").arg(hexText(event.address.value));
+    case EventKind::Silent: return EventText::tr("Silent: its periodic messages stopped");
+    case EventKind::Back: return EventText::tr("Heard again after %1").arg(lengthOf(event.now));
+    case EventKind::Restarted: return EventText::tr("Restarted");
+    case EventKind::NotOperational: return EventText::tr("Not operational any more (NMT)");
+    case EventKind::Operational: return EventText::tr("Operational (NMT)");
+    case EventKind::MovedAddress:
+      return EventText::tr("Moved from address %1 to %2").arg(addressOf(event.was), addressOf(event.now));
+    case EventKind::AddressLost:
+      return event.now == 0 ? EventText::tr("Lost address %1").arg(hexText(event.address.value))
+                            : EventText::tr("Lost address %1 to another NAME: %2")
+                                  .arg(hexText(event.address.value), makerOf(event.now));
+    case EventKind::CannotClaim:
+      return event.address == kNullAddress
+                 ? EventText::tr("Cannot claim any address: %1").arg(makerOf(event.was))
+                 : EventText::tr("Cannot claim any address; it had %1").arg(hexText(event.address.value));
+    case EventKind::TwoAtOneAddress: return sharedText(event);
+    case EventKind::TwoAtOneAddressOver:
+      return EventText::tr("One device sends from address %1 again").arg(hexText(event.address.value));
+    case EventKind::Fault: return EventText::tr("Fault: %1").arg(faultName(static_cast<unsigned>(event.now)));
+    case EventKind::FaultCleared:
+      return EventText::tr("Fault cleared: %1").arg(faultName(static_cast<unsigned>(event.was)));
+    case EventKind::DeviceFaulted: return EventText::tr("Says that it is faulted");
+    case EventKind::DeviceFaultedOver: return EventText::tr("Says that it is faulted no more");
+    case EventKind::OperationalError:
+      return event.now == 0 ? EventText::tr("Operational error")
+                            : EventText::tr("Operational error: %1")
+                                  .arg(pcodeErrorText(static_cast<unsigned>(event.now)));
+    case EventKind::OperationalErrorOver: return EventText::tr("Operational error over");
+    case EventKind::ErrorCode:
+      return event.was == 0
+                 ? EventText::tr("Answered: %1").arg(pcodeErrorText(static_cast<unsigned>(event.now)))
+                 : EventText::tr("Answered: %1; before it was %2")
+                       .arg(pcodeErrorText(static_cast<unsigned>(event.now)))
+                       .arg(event.was);
+    case EventKind::ErrorCodeCleared: return EventText::tr("Error %1 cleared").arg(event.was);
+    case EventKind::SensorError: return EventText::tr("Sensor error: %1").arg(axisOf(event).name);
+    case EventKind::SensorErrorOver: return EventText::tr("Sensor error over: %1").arg(axisOf(event).name);
+    case EventKind::Disabled: return EventText::tr("Disabled: it cannot move");
+    case EventKind::Enabled: return EventText::tr("Enabled");
+    case EventKind::PermissiveLost: return EventText::tr("Permissive lost");
+    case EventKind::PermissiveBack: return EventText::tr("Permissive back");
+    case EventKind::RemoteMode: return EventText::tr("Remote mode");
+    case EventKind::RemoteModeOver: return EventText::tr("Remote mode over");
+    case EventKind::Stowed: return EventText::tr("Stowed");
+    case EventKind::NotStowed: return EventText::tr("No longer stowed");
+    case EventKind::StopReached: return EventText::tr("Stop reached: %1").arg(sideOf(event));
+    case EventKind::StopLeft: return EventText::tr("Stop left: %1").arg(sideOf(event));
+    case EventKind::StopError: return EventText::tr("Stop reports an error: %1").arg(sideOf(event));
+    case EventKind::SoftLimitChanged:
+      return EventText::tr("Soft limit changed: %1, %2 → %3")
+          .arg(sideOf(event), degreesOf(event.was), degreesOf(event.now));
+    case EventKind::JoystickBegan: return EventText::tr("Began to send");
+    case EventKind::JoystickEnded: return EventText::tr("Ended: nothing for 2 s");
+    case EventKind::JoystickGap:
+      return EventText::tr("Gap of %1 between two messages").arg(lengthOf(event.now));
+    case EventKind::JoystickTimedOut: return EventText::tr("Timed out: nothing for 200 ms");
+    case EventKind::JoystickBack: return EventText::tr("Sends again after %1").arg(lengthOf(event.now));
+    case EventKind::JoystickOutranked:
+      return EventText::tr("Outranked by %1: %2")
+          .arg(joystickName({static_cast<std::uint8_t>(event.now)}), axisOf(event).name);
+    case EventKind::JoystickOutrankedOver:
+      return EventText::tr("No longer outranked: %1").arg(axisOf(event).name);
+    case EventKind::LoadHigh: return EventText::tr("Bus load high: %1 %").arg(event.now);
+    case EventKind::LoadNormal: return EventText::tr("Bus load normal again: %1 %").arg(event.now);
+    case EventKind::ErrorFrames: return EventText::tr("Error frames on the bus");
+    case EventKind::ErrorFramesOver:
+      return EventText::tr("No more error frames; there were %Ln", nullptr,
+                           static_cast<int>(std::min<std::int64_t>(event.now, INT_MAX)));
+    case EventKind::BusOff: return EventText::tr("The adapter is bus-off");
+    case EventKind::ErrorPassive: return EventText::tr("The adapter is error-passive");
+    case EventKind::ErrorActive: return EventText::tr("The adapter is error-active again");
+    case EventKind::ClockJump: return EventText::tr("The clock jumps here");
+    case EventKind::Count: break;
+  }
+  return {};
 }
 
 }  // namespace
 
 QString eventText(const Event& event) {
-  const QString address = hexText(event.address.value);
-  switch (event.kind) {
-    case EventKind::Announced:
-      return EventText::tr("%1 appeared at address %2").arg(pinText(event.pin), address);
-    case EventKind::AddressChanged:
-      return EventText::tr("%1 moved from address %2 to %3")
-          .arg(pinText(event.pin), hexText(event.previous.value), address);
-    case EventKind::Claimed: return EventText::tr("Address %1 claimed: %2").arg(address, makerOf(event.name));
-    case EventKind::CannotClaim:
-      return event.address == kNullAddress
-                 ? EventText::tr("A device cannot claim any address: %1").arg(makerOf(event.name))
-                 : EventText::tr("The device at address %1 cannot claim any address").arg(address);
-    case EventKind::NodeStarted: return EventText::tr("%1 started").arg(senderText(event));
-    case EventKind::ErrorBegan:
-      return EventText::tr("%1 reports an operational error").arg(senderText(event));
-    case EventKind::ErrorEnded: return EventText::tr("%1: operational error over").arg(senderText(event));
-    case EventKind::SilenceEnded:
-      return EventText::tr("%1 is heard again after %2").arg(senderText(event), briefAge(event.lasted));
-    case EventKind::ErrorFrames: return EventText::tr("Error frames on the bus");
-    case EventKind::ClockJump: return EventText::tr("The clock jumps here");
+  const QString text = whatHappened(event);
+  return event.folded == 0 ? text
+                           : EventText::tr("%1 (%Ln changes right before it are not listed)", nullptr,
+                                           static_cast<int>(std::min<std::uint32_t>(event.folded, INT_MAX)))
+                                 .arg(text);
+}
+
+DeviceKey keyOf(const Event& event) {
+  if (!event.pin.isNull()) return DeviceKey::of(event.pin, event.channel);
+  if (event.node.value != 0) return DeviceKey::at(event.channel, event.node);
+  return event.address == kNullAddress ? DeviceKey{} : DeviceKey::at(event.channel, event.address);
+}
+
+QString deviceNameText(const DeviceKey& key, const DeviceLabels& labels) {
+  switch (key.kind) {
+    case DeviceKey::Kind::None: return {};
+    case DeviceKey::Kind::Pin: {
+      const QString label = labels.of(key);
+      return label.isEmpty() ? pinText(key.pin) : label;
+    }
+    case DeviceKey::Kind::Address:
+      return isJoystickAddress(key.address) ? joystickName(key.address)
+                                            : EventText::tr("Address %1").arg(hexText(key.address.value));
+    case DeviceKey::Kind::Node: return EventText::tr("Node %1").arg(hexText(key.node.value));
   }
   return {};
 }
 
-EventWeight weightOf(const Event& event) {
-  switch (event.kind) {
-    case EventKind::CannotClaim:
-    case EventKind::ErrorBegan: return EventWeight::Fault;
-    case EventKind::AddressChanged:
-    case EventKind::SilenceEnded:
-    case EventKind::ErrorFrames:
-    case EventKind::ClockJump: return EventWeight::Attend;
-    case EventKind::Announced:
-    case EventKind::Claimed:
-    case EventKind::NodeStarted:
-    case EventKind::ErrorEnded: break;
+DeviceKey keyOf(const Note& note) {
+  return std::visit(
+      [](const auto& n) {
+        if constexpr (std::is_same_v<decltype(n), const note::Label&>) {
+          return DeviceKey::of(n.pin, {});
+        } else if constexpr (requires { n.pin; }) {
+          return n.pin.isNull() ? DeviceKey::at(n.channel, n.address) : DeviceKey::of(n.pin, n.channel);
+        } else {
+          return DeviceKey{};
+        }
+      },
+      note.value);
+}
+
+QString eventGroupText(EventGroup group) {
+  switch (group) {
+    case EventGroup::Presence: return EventText::tr("Presence");
+    case EventGroup::Address: return EventText::tr("Addresses");
+    case EventGroup::Fault: return EventText::tr("Faults");
+    case EventGroup::Mode: return EventText::tr("Modes");
+    case EventGroup::Stop: return EventText::tr("Stops");
+    case EventGroup::Joystick: return EventText::tr("Joysticks");
+    case EventGroup::Bus: return EventText::tr("Bus");
+    case EventGroup::Note: return EventText::tr("Notes");
+    case EventGroup::Count: break;
   }
-  return EventWeight::Plain;
+  return {};
+}
+
+QString eventWeightText(EventWeight weight) {
+  switch (weight) {
+    case EventWeight::Info: return EventText::tr("Information");
+    case EventWeight::Warning: return EventText::tr("Warning");
+    case EventWeight::Fault: return EventText::tr("Fault");
+    case EventWeight::Count: break;
+  }
+  return {};
 }
 
 namespace {
@@ -89,31 +226,12 @@ QString ownAddressText(const note::OwnAddress& n) {
   return {};
 }
 
-EventWeight weightOf(How how) {
-  switch (how) {
-    case How::Claimed:
-    case How::Locked: return EventWeight::Plain;
-    case How::Lost:
-    case How::CannotClaim:
-    case How::SameName:
-    case How::InUse:
-    case How::Disputed:
-    case How::LinkLost: return EventWeight::Attend;
-  }
-  return EventWeight::Attend;
-}
-
 int forPlural(std::uint64_t count) { return static_cast<int>(std::min<std::uint64_t>(count, INT_MAX)); }
 
-// Of whom: the PIN, or where it has none the address.
-QString deviceText(const Pin& pin, Address address) {
-  return pin.isNull() ? EventText::tr("address %1").arg(hexText(address.value)) : toQString(pin.text());
-}
-
 QString pipeText(const note::Pipe& n) {
-  QString which = deviceText(n.pin, n.address);
-  if (!n.file.isEmpty()) which += QLatin1Char(' ') + toQString(n.file.str());
-  return EventText::tr("Data pipe %1: %2").arg(which, pipeEventText(n.event));
+  return n.file.isEmpty()
+             ? EventText::tr("Data pipe: %1").arg(pipeEventText(n.event))
+             : EventText::tr("Data pipe, %1: %2").arg(toQString(n.file.str()), pipeEventText(n.event));
 }
 
 }  // namespace
@@ -145,16 +263,12 @@ QString noteText(const LogDocument& log, const Note& note) {
                      .arg(busOf(n), hexText(n.address.value));
                },
                [](const note::OwnAddress& n) { return ownAddressText(n); },
-               [](const note::Asked& n) {
-                 return EventText::tr("%1 asked of %2").arg(askText(n.ask), deviceText(n.pin, n.address));
-               },
+               [](const note::Asked& n) { return EventText::tr("%1: asked").arg(askText(n.ask)); },
                [](const note::AskEnded& n) {
-                 return EventText::tr("%1 of %2: %3")
-                     .arg(askText(n.ask), deviceText(n.pin, n.address), requestEndText(n.ask, n.end));
+                 return EventText::tr("%1: %2").arg(askText(n.ask), requestEndText(n.ask, n.end));
                },
                [](const note::AskWaits& n) {
-                 return EventText::tr("%1 of %2: not on the bus yet; it may still go out")
-                     .arg(askText(n.ask), deviceText(n.pin, n.address));
+                 return EventText::tr("%1: not on the bus yet; it may still go out").arg(askText(n.ask));
                },
                [&](const note::StillWaits& n) {
                  return EventText::tr("%1: %Ln frames are not on the bus yet and may still go out", nullptr,
@@ -181,29 +295,6 @@ QString noteText(const LogDocument& log, const Note& note) {
                      nullptr, forPlural(n.count));
                }},
       note.value);
-}
-
-EventWeight weightOf(const Note& note) {
-  using Weight = EventWeight;
-  return std::visit(Overload{[](const note::Mark&) { return Weight::Mark; },
-                             [](const note::LinkUp&) { return Weight::Plain; },
-                             [](const note::LinkDown&) { return Weight::Fault; },
-                             [](const note::Dropped&) { return Weight::Attend; },
-                             [](const note::Locked&) { return Weight::Plain; },
-                             [](const note::Unlocked&) { return Weight::Plain; },
-                             [](const note::DriveSaid&) { return Weight::Plain; },
-                             [](const note::OwnAddress& n) { return weightOf(n.how); },
-                             [](const note::Asked&) { return Weight::Plain; },
-                             [](const note::AskEnded& n) {
-                               return n.end == RequestEnd::Answered ? Weight::Plain : Weight::Attend;
-                             },
-                             [](const note::AskWaits&) { return Weight::Fault; },
-                             [](const note::StillWaits&) { return Weight::Fault; },
-                             [](const note::Pipe&) { return Weight::Plain; },
-                             [](const note::LeftOut&) { return Weight::Attend; },
-                             [](const note::Label&) { return Weight::Plain; },
-                             [](const note::Added&) { return Weight::Plain; }},
-                    note.value);
 }
 
 }  // namespace deckpipe

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Events and notes of a log as sentences, and how much each wants attention. For the list of events and the
+// Events and notes of a log as sentences, and whom they concern. For the list of events and the
 // marks of the timeline.
 #pragma once
 
 #include <QString>
 
-#include "state/events.h"
+#include "model/device_labels.h"
+#include "state/log_view.h"
 
 namespace deckpipe {
 
-// Fault: something stopped working. Attend: look here. Mark: a person's own. Plain: how things go.
-enum class EventWeight : std::uint8_t { Plain, Mark, Attend, Fault };
-
+// "Moved from address 80 to 85". Whom it concerns says keyOf().
 QString eventText(const Event& event);
-EventWeight weightOf(const Event& event);
+// Whom an event concerns; null where the whole bus is.
+DeviceKey keyOf(const Event& event);
+// The device's label, or its PIN, "Address 80", "Node 24", "Joystick 33"; empty of no device.
+QString deviceNameText(const DeviceKey& key, const DeviceLabels& labels);
 
 QString noteText(const LogDocument& log, const Note& note);
-EventWeight weightOf(const Note& note);
+DeviceKey keyOf(const Note& note);
+
+// "Addresses"
+QString eventGroupText(EventGroup group);
+// "Fault", "Warning", "Information"
+QString eventWeightText(EventWeight weight);
 
 }  // namespace deckpipe

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paint/event_mark.h"
+
 namespace deckpipe {
 namespace {
 
@@ -146,40 +148,41 @@ void Timeline::paintDensity(QPainter& p, const TimelineGeometry& g, const QRectF
   p.restore();
 }
 
-// Above the strip, each kind with a shape of its own: a jump is a broken line, a note a flag, what needs a
-// look a triangle.
+void Timeline::hide(EventGroup group, bool isHidden) {
+  if (isHidden) {
+    m_hidden.add(group);
+  } else {
+    m_hidden.remove(group);
+  }
+  update();
+}
+
+// Above the strip, a jump of the clock as a broken line through it. Where marks of one group meet, the gravest is
+// seen; graver ones cover others.
 void Timeline::paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
   const Colours& c = m_colours;
-  double lastX = -1e9;
-  TimelineMark::Kind lastKind{};
   const TimelineSpan inSight = shown();
-  for (const TimelineMark& mark : m_values.marks) {
-    if (!inSight.has(mark.time)) continue;
-    const double x = std::round(g.xOf(mark.time));
-    if (x == lastX && mark.kind == lastKind) continue;
-    lastX = x;
-    lastKind = mark.kind;
-    const double top = 2, foot = top + kMarkHeight - 1;
-    switch (mark.kind) {
-      case TimelineMark::Kind::TimeJump: {
+  constexpr double kTop = 2;
+  for (const EventWeight weight : kAllOf<EventWeight>) {
+    EnumArray<EventGroup, double> lastX;
+    for (double& x : lastX) x = -1e9;
+    for (const TimelineMark& mark : m_values.marks) {
+      if (mark.weight != weight || !isShown(mark) || !inSight.has(mark.time)) continue;
+      const double x = std::round(g.xOf(mark.time));
+      if (mark.kind == TimelineMark::Kind::TimeJump) {
         QPen broken(c.attend.ink, 1.5 * c.stroke, Qt::SolidLine, Qt::FlatCap);
         broken.setDashPattern({2, 2});
         p.setPen(broken);
-        p.drawLine(QPointF(x, top), QPointF(x, strip.bottom()));
-        break;
+        p.drawLine(QPointF(x, kTop), QPointF(x, strip.bottom()));
+        continue;
       }
-      case TimelineMark::Kind::Note:
-        p.setPen(QPen(c.text, 1.5 * c.stroke));
-        p.setBrush(c.text);
-        p.drawLine(QPointF(x, top), QPointF(x, strip.top() + 4));
-        p.drawPolygon(QPolygonF{{x, top}, {x + 7, top + 3}, {x, top + 6}});
-        break;
-      case TimelineMark::Kind::Attend:
-        p.setPen(QPen(c.attend.ink, c.stroke));
-        p.setBrush(c.attend.fill);
-        p.drawPolygon(QPolygonF{{x, top}, {x + 5, foot}, {x - 5, foot}});
-        p.drawLine(QPointF(x, foot), QPointF(x, strip.top() + 4));
-        break;
+      if (x - lastX[mark.group] < 2) continue;
+      lastX[mark.group] = x;
+      const QColor ink =
+          mark.group == EventGroup::Note && weight == EventWeight::Info ? c.text : eventInk(weight, c);
+      p.setPen(QPen(ink, c.stroke));
+      p.drawLine(QPointF(x, kTop + kMarkHeight - 1), QPointF(x, strip.top() + 4));
+      drawEventMark(p, QRectF(x - kMarkHeight / 2, kTop, kMarkHeight, kMarkHeight), mark.group, ink);
     }
   }
 }

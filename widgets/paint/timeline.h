@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/event_kind.h"
 #include "base/time.h"
 #include "paint/palette.h"
 #include "paint/timeline_geometry.h"
@@ -22,10 +23,15 @@
 namespace deckpipe {
 
 struct TimelineMark {
-  enum class Kind : std::uint8_t { TimeJump, Note, Attend };
-  Kind kind = Kind::Note;
+  enum class Kind : std::uint8_t {
+    TimeJump,  // a line through the strip
+    Event,     // the mark of its group (paint/event_mark.h)
+  };
+  Kind kind = Kind::Event;
   Instant time;
   QString text{};
+  EventGroup group = EventGroup::Note;
+  EventWeight weight = EventWeight::Info;
   friend bool operator==(const TimelineMark&, const TimelineMark&) = default;
 };
 
@@ -64,6 +70,9 @@ class Timeline : public QWidget {
   void fit() { showSpan(whole()); }
   std::optional<TimelineSpan> selection() const { return m_selection; }
   void select(std::optional<TimelineSpan> span);
+  // Groups whose marks are left out.
+  const EnumSet<EventGroup>& hidden() const { return m_hidden; }
+  void hide(EventGroup group, bool isHidden);
 
   QSize sizeHint() const override { return {480, 48}; }
   QSize minimumSizeHint() const override { return {160, 40}; }
@@ -97,6 +106,9 @@ class Timeline : public QWidget {
   void keepInSight(const TimelineValues& before);
   void zoom(Instant around, double factor) { showSpan(spanZoomed(shown(), whole(), around, factor)); }
   void goToMark(bool isBack);
+  bool isShown(const TimelineMark& mark) const {
+    return mark.kind == TimelineMark::Kind::TimeJump || !m_hidden.has(mark.group);
+  }
   void selectTo(Instant time);
   void showToolTip(const QPoint& at, const QPoint& global);
 
@@ -105,6 +117,7 @@ class Timeline : public QWidget {
   std::optional<TimelineSpan> m_selection;
   std::optional<Instant> m_selectingFrom;  // while a span is dragged
   bool m_isPinching = false;
+  EnumSet<EventGroup> m_hidden;
   Colours m_colours;
 };
 

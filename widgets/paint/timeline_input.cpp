@@ -76,12 +76,14 @@ void Timeline::wheelEvent(QWheelEvent* event) {
 void Timeline::goToMark(bool isBack) {
   const auto& marks = m_values.marks;  // by time
   if (isBack) {
-    const auto at = std::find_if(marks.rbegin(), marks.rend(),
-                                 [this](const TimelineMark& mark) { return mark.time < m_values.cursor; });
+    const auto at = std::find_if(marks.rbegin(), marks.rend(), [this](const TimelineMark& mark) {
+      return isShown(mark) && mark.time < m_values.cursor;
+    });
     if (at != marks.rend()) seekTo(at->time);
   } else {
-    const auto at = std::find_if(marks.begin(), marks.end(),
-                                 [this](const TimelineMark& mark) { return mark.time > m_values.cursor; });
+    const auto at = std::find_if(marks.begin(), marks.end(), [this](const TimelineMark& mark) {
+      return isShown(mark) && mark.time > m_values.cursor;
+    });
     if (at != marks.end()) seekTo(at->time);
   }
 }
@@ -157,7 +159,8 @@ void Timeline::showToolTip(const QPoint& at, const QPoint& global) {
   const TimelineGeometry g = geometryNow();
   QStringList lines;
   for (const TimelineMark& mark : m_values.marks) {
-    if (shown().has(mark.time) && std::abs(g.xOf(mark.time) - at.x()) <= kNear && lines.size() < 8)
+    if (isShown(mark) && shown().has(mark.time) && std::abs(g.xOf(mark.time) - at.x()) <= kNear &&
+        lines.size() < 8)
       lines += mark.text;
   }
   lines.removeDuplicates();

@@ -8,6 +8,7 @@
 
 #include "model/event_model.h"
 #include "paint/density_style.h"
+#include "paint/event_mark.h"
 #include "paint/figures.h"
 #include "paint/glyph.h"
 #include "panel/flat_header.h"
@@ -25,9 +26,9 @@ struct Look {
 Look lookOf(EventWeight weight, const Colours& c) {
   switch (weight) {
     case EventWeight::Fault: return {Glyph::Fault, c.fault.ink};
-    case EventWeight::Attend: return {Glyph::Attend, c.attend.ink};
-    case EventWeight::Mark: return {Glyph::Commanded, c.accent.ink};
-    case EventWeight::Plain: break;
+    case EventWeight::Warning: return {Glyph::Attend, c.attend.ink};
+    case EventWeight::Info:
+    case EventWeight::Count: break;
   }
   return {{}, c.text};
 }
@@ -60,7 +61,12 @@ void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     return;
   }
   if (index.column() == EventModel::What) {
-    const QRect sign(area.left(), area.center().y() - kSign / 2, kSign, kSign);
+    const QRect mark(area.left(), area.center().y() - kSign / 2, kSign, kSign);
+    const auto group = static_cast<EventGroup>(index.data(EventModel::GroupRole).toInt());
+    const auto weight = static_cast<EventWeight>(index.data(EventModel::WeightRole).toInt());
+    drawEventMark(*painter, QRectF(mark).adjusted(3, 3, -3, -3), group,
+                  isSelected || !hasHappened ? ink : eventInk(weight, m_colours));
+    const QRect sign(mark.right() + 1 + kGap, mark.top(), kSign, kSign);
     const QColor signInk = isSelected || !hasHappened ? ink : look.ink;
     if (look.glyph)
       drawGlyph(*painter, sign.adjusted(1, 1, -1, -1), *look.glyph, signInk, Qt::transparent,

@@ -6,36 +6,37 @@
 #include <QScrollBar>
 #include <QStackedLayout>
 #include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
-#include "model/event_model.h"
+#include "model/event_filter.h"
 #include "paint/figures.h"
 #include "panel/event_delegate.h"
+#include "panel/event_filter_bar.h"
 #include "panel/flat_header.h"
 #include "panel/label_ink.h"
 
 namespace deckpipe {
-namespace {
-
-constexpr int kRowsMoreMs = 20;
-
-}  // namespace
 
 EventPanel::EventPanel(QWidget* parent)
     : QWidget(parent),
       m_model(new EventModel(this)),
+      m_filter(new EventFilter(m_model, this)),
+      m_bar(new EventFilterBar(m_model, m_filter, this)),
       m_delegate(new EventDelegate(this)),
       m_list(new QTreeView(this)),
       m_header(new FlatHeader(m_list)),
       m_empty(new QLabel(tr("Nothing happened so far."), this)),
-      m_pages(new QStackedLayout(this)) {
+      m_cut(new QLabel(tr("More happened: only the first events are listed."), this)),
+      m_pages(new QStackedLayout) {
   setObjectName(QStringLiteral("eventPanel"));
   setAccessibleName(tr("Events"));
   m_list->setObjectName(QStringLiteral("eventList"));
   m_list->setAccessibleName(tr("Events"));
   m_list->setToolTip(tr("A click puts the cursor there"));
   m_list->setHeader(m_header);
-  m_list->setModel(m_model);
+  m_list->setModel(m_filter);
   m_list->setItemDelegate(m_delegate);
   m_list->setRootIsDecorated(false);
   m_list->setItemsExpandable(false);
@@ -57,31 +58,79 @@ EventPanel::EventPanel(QWidget* parent)
   m_empty->setBackgroundRole(QPalette::Base);
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_list);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(m_bar);
+  column->addLayout(m_pages, 1);
+  column->addWidget(m_cut);
+  m_cut->setObjectName(QStringLiteral("eventsCut"));
+  m_cut->setMargin(4);
+  m_cut->hide();
   setFocusProxy(m_list);
   layOutColumns();
 
+  for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+    connect(m_filter, change, this, &EventPanel::showPage);
   connect(m_list, &QTreeView::clicked, this, &EventPanel::seek);
   connect(m_list, &QTreeView::activated, this, &EventPanel::seek);
-  m_more.setInterval(kRowsMoreMs);
-  m_more.setSingleShot(true);
-  connect(&m_more, &QTimer::timeout, this, [this] {
-    m_model->look();
-    showPage();
-  });
 }
 
 void EventPanel::setView(const LogView& view) {
   // A list that stands at its end goes on with it.
   const QScrollBar* bar = m_list->verticalScrollBar();
   const bool isAtEnd = bar->value() == bar->maximum();
-  const int rows = m_model->rowCount();
+  const int rows = m_filter->rowCount(), all = m_model->rowCount();
+  const bool isOther = view.document != m_model->view().document;
   m_model->setView(view);
-  if (isAtEnd && m_model->rowCount() != rows) m_list->scrollToBottom();
+  if (isAtEnd && m_filter->rowCount() != rows) m_list->scrollToBottom();
+  if (isOther || m_model->rowCount() != all) m_bar->updateDevices();
   showPage();
+}
+
+void EventPanel::setLabels(const DeviceLabels& labels) {
+  m_model->setLabels(labels);
+  m_bar->updateDevices();
+}
+
+int EventPanel::chosenRow() const {
+  const int row = m_list->currentIndex().row();
+  if (row < 0) return -1;
+  const Instant cursor = m_model->view().cursor.time, time = m_filter->time(row);
+  return cursor == time || cursor == std::max(time - kBefore, m_model->view().begin) ? row : -1;
+}
+
+void EventPanel::goTo(int row, Duration before) {
+  if (row < 0 || row >= m_filter->rowCount()) return;
+  const QModelIndex index = m_filter->index(row, 0);
+  m_list->setCurrentIndex(index);
+  m_list->scrollTo(index);
+  Q_EMIT seekRequested(std::max(m_filter->time(row) - before, m_model->view().begin));
+}
+
+// Events of one time are gone through one by one.
+void EventPanel::goToNext() {
+  const Instant cursor = m_model->view().cursor.time;
+  const int chosen = chosenRow();
+  goTo(chosen >= 0 && m_filter->time(chosen) == cursor ? chosen + 1 : m_filter->rowAfter(cursor),
+       Duration{0});
+}
+
+void EventPanel::goToPrevious() {
+  const Instant cursor = m_model->view().cursor.time;
+  const int chosen = chosenRow();
+  goTo(chosen >= 0 && m_filter->time(chosen) == cursor ? chosen - 1 : m_filter->rowBefore(cursor),
+       Duration{0});
+}
+
+void EventPanel::goBefore() {
+  const int chosen = chosenRow();
+  goTo(chosen >= 0 ? chosen : m_filter->rowAt(m_model->view().cursor.time), kBefore);
 }
 
 void EventPanel::setColours(const Colours& colours) {
   setPalette(qtPalette(colours));
+  m_bar->setColours(colours);
   setInk(*m_empty, colours.textSecondary);
   m_delegate->setColours(colours);
   m_header->setColours(colours);
@@ -89,9 +138,11 @@ void EventPanel::setColours(const Colours& colours) {
 }
 
 void EventPanel::showPage() {
-  if (m_model->isLooking()) m_more.start();
-  if (m_delegate->setLastRow(m_model->rowAtCursor())) m_list->viewport()->update();
-  QWidget* page = m_model->rowCount() == 0 ? static_cast<QWidget*>(m_empty) : m_list;
+  if (m_delegate->setLastRow(m_filter->rowAt(m_model->view().cursor.time))) m_list->viewport()->update();
+  setText(*m_empty, m_model->rowCount() == 0 ? tr("Nothing happened so far.")
+                                             : tr("Nothing that happened passes the filter above."));
+  m_cut->setVisible(m_model->isCut());
+  QWidget* page = m_filter->rowCount() == 0 ? static_cast<QWidget*>(m_empty) : m_list;
   if (m_pages->currentWidget() != page) m_pages->setCurrentWidget(page);
 }
 
@@ -101,6 +152,8 @@ void EventPanel::layOutColumns() {
   m_header->resizeSection(EventModel::When, static_cast<int>(std::ceil(time)) + padding);
   m_header->resizeSection(EventModel::Bus,
                           fontMetrics().horizontalAdvance(QStringLiteral("vcan00")) + padding);
+  m_header->resizeSection(EventModel::Who,
+                          fontMetrics().horizontalAdvance(QStringLiteral("1032AE1008010350")) + padding);
 }
 
 void EventPanel::seek(const QModelIndex& index) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of what happened in a log. The window gives it each view and puts the cursor where a person clicks
-// or presses Enter. What lies behind the cursor is lighter: it has not happened there.
+// The list of what happened in a log, and which of it is listed. The window gives it each view and puts the cursor
+// where a person clicks or presses Enter, or where the next or the previous event of the list is. What lies behind
+// the cursor is lighter: it has not happened there.
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 
 #include "base/time.h"
@@ -16,7 +16,10 @@ class QTreeView;
 
 namespace deckpipe {
 
+class DeviceLabels;
 class EventDelegate;
+class EventFilter;
+class EventFilterBar;
 class EventModel;
 class FlatHeader;
 
@@ -27,10 +30,18 @@ class EventPanel : public QWidget {
   explicit EventPanel(QWidget* parent = nullptr);
 
   void setView(const LogView& view);
+  void setLabels(const DeviceLabels& labels);
   void setColours(const Colours& colours);
+  // Puts the cursor at the next or the previous event of the list, or kBefore before the event at which it stands,
+  // or which it has passed last.
+  void goToNext();
+  void goToPrevious();
+  void goBefore();
+  static constexpr Duration kBefore = 5s;
   EventModel* model() const { return m_model; }
 
   QSize sizeHint() const override { return {560, 200}; }
+  QSize minimumSizeHint() const override { return {240, 80}; }
 
  Q_SIGNALS:
   void seekRequested(deckpipe::Instant time);
@@ -39,14 +50,20 @@ class EventPanel : public QWidget {
   void showPage();
   void layOutColumns();
   void seek(const QModelIndex& index);
+  // Chooses a row of the list, and asks for the cursor to be there, or before it.
+  void goTo(int row, Duration before);
+  // The row that is chosen, if the cursor is where choosing it has put it; -1 otherwise.
+  int chosenRow() const;
 
   EventModel* m_model;
+  EventFilter* m_filter;
+  EventFilterBar* m_bar;
   EventDelegate* m_delegate;
   QTreeView* m_list;
   FlatHeader* m_header;
   QLabel* m_empty;
+  QLabel* m_cut;  // says that more happened than is listed
   QStackedLayout* m_pages;
-  QTimer m_more;  // while a long log is looked through
 };
 
 }  // namespace deckpipe

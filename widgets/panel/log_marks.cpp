@@ -15,11 +15,19 @@ struct LogMarksText {
   Q_DECLARE_TR_FUNCTIONS(LogMarks)
 };
 
+// "Roof monitor: Stowed"
+QString named(const DeviceKey& device, const QString& text, const DeviceLabels& labels) {
+  const QString name = deviceNameText(device, labels);
+  return name.isEmpty() ? text : LogMarksText::tr("%1: %2").arg(name, text);
+}
+
 }  // namespace
 
 void LogMarks::take(const LogView& view, TimelineSpan shown, int bins) {
   if (view.document != m_log) {
+    const DeviceLabels labels = m_labels;
     *this = {};
+    m_labels = labels;
     m_log = view.document;
   }
   if (!m_log || view.frameCount == 0) return;
@@ -27,9 +35,11 @@ void LogMarks::take(const LogView& view, TimelineSpan shown, int bins) {
   const bool isJumped = takeJumps(view);
   const bool isNoted = takeNotes();
   if (isCounted || isNoted) findGaps(view);
-  if (!isNoted && !isJumped) return;
+  const bool isEventful = takeEvents();
+  if (!isNoted && !isJumped && !isEventful) return;
   m_marks = m_jumps;
   m_marks.insert(m_marks.end(), m_notes.begin(), m_notes.end());
+  m_marks.insert(m_marks.end(), m_events.begin(), m_events.end());
   std::stable_sort(m_marks.begin(), m_marks.end(),
                    [](const TimelineMark& a, const TimelineMark& b) { return a.time < b.time; });
 }
@@ -74,6 +84,31 @@ bool LogMarks::takeJumps(const LogView& view) {
   return m_jumps.size() != before;
 }
 
+void LogMarks::setLabels(const DeviceLabels& labels) {
+  if (labels == m_labels) return;
+  m_labels = labels;
+  m_notesTaken = m_eventsTaken = 0;
+  m_events.clear();
+}
+
+// A jump of the clock has its line.
+bool LogMarks::takeEvents() {
+  if (std::exchange(m_generation, m_log->events.generation()) != m_generation) {
+    m_eventsTaken = 0;
+    m_events.clear();
+  }
+  if (m_log->events.count() == m_eventsTaken) return false;
+  const std::vector<Event> more = m_log->events.after(m_eventsTaken);
+  m_eventsTaken += more.size();
+  for (const Event& event : more) {
+    if (event.kind == EventKind::ClockJump) continue;
+    const EventFacts& facts = kEvents[event.kind];
+    m_events.push_back({TimelineMark::Kind::Event, event.time,
+                        named(keyOf(event), eventText(event), m_labels), facts.group, facts.weight});
+  }
+  return true;
+}
+
 bool LogMarks::takeNotes() {
   if (m_log->notes.count() == m_notesTaken) return false;
   const std::vector<Note> notes = m_log->notes.all();
@@ -84,9 +119,9 @@ bool LogMarks::takeNotes() {
   for (const Note& note : notes) {
     const auto* linkDown = std::get_if<note::LinkDown>(&note.value);
     const auto* linkUp = std::get_if<note::LinkUp>(&note.value);
-    const bool isLoss = linkDown != nullptr || framesMissed(note.value) > 0;
-    m_notes.push_back(
-        {isLoss ? TimelineMark::Kind::Attend : TimelineMark::Kind::Note, note.time, noteText(*m_log, note)});
+    m_notes.push_back({TimelineMark::Kind::Event, note.time,
+                       named(keyOf(note), noteText(*m_log, note), m_labels), EventGroup::Note,
+                       noteWeight(note.value)});
     if (linkDown != nullptr) down.emplace(linkDown->channel, note.time);
     if (linkUp == nullptr) continue;
     if (const auto since = down.find(linkUp->channel); since != down.end()) {

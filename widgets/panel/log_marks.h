@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the timeline shows of a log beside the cursor: how dense the span in sight is, where nothing came,
-// where a link was lost, where the clock jumped, what was noted. Held by the transport bar and brought up to
+// where a link was lost, where the clock jumped, what was noted, what happened. Held by the transport bar and brought up to
 // date with each view; everything comes from indexes, so a log of any size costs the same.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/device_labels.h"
 #include "paint/timeline.h"
 #include "state/log_view.h"
 
@@ -20,6 +21,8 @@ class LogMarks {
   // So long must nothing come that it is a gap; in a span of hours it is what can be seen at all.
   static constexpr Duration kSilence = 1s;
 
+  // What devices are called in the marks of events.
+  void setLabels(const DeviceLabels& labels);
   // Of `shown`; `bins`: equal parts of it, about one every few pixels.
   void take(const LogView& view, TimelineSpan shown, int bins);
 
@@ -31,6 +34,7 @@ class LogMarks {
   bool takeDensity(const LogView& view, TimelineSpan shown, int bins);
   bool takeJumps(const LogView& view);
   bool takeNotes();
+  bool takeEvents();
   void findGaps(const LogView& view);
 
   std::shared_ptr<const LogDocument> m_log;
@@ -39,8 +43,12 @@ class LogMarks {
   std::vector<TimelineMark> m_jumps;
   std::size_t m_notesTaken = 0;
   std::vector<TimelineMark> m_notes;
+  DeviceLabels m_labels;
+  std::size_t m_eventsTaken = 0;
+  unsigned m_generation = 0;  // of the log's events
+  std::vector<TimelineMark> m_events;
   std::vector<TimelineGap> m_lost;    // from one link-down to the next link-up of its channel
-  std::vector<TimelineMark> m_marks;  // jumps and notes, by time
+  std::vector<TimelineMark> m_marks;  // jumps, notes and events, by time
   std::vector<TimelineGap> m_gaps;
 };
 

@@ -12,6 +12,8 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "model/event_text.h"
+#include "paint/event_mark.h"
 #include "paint/timeline.h"
 #include "panel/time_readout.h"
 #include "panel/transport_button.h"
@@ -86,6 +88,11 @@ void TransportBar::setView(const LogView& view, const Playback& playback) {
   m_view = view;
   m_playback = playback;
   showControls();
+  showTimeline();
+}
+
+void TransportBar::setLabels(const DeviceLabels& labels) {
+  m_marks.setLabels(labels);
   showTimeline();
 }
 
@@ -193,6 +200,14 @@ void TransportBar::showMenu(const QPoint& at) {
   for (QAction* action : {zoom, only, none}) action->setEnabled(span.has_value());
   menu->addSeparator();
   menu->addAction(tr("The whole log"), m_timeline, &Timeline::fit)->setEnabled(m_timeline->isZoomed());
+  // What each mark stands for, and which are drawn.
+  menu->addSection(tr("Marks"));
+  for (const EventGroup group : kAllOf<EventGroup>) {
+    QAction* shown = menu->addAction(eventMarkIcon(group, m_colours), eventGroupText(group), this,
+                                     [this, group](bool isOn) { m_timeline->hide(group, !isOn); });
+    shown->setCheckable(true);
+    shown->setChecked(!m_timeline->hidden().has(group));
+  }
   menu->popup(m_timeline->mapToGlobal(at));
 }
 

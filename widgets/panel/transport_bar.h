@@ -33,6 +33,7 @@ class TransportBar : public QWidget {
   explicit TransportBar(QWidget* parent = nullptr);
 
   void setView(const LogView& view, const Playback& playback);
+  void setLabels(const DeviceLabels& labels);
   void setColours(const Colours& colours);
   // Whether the trace shows only some of the frames.
   void setFiltered(bool isFiltered);

@@ -213,7 +213,24 @@ TEST_F(LogActions, KeepAMarkWithItsWordsAtTheCursor) {
   EXPECT_EQ(notes[0].value, NoteValue(note::Mark{"valve opened"}));
   EXPECT_EQ(notes[0].frame, 2u);
   EXPECT_EQ(notes[0].time, Instant{10'100'000'000});
-  EXPECT_EQ(only<EventPanel>()->model()->rowCount(), 2);
+  EXPECT_EQ(only<EventPanel>()->model()->rowCount(), 1);
+}
+
+TEST_F(LogActions, GoFromEventToEventByKeys) {
+  openLog(
+      "(10.000000) can0 18EFFF80#83C051\n(20.000000) can0 18EFFF80#834051\n(21.000000) can0 18EFFF80#83C051\n"
+      "(22.000000) can0 18EFFF80#83C051\n");
+  // The silence before 20 s, its end, disabled, enabled.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return only<EventPanel>()->model()->rowCount() == 4; }, kPatience));
+  const auto cursor = [&] { return m_session.snapshot().view.cursor.time; };
+  QTest::keyClick(&m_window, Qt::Key_F8, Qt::ShiftModifier);
+  EXPECT_EQ(cursor(), Instant{21'000'000'000});
+  QTest::keyClick(&m_window, Qt::Key_F8, Qt::ShiftModifier);
+  EXPECT_EQ(cursor(), Instant{20'000'000'000});
+  QTest::keyClick(&m_window, Qt::Key_F9);
+  EXPECT_EQ(cursor(), Instant{15'000'000'000});
+  QTest::keyClick(&m_window, Qt::Key_F8);
+  EXPECT_EQ(cursor(), Instant{20'000'000'000});
 }
 
 TEST_F(LogActions, KeepNoMarkAfterEscape) {

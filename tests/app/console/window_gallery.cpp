@@ -49,6 +49,14 @@ bool drawTheme(MainWindow& window, const QDir& folder, const QString& theme) {
   test::child<QDockWidget>(window, "eventsDock")->raise();
   isWell = save(window, folder, QStringLiteral("events_and_help_") + theme) && isWell;
   test::child<QAction>(window, "resetLayoutAction")->trigger();
+  window.setSnapshot(
+      test::snapshotOf(test::eventfulText(), SourceStatus::Kind::File, SourceStatus::Progress::Done));
+  test::child<QDockWidget>(window, "eventsDock")->raise();
+  isWell = save(window, folder, QStringLiteral("events_") + theme) && isWell;
+  window.resize(1024, 600);
+  isWell = save(window, folder, QStringLiteral("events_small_") + theme) && isWell;
+  window.resize(1366, 768);
+  test::child<QAction>(window, "resetLayoutAction")->trigger();
   for (const auto& [name, snapshot] : {std::pair("asking_", test::askingSnapshot()),
                                        std::pair("asking_locked_", test::windowScenes()[7].snapshot)}) {
     window.setSnapshot(snapshot);

@@ -37,6 +37,20 @@ inline std::string truckText(int seconds) {
   return text;
 }
 
+// The same, and then much goes wrong.
+inline std::string eventfulText() {
+  return truckText(30) +
+         "(1030.000000) can0 18EFFF80#83C001\n(1030.100000) can0 18EFFF80#834001\n"
+         "(1030.200000) can0 18EF80F9#02\n(1030.210000) can0 18EFF980#0200200000000B\n"
+         "(1031.000000) can0 18EFFF80#011D940371000045\n(1031.500000) can0 18EFFF80#011D940371400041\n"
+         "(1032.000000) can0 18EFFF80#83C009\n(1032.500000) can0 18EFFF80#01FFF40371000041\n"
+         "(1033.000000) can0 18EFFF80#81FC7C038400\n(1033.500000) can0 18EFFF80#81FC7C02BC00\n"
+         "(1041.000000) can0 18EFFF80#011D940371000041\n(1042.000000) can0 18EEFF90#0100200000000000\n"
+         "(1043.000000) can0 18EFFF80#FF83150206021A0B\n(1044.000000) can0 18EFFF84#FF83150206021A0B\n"
+         "(1044.100000) can0 18EFFF84#011D940371000041\n(1044.500000) can0 0CFDD633#0100010000000000\n"
+         "(1044.800000) can0 0CFDD633#0100010000000000\n(1045.000000) can0 18EFFF84#83C001\n";
+}
+
 inline Snapshot snapshotOf(const std::string& text, SourceStatus::Kind kind,
                            SourceStatus::Progress progress) {
   Snapshot snapshot;

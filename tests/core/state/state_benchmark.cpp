@@ -4,13 +4,16 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <random>
 
 #include "protocol/role_walk.h"
 #include "protocol/typed.h"
 #include "report/decode_lines.h"
 #include "simulator/standard_bench.h"
+#include "state/events.h"
 #include "state/keyframes.h"
 #include "state/role_index.h"
 
@@ -128,6 +131,32 @@ void advanceThroughEveryFrame(benchmark::State& state) {
   count(state);
 }
 BENCHMARK(advanceThroughEveryFrame)->Unit(benchmark::kMillisecond);
+
+// With keyframes on the way, as the console does while it reads a log. Its floor is the walk of a state alone, with
+// the same keyframes.
+void findEvents(benchmark::State& state) {
+  const Cursor end = cursorAfter(log().frames, kFrames);
+  std::clock_t plain = 0, withEvents = 0;  // of the processor: others may use the machine
+  for (auto _ : state) {
+    const std::clock_t start = std::clock();
+    {
+      Keyframes keyframes(log().frames, log().notes);
+      while (keyframes.build()) {
+      }
+      benchmark::DoNotOptimize(keyframes.at(end).cursor().frames);
+    }
+    const std::clock_t between = std::clock();
+    Keyframes keyframes(log().frames, log().notes);
+    Events events(log().frames, log().notes, keyframes);
+    while (events.build(end)) {
+    }
+    plain += between - start;
+    withEvents += std::clock() - between;
+    state.counters["events"] = static_cast<double>(events.count());
+  }
+  state.counters["of a plain walk"] = static_cast<double>(withEvents) / static_cast<double>(plain);
+}
+BENCHMARK(findEvents)->Unit(benchmark::kMillisecond)->Iterations(3);
 
 void stateAtAnyInstant(benchmark::State& state) {
   while (log().keyframes.build()) {

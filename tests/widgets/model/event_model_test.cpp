@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 
 #include "support/enums.h"
+#include "support/frames.h"
 #include "support/logs.h"
 #include "support/note_samples.h"
 
@@ -18,7 +19,9 @@ using test::viewOf;
 
 constexpr auto kLog =
     "(10.000000) can0 18EFFF80#FF83150206021A0B\n"
-    "(12.500000) can0 724#00\n";
+    "(10.000000) can0 18EFFF80#83C051\n"
+    "(12.500000) can0 18EFFF80#834051\n"
+    "(13.000000) can0 18EFFF80#83C051\n";
 
 struct ModelOfEvents : testing::Test {
   std::string what(int row) const {
@@ -31,17 +34,73 @@ struct ModelOfEvents : testing::Test {
 TEST_F(ModelOfEvents, SaysWhatHappenedAndWhen) {
   model.setView(viewOf(logOfText(kLog)));
   ASSERT_EQ(model.rowCount(), 2);
-  EXPECT_EQ(what(0), "1032AE100801035 appeared at address 80");
-  EXPECT_EQ(what(1), "Node 24 started");
-  EXPECT_EQ(model.index(1, EventModel::When).data().toString().toStdString(), "0:00:02.500");
-  EXPECT_EQ(model.index(1, EventModel::Bus).data().toString().toStdString(), "can0");
+  EXPECT_EQ(what(0), "Disabled: it cannot move");
+  EXPECT_EQ(what(1), "Enabled");
+  EXPECT_EQ(model.index(0, EventModel::When).data().toString().toStdString(), "0:00:02.500");
+  EXPECT_EQ(model.index(0, EventModel::Bus).data().toString().toStdString(), "can0");
+  EXPECT_EQ(model.weight(0), EventWeight::Warning);
+  EXPECT_EQ(model.group(0), EventGroup::Mode);
+}
+
+TEST_F(ModelOfEvents, NamesTheDeviceByItsLabelOrItsPin) {
+  model.setView(viewOf(logOfText(kLog)));
+  EXPECT_EQ(model.index(0, EventModel::Who).data().toString().toStdString(), "1032AE100801035");
+  QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+  DeviceLabels labels;
+  labels.set(*Pin::parse("1032AE100801035"), QStringLiteral("Roof"));
+  model.setLabels(labels);
+  EXPECT_EQ(model.index(0, EventModel::Who).data().toString().toStdString(), "Roof");
+  EXPECT_EQ(changed.size(), 1);
+}
+
+TEST_F(ModelOfEvents, MakesOneRowOfAQuestionAndItsAnswers) {
+  const auto log = logOfText(kLog);
+  const Pin pin = *Pin::parse("1032AE100801035");
+  const auto ask = [&] {
+    log->notes.append(
+        {.frame = 4, .time = Instant{13'000'000'000}, .value = note::Asked{{}, {0x80}, pin, Ask::Fault}});
+    model.setView(viewOf(log));
+  };
+  const auto end = [&](RequestEnd how) {
+    log->notes.append({.frame = 4,
+                       .time = Instant{13'000'000'000},
+                       .value = note::AskEnded{{}, {0x80}, pin, Ask::Fault, how}});
+    model.setView(viewOf(log));
+  };
+  ask();
+  EXPECT_EQ(what(2), "Faults: asked");
+  end(RequestEnd::Answered);
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(what(2), "Faults: answered");
+  ask();
+  end(RequestEnd::Answered);
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(what(2), "Faults: answered, 2 times");
+  ask();
+  end(RequestEnd::NoAnswer);
+  ASSERT_EQ(model.rowCount(), 4);
+  EXPECT_EQ(what(3), "Faults: no answer");
+}
+
+TEST_F(ModelOfEvents, TakesEventsAsTheyAreFound) {
+  const auto log = std::make_shared<LogDocument>();
+  log->frames.channel("can0");
+  ASSERT_TRUE(log->frames.append(std::vector{test::frame("18EFFF80", "83C051", 0, 0)}));
+  model.setView(viewOf(log));
+  EXPECT_EQ(model.rowCount(), 0);
+  while (log->events.build({1, Instant{5'000'000'000}})) {
+  }
+  model.setView(viewOf(log));
+  ASSERT_EQ(model.rowCount(), 1);
+  EXPECT_EQ(what(0), "Silent: its periodic messages stopped");
+  EXPECT_EQ(model.index(0, EventModel::When).data().toString().toStdString(), "0:00:03.000");
 }
 
 TEST_F(ModelOfEvents, PutsAMarkWhereItBelongs) {
   const auto log = logOfText(kLog);
   model.setView(viewOf(log));
   QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
-  log->notes.append({.frame = 1, .time = Instant{11'000'000'000}, .value = note::Mark{"valve opened"}});
+  log->notes.append({.frame = 2, .time = Instant{12'700'000'000}, .value = note::Mark{"valve opened"}});
   model.setView(viewOf(log));
   ASSERT_EQ(model.rowCount(), 3);
   EXPECT_EQ(what(1), "valve opened");
@@ -67,11 +126,11 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "Transmit unlocked",
                            "can2: address 81 is no drive",
                            "The console lost its address to a lower NAME",
-                           "Reset asked of 1032AE100801035",
-                           "Vista status of 1032AE100801035: answered too late",
-                           "Zero axes of 1032AE100801035: not on the bus yet; it may still go out",
+                           "Reset: asked",
+                           "Vista status: answered too late",
+                           "Zero axes: not on the bus yet; it may still go out",
                            "can2: 5 frames are not on the bus yet and may still go out",
-                           "Data pipe 1032AE100801035 axis.txt: file sent",
+                           "Data pipe, axis.txt: file sent",
                            "can2: 7 frames came that are not classic CAN and are not held",
                            "1032AE100801035 is called “front bumper”",
                            "9 frames were added here when this part was saved: who held which address",
@@ -90,16 +149,15 @@ TEST(NoteWeight, IsPlainOnlyForWhatWasMeant) {
   using How = note::OwnAddress::How;
   for (const How how : test::allOf<How>()) {
     const bool isMeant = how == How::Claimed || how == How::Locked;
-    EXPECT_EQ(weightOf(Note{.value = note::OwnAddress{{}, {}, how}}),
-              isMeant ? EventWeight::Plain : EventWeight::Attend);
+    EXPECT_EQ(noteWeight(note::OwnAddress{{}, {}, how}), isMeant ? EventWeight::Info : EventWeight::Warning);
   }
 }
 
 TEST_F(ModelOfEvents, KnowsWhatHasHappenedAtTheCursor) {
   const auto log = logOfText(kLog);
-  model.setView(viewOf(log, 0));
+  model.setView(viewOf(log, 2));
   EXPECT_EQ(model.rowAtCursor(), -1);
-  model.setView(viewOf(log, 1));
+  model.setView(viewOf(log, 3));
   EXPECT_EQ(model.rowAtCursor(), 0);
   model.setView(viewOf(log));
   EXPECT_EQ(model.rowAtCursor(), 1);

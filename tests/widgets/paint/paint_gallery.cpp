@@ -121,10 +121,15 @@ std::vector<TimelineSample> timelineSamples() {
   live.atEnd = true;
   live.cursor = live.end;
   TimelineValues marked = usual;
-  marked.marks = {{TimelineMark::Kind::Note, at(8)},
-                  {TimelineMark::Kind::TimeJump, at(17)},
-                  {TimelineMark::Kind::Attend, at(31)},
-                  {TimelineMark::Kind::Note, at(49)}};
+  marked.marks = {{TimelineMark::Kind::TimeJump, at(17)}};
+  for (const EventGroup group : kAllOf<EventGroup>) {
+    for (const EventWeight weight : kAllOf<EventWeight>)
+      marked.marks.push_back({TimelineMark::Kind::Event,
+                              at(4 + 6 * static_cast<double>(group) + 1.5 * static_cast<double>(weight)),
+                              {},
+                              group,
+                              weight});
+  }
   TimelineValues gap = thin(usual, 12, 20);
   gap.gaps = {{TimelineGap::Kind::Silence, {at(12), at(20)}}};
   TimelineValues lost = thin(usual, 36, 60);

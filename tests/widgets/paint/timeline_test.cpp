@@ -221,7 +221,7 @@ TEST_F(TimelineTest, SelectsAboveTheStripWithShiftAndByKeys) {
 
 TEST_F(TimelineTest, GoesFromMarkToMark) {
   TimelineValues values = timeline.values();
-  values.marks = {{TimelineMark::Kind::Note, at(120)}, {TimelineMark::Kind::Attend, at(180)}};
+  values.marks = {{TimelineMark::Kind::Event, at(120)}, {TimelineMark::Kind::Event, at(180)}};
   values.gaps = {{TimelineGap::Kind::Silence, {at(130), at(140)}},
                  {TimelineGap::Kind::LinkLost, {at(190), kNever}}};
   timeline.setValues(values);
@@ -230,6 +230,34 @@ TEST_F(TimelineTest, GoesFromMarkToMark) {
   QTest::keyClick(&timeline, Qt::Key_Right, Qt::ControlModifier);
   EXPECT_EQ(last(), at(180));
   timeline.grab();
+}
+
+TEST_F(TimelineTest, DrawsAMarkOfItsOwnForEachGroup) {
+  TimelineValues values = timeline.values();
+  std::vector<QImage> pictures;
+  for (const EventGroup group : kAllOf<EventGroup>) {
+    values.marks = {{TimelineMark::Kind::Event, at(120), QStringLiteral("x"), group, EventWeight::Fault}};
+    timeline.setValues(values);
+    const QImage picture = timeline.grab().toImage();
+    for (const QImage& other : pictures) EXPECT_NE(picture, other) << static_cast<int>(group);
+    pictures.push_back(picture);
+  }
+}
+
+TEST_F(TimelineTest, LeavesOutTheGroupsThatAreHidden) {
+  TimelineValues values = timeline.values();
+  const QImage none = timeline.grab().toImage();
+  values.marks = {{TimelineMark::Kind::Event, at(180), {}, EventGroup::Stop}};
+  timeline.setValues(values);
+  EXPECT_NE(timeline.grab().toImage(), none);
+  timeline.hide(EventGroup::Stop, true);
+  EXPECT_EQ(timeline.grab().toImage(), none);
+  const auto before = seek.count();
+  QTest::keyClick(&timeline, Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_EQ(seek.count(), before);
+  timeline.hide(EventGroup::Stop, false);
+  QTest::keyClick(&timeline, Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_EQ(last(), at(180));
 }
 
 TEST(TimelineSpans, StayWithinTheLog) {

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "event_lines.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ask_words.h"
+#include "base/overload.h"
+#include "json_line.h"
+#include "protocol/akron.h"
+#include "protocol/field.h"
+#include "protocol/name.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+constexpr EnumTable<EventKind, const char*> kMeanings{{
+    {EventKind::Appeared, "a device is heard for the first time"},
+    {EventKind::Silent, "its periodic messages stopped 3 s ago (since)"},
+    {EventKind::Back, "they come again, after so long (ms)"},
+    {EventKind::Restarted, "it announced itself unasked, or a node booted"},
+    {EventKind::NotOperational, "a CANopen node left the operational state (was, now)"},
+    {EventKind::Operational, "... and is operational again (was, now)"},
+    {EventKind::MovedAddress, "a device has another address (was, now)"},
+    {EventKind::AddressLost, "another NAME or PIN has its address (was, now: NAMEs)"},
+    {EventKind::CannotClaim, "it said that it can claim no address (was: its NAME)"},
+    {EventKind::TwoAtOneAddress, "two devices send from one address (other_pin)"},
+    {EventKind::TwoAtOneAddressOver, "... one again"},
+    {EventKind::Fault, "its answer names a fault (fault)"},
+    {EventKind::FaultCleared, "... no longer (fault)"},
+    {EventKind::DeviceFaulted, "a 6033 says that it is faulted (was, now)"},
+    {EventKind::DeviceFaultedOver, "... no longer (was, now)"},
+    {EventKind::OperationalError, "it reports an operational error (code: null until it is asked)"},
+    {EventKind::OperationalErrorOver, "... no longer (code)"},
+    {EventKind::ErrorCode, "its answer has another error code (code, was, now)"},
+    {EventKind::ErrorCodeCleared, "... none any more (code, was, now)"},
+    {EventKind::SensorError, "its position sensor fails (axis, was, now)"},
+    {EventKind::SensorErrorOver, "... no longer (axis, was, now)"},
+    {EventKind::Disabled, "enable is off: it cannot move (was, now)"},
+    {EventKind::Enabled, "enable is on (was, now)"},
+    {EventKind::PermissiveLost, "no permissive for 300 ms, or for no direction (was, now)"},
+    {EventKind::PermissiveBack, "a permissive for a direction (was, now)"},
+    {EventKind::RemoteMode, "remote mode is on (was, now)"},
+    {EventKind::RemoteModeOver, "... off (was, now)"},
+    {EventKind::Stowed, "it is stowed (was, now)"},
+    {EventKind::NotStowed, "... no longer (was, now)"},
+    {EventKind::StopReached, "an axis stands at a hard stop (axis, side, was, now)"},
+    {EventKind::StopLeft, "... no longer (axis, side, was, now)"},
+    {EventKind::StopError, "a hard stop reports an error (axis, side, was, now)"},
+    {EventKind::SoftLimitChanged, "a soft limit is elsewhere (axis, side, was, now: degrees)"},
+    {EventKind::JoystickBegan, "a source begins to send joystick messages"},
+    {EventKind::JoystickEnded, "... sent none for 2 s (since)"},
+    {EventKind::JoystickGap, "more than 100 ms between two of them (ms)"},
+    {EventKind::JoystickTimedOut, "none for 200 ms: controllers clear its input"},
+    {EventKind::JoystickBack, "... they come again, after so long (ms)"},
+    {EventKind::JoystickOutranked, "a source of higher priority deflects the same axis (axis, by)"},
+    {EventKind::JoystickOutrankedOver, "... no longer (axis)"},
+    {EventKind::LoadHigh, "80 % of 250 kbit/s or more in a second (was, now: percent)"},
+    {EventKind::LoadNormal, "... below 60 % (was, now)"},
+    {EventKind::ErrorFrames, "error frames begin"},
+    {EventKind::ErrorFramesOver, "... none for 1 s (frames)"},
+    {EventKind::BusOff, "the adapter is bus-off"},
+    {EventKind::ErrorPassive, "the adapter is error-passive"},
+    {EventKind::ErrorActive, "... error-active again"},
+    {EventKind::ClockJump, "the clock of the log jumps"},
+}};
+
+// Of the notes, whose keys `deckpipectl watch` has too.
+constexpr const char* kNotesHelp =
+    "mark (text), link_up (adapter), link_down (reason, words), dropped (frames), locked, unlocked, "
+    "own_address "
+    "(reason),\n"
+    "drive_said, drive_unsaid, asked (ask), ask_ended (ask, end), ask_waits (ask), still_waits (frames), "
+    "pipe (file),\n"
+    "left_out (frames), label (text), added (frames)";
+
+std::string faultKey(std::int64_t bit) {
+  const auto found =
+      std::ranges::find(akron::kFaultBits, static_cast<std::uint64_t>(bit),
+                        [](const auto& name) { return static_cast<std::uint64_t>(name.value); });
+  return found != akron::kFaultBits.end() ? std::string(found->word) : "reserved_bit_" + std::to_string(bit);
+}
+
+std::string nameKey(std::int64_t name) {
+  std::string text;
+  if (name != 0) appendHex(text, static_cast<std::uint64_t>(name), 16);
+  return text;
+}
+
+// "47.3", "-5.5"
+std::string tenthsText(std::int64_t tenths) {
+  char text[32];
+  std::snprintf(text, sizeof text, tenths % 10 == 0 ? "%.0f" : "%.1f", static_cast<double>(tenths) / 10);
+  return text;
+}
+
+std::string secondsText(Duration time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", static_cast<double>(time.count()) / 1e9);
+  return text;
+}
+
+std::string_view status2Key(std::int64_t status) {
+  return kStatus2Keys[static_cast<std::size_t>(status) & 3];
+}
+
+const char* sideOf(const Event& event) { return event.isPlus ? "plus" : "minus"; }
+
+void addDetail(JsonLine& line, const Event& event) {
+  const EventDetail detail = kEvents[event.kind].detail;
+  if (event.axis != 0) line.add("axis", std::int64_t{event.axis});
+  switch (detail) {
+    case EventDetail::None: break;
+    case EventDetail::Flag: line.add("was", event.was != 0).add("now", event.now != 0); break;
+    case EventDetail::Address:
+    case EventDetail::Percent: line.add("was", event.was).add("now", event.now); break;
+    case EventDetail::Name:
+      for (const auto& [key, name] : {std::pair("was", event.was), std::pair("now", event.now)})
+        name == 0 ? line.add(key, Value()) : line.add(key, nameKey(name));
+      break;
+    case EventDetail::Fault: line.add("fault", faultKey(event.now)); break;
+    case EventDetail::Code: {
+      const std::int64_t code = event.now != 0 ? event.now : event.was;
+      code == 0 ? line.add("code", Value()) : line.add("code", code);
+      if (event.kind == EventKind::ErrorCode || event.kind == EventKind::ErrorCodeCleared)
+        line.add("was", event.was).add("now", event.now);
+      break;
+    }
+    case EventDetail::Stop:
+      line.add("side", sideOf(event)).add("was", status2Key(event.was)).add("now", status2Key(event.now));
+      break;
+    case EventDetail::Degrees:
+      line.add("side", sideOf(event));
+      line.addNumber("was", tenthsText(event.was)).addNumber("now", tenthsText(event.now));
+      break;
+    case EventDetail::Length: line.add("ms", event.now / 1'000'000); break;
+    case EventDetail::Source: line.add("by", event.now); break;
+    case EventDetail::Frames: line.add("frames", event.now); break;
+  }
+}
+
+std::string detailText(const Event& event) {
+  std::string text;
+  const auto change = [&](const std::string& was, const std::string& now) {
+    text += ": " + was + " -> " + now;
+  };
+  if (event.axis != 0) {
+    text += ", axis " + std::to_string(event.axis);
+    const EventDetail detail = kEvents[event.kind].detail;
+    if (detail == EventDetail::Stop || detail == EventDetail::Degrees) text += event.isPlus ? " +" : " -";
+  }
+  char hex[16];
+  switch (kEvents[event.kind].detail) {
+    case EventDetail::None:
+    case EventDetail::Flag: break;
+    case EventDetail::Address:
+      std::snprintf(hex, sizeof hex, "%02X -> %02X", static_cast<unsigned>(event.was & 0xFF),
+                    static_cast<unsigned>(event.now & 0xFF));
+      text += std::string(": ") + hex;
+      break;
+    case EventDetail::Percent:
+      change(std::to_string(event.was) + " %", std::to_string(event.now) + " %");
+      break;
+    case EventDetail::Name:
+      if (event.now != 0) text += " to NAME " + nameKey(event.now);
+      break;
+    case EventDetail::Fault: text += ": " + faultKey(event.now); break;
+    case EventDetail::Code:
+      if (event.now != 0 && event.was != 0) {
+        change(std::to_string(event.was), std::to_string(event.now));
+      } else if (event.now + event.was != 0) {
+        text += ": " + std::to_string(event.now + event.was);
+      }
+      break;
+    case EventDetail::Stop: break;
+    case EventDetail::Degrees: change(tenthsText(event.was), tenthsText(event.now)); break;
+    case EventDetail::Length: text += ", after " + std::to_string(event.now / 1'000'000) + " ms"; break;
+    case EventDetail::Source:
+      std::snprintf(hex, sizeof hex, ", by %02X", static_cast<unsigned>(event.now & 0xFF));
+      text += hex;
+      break;
+    case EventDetail::Frames: text += ": " + std::to_string(event.now); break;
+  }
+  return text;
+}
+
+std::string whoText(const Pin& pin, Address address, NodeId node) {
+  if (!pin.isNull()) return std::string(pin.text());
+  char text[16];
+  if (node.value != 0) {
+    std::snprintf(text, sizeof text, "node %02X", node.value);
+    return text;
+  }
+  if (address == kNullAddress) return "-";
+  std::snprintf(text, sizeof text, "%02X", address.value);
+  return text;
+}
+
+std::string spoken(std::string_view key) {
+  std::string text(key);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+}  // namespace
+
+std::int64_t EventLines::stampOf(Instant time) const {
+  const Frame& first = m_frames[0];
+  return first.hasStamp() ? saturatedPlus(first.stamp, saturatedMinus(time.ns, m_frames.timeAt(0).ns))
+                          : kNoStamp;
+}
+
+void EventLines::append(std::string& out, const Event& event) const {
+  out += m_asJson ? json(event) : text(event);
+}
+
+void EventLines::append(std::string& out, const Note& note) const {
+  if (m_asJson) {
+    out += json(note);
+    return;
+  }
+  const std::string_view key = noteKey(note.value);
+  const auto channel = channelOf(note.value);
+  std::string who = "-";
+  std::visit(
+      [&](const auto& n) {
+        if constexpr (requires {
+                        n.pin;
+                        n.address;
+                      }) {
+          who = whoText(n.pin, n.address, {});
+        } else if constexpr (requires { n.pin; }) {
+          who = whoText(n.pin, kNullAddress, {});
+        } else if constexpr (requires { n.address; }) {
+          who = whoText({}, n.address, {});
+        }
+      },
+      note.value);
+  std::string what = spoken(key);
+  std::visit(Overload{[&](const note::Mark& n) { what += ": " + n.text.str(); },
+                      [&](const note::Asked& n) { what += ": " + std::string(askWord(n.ask)); },
+                      [&](const note::AskWaits& n) { what += ": " + std::string(askWord(n.ask)); },
+                      [&](const note::AskEnded& n) {
+                        what += ": " + std::string(askWord(n.ask)) + ", " + spoken(endWord(n.ask, n.end));
+                      },
+                      [&](const note::Dropped& n) { what += ": " + std::to_string(n.count) + " frames"; },
+                      [&](const note::StillWaits& n) { what += ": " + std::to_string(n.count) + " frames"; },
+                      [&](const note::LeftOut& n) { what += ": " + std::to_string(n.count) + " frames"; },
+                      [&](const note::Added& n) { what += ": " + std::to_string(n.count) + " frames"; },
+                      [&](const note::Label& n) { what += ": " + std::string(n.text.str()); },
+                      [&](const note::LinkUp& n) {
+                        if (!n.adapter.isEmpty()) what += ": " + std::string(n.adapter.str());
+                      },
+                      [](const auto&) {}},
+             note.value);
+  out += begin(who, noteWeight(note.value), note.time, channel ? m_frames.channelName(channel->value) : "-") +
+         what + "\n";
+}
+
+// "      12.300  can0   1032AE100801035  warning  "
+std::string EventLines::begin(std::string_view who, EventWeight weight, Instant time,
+                              std::string_view channel) const {
+  char text[128];
+  const std::string_view word = kEventWeightKeys[weight];
+  std::snprintf(text, sizeof text, "%12s  %-6.*s %-15.*s  %-7.*s  ",
+                secondsText(time - m_frames.timeAt(0)).c_str(), static_cast<int>(channel.size()),
+                channel.data(), static_cast<int>(who.size()), who.data(), static_cast<int>(word.size()),
+                word.data());
+  return text;
+}
+
+std::string EventLines::text(const Event& event) const {
+  std::string line = begin(whoText(event.pin, event.address, event.node), kEvents[event.kind].weight,
+                           event.time, m_frames.channelName(event.channel.value)) +
+                     spoken(kEvents[event.kind].key) + detailText(event);
+  if (!event.other.isNull()) line += ", the other is " + std::string(event.other.text());
+  if (event.since != kNotYet) line += ", since " + secondsText(event.since - m_frames.timeAt(0));
+  if (event.folded > 0) line += " (" + std::to_string(event.folded) + " changes before it left out)";
+  return line + "\n";
+}
+
+std::string EventLines::json(const Event& event) const {
+  const EventFacts& facts = kEvents[event.kind];
+  JsonLine line;
+  line.add("event", facts.key).addTime("t", stampOf(event.time));
+  line.add("channel", m_frames.channelName(event.channel.value));
+  if (!event.pin.isNull()) line.add("pin", event.pin);
+  if (event.address != kNullAddress) line.add("address", event.address);
+  if (event.node.value != 0) line.add("node", std::int64_t{event.node.value});
+  line.add("weight", kEventWeightKeys[facts.weight]);
+  addDetail(line, event);
+  if (!event.other.isNull()) line.add("other_pin", event.other);
+  if (event.since != kNotYet) line.addTime("since", stampOf(event.since));
+  if (event.folded > 0) line.add("folded", std::int64_t{event.folded});
+  return line.text();
+}
+
+std::string EventLines::json(const Note& note) const {
+  JsonLine line;
+  line.add("event", noteKey(note.value)).addTime("t", stampOf(note.time));
+  if (const auto channel = channelOf(note.value)) line.add("channel", m_frames.channelName(channel->value));
+  std::visit(
+      [&](const auto& n) {
+        if constexpr (requires { n.pin; }) {
+          if (!n.pin.isNull()) line.add("pin", n.pin);
+        }
+        if constexpr (requires { n.address; }) {
+          if (n.address != kNullAddress) line.add("address", n.address);
+        }
+      },
+      note.value);
+  line.add("weight", kEventWeightKeys[noteWeight(note.value)]);
+  std::visit(
+      Overload{
+          [&](const note::Mark& n) { line.add("text", n.text.str()); },
+          [&](const note::LinkDown& n) {
+            line.add("reason", kLinkFaultKeys[n.fault]);
+            if (!n.words.isEmpty()) line.add("words", n.words.str());
+          },
+          [&](const note::Dropped& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+          [&](const note::StillWaits& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+          [&](const note::OwnAddress& n) { line.add("reason", ownAddressWord(n.how)); },
+          [&](const note::Asked& n) { line.add("ask", askWord(n.ask)); },
+          [&](const note::AskWaits& n) { line.add("ask", askWord(n.ask)); },
+          [&](const note::AskEnded& n) { line.add("ask", askWord(n.ask)).add("end", endWord(n.ask, n.end)); },
+          [&](const note::Pipe& n) {
+            if (!n.file.isEmpty()) line.add("file", n.file.str());
+          },
+          [&](const note::LinkUp& n) {
+            if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
+          },
+          [&](const note::LeftOut& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+          [&](const note::Added& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+          [&](const note::Label& n) { line.add("text", n.text.str()); }, [](const note::Locked&) {},
+          [](const note::Unlocked&) {}, [](const note::DriveSaid&) {}},
+      note.value);
+  return line.text();
+}
+
+std::string eventKeysHelp() {
+  std::string text = "Events:\n";
+  for (const EventKind kind : kAllOf<EventKind>) {
+    std::string key(kEvents[kind].key);
+    key.resize(25, ' ');
+    text += "  " + key + kMeanings[kind] + "\n";
+  }
+  return text + "Notes of a recording:\n" + kNotesHelp + "\n";
+}
+
+}  // namespace deckpipe::ctl

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Events and notes of a log as lines, for `deckpipectl events`: one JSON object each, or text for people.
+#pragma once
+
+#include <string>
+
+#include "log/frame_store.h"
+#include "log/note.h"
+#include "state/event.h"
+
+namespace deckpipe::ctl {
+
+class EventLines {
+ public:
+  EventLines(const FrameStore& frames, bool asJson) : m_frames(frames), m_asJson(asJson) {}
+
+  // The store must hold a frame.
+  void append(std::string& out, const Event& event) const;
+  void append(std::string& out, const Note& note) const;
+
+ private:
+  std::string begin(std::string_view key, EventWeight weight, Instant time, std::string_view channel) const;
+  std::string json(const Event& event) const;
+  std::string text(const Event& event) const;
+  std::string json(const Note& note) const;
+  // Log time as the first frame's stamp counts it, in nanoseconds; kNoStamp in a log without stamps.
+  std::int64_t stampOf(Instant time) const;
+
+  const FrameStore& m_frames;
+  bool m_asJson;
+};
+
+// The paragraph of --help with every key and what it means.
+std::string eventKeysHelp();
+
+}  // namespace deckpipe::ctl

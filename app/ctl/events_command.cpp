@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// deckpipectl events: what changed in a log, and when.
+#include <algorithm>
+
+#include "arguments.h"
+#include "command.h"
+#include "event_lines.h"
+#include "log_input.h"
+#include "output.h"
+#include "state/advance.h"
+#include "state/event_walk.h"
+
+namespace deckpipe::ctl {
+namespace {
+
+// Walks the store as it grows, and tells events and notes in the order of their times.
+class EventTeller {
+ public:
+  EventTeller(const LogInput& input, bool asJson)
+      : m_frames(input.frames), m_notes(input.notes), m_lines(input.frames, asJson) {}
+
+  // Everything that has come since the last call. False where standard output takes no more.
+  bool tellNew() {
+    const std::uint64_t count = m_frames.count();
+    if (count == 0) return true;
+    const Cursor end = cursorAfter(m_frames, count);
+    m_found.clear();
+    m_walk.advance(m_frames, m_notes, end, m_found);
+    const std::vector<Note> notes = m_notes.between(m_told, count);
+    m_told = count;
+    auto note = notes.begin();
+    for (const Event& event : m_found) {
+      for (; note != notes.end() && std::pair(note->time, note->frame) < std::pair(event.time, event.frame);
+           ++note)
+        m_lines.append(m_output.text(), *note);
+      m_lines.append(m_output.text(), event);
+    }
+    for (; note != notes.end(); ++note) m_lines.append(m_output.text(), *note);
+    return m_output.flush();
+  }
+  // The notes behind the last frame.
+  bool tellRest() {
+    if (m_frames.count() == 0) return true;
+    for (const Note& note : m_notes.between(m_told, m_frames.count() + 1))
+      m_lines.append(m_output.text(), note);
+    return m_output.flush();
+  }
+
+ private:
+  const FrameStore& m_frames;
+  const NoteStore& m_notes;
+  EventLines m_lines;
+  EventWalk m_walk;
+  std::vector<Event> m_found;
+  std::uint64_t m_told = 0;  // notes before this frame
+  Output m_output;
+};
+
+}  // namespace
+
+ExitStatus eventsCommand(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QStringLiteral(
+          "Says what changed in a log and when, one line each: time (seconds since the begin), channel,\n"
+          "device (PIN, address or node), weight and what happened.\n"
+          "With --json: event, t (seconds as 'deckpipectl decode' has them), channel, pin, address or node,\n"
+          "weight (info, warning, fault) and what stands in brackets below; since (t) and folded (changes\n"
+          "right before that were left out, as they came too fast for a reader) where they say "
+          "something.\n\n") +
+      QString::fromStdString(eventKeysHelp()));
+  parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
+  const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object a line."));
+  const QCommandLineOption deltas = deltasOption();
+  parser.addOptions({json, deltas});
+  if (const auto status = parse(parser, arguments)) return *status;
+  if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("events: one FILE is wanted"));
+
+  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
+  EventTeller teller(input, parser.isSet(json));
+  bool written = true;
+  const ExitStatus status = input.read([&] { return written = teller.tellNew(); });
+  written = written && teller.tellRest();
+  return written ? status : kNotWhole;
+}
+
+}  // namespace deckpipe::ctl

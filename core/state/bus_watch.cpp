@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/bus_watch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "state/health.h"
+
+namespace deckpipe {
+namespace {
+
+// More NAMEs without an address than a bus has addresses are not told apart.
+constexpr std::size_t kMostNames = 256;
+// So often it is looked whether two devices still share an address.
+constexpr Duration kSharedAgain = 1s;
+
+// What a controller is told as: the last one that speaks of its errors.
+EventKind kindOf(ControllerState state) {
+  switch (state) {
+    case ControllerState::BusOff: return EventKind::BusOff;
+    case ControllerState::ErrorPassive: return EventKind::ErrorPassive;
+    case ControllerState::Unknown:
+    case ControllerState::ErrorActive:
+    case ControllerState::ErrorWarning:
+    case ControllerState::Stopped:
+    case ControllerState::Sleeping: break;
+  }
+  return EventKind::ErrorActive;
+}
+
+}  // namespace
+
+Event BusWatch::eventOf(const State& state, EventKind kind, Address address) const {
+  Event event;
+  event.kind = kind;
+  event.frame = state.cursor().frames;
+  event.time = state.cursor().time;
+  event.channel = m_channel;
+  event.address = address;
+  return event;
+}
+
+void BusWatch::beginSecond(const State& state) {
+  const Instant now = state.cursor().time;
+  if (m_first == kNotYet) m_first = now;
+  m_secondEnd = now + 1s;
+  m_bits = state.channel(m_channel).bits;
+}
+
+void BusWatch::errorCame(const State& state, std::vector<Event>& out) {
+  m_burstEnd = state.cursor().time + kErrorPause;
+  ++m_errors;
+  compareErrors(state, out);
+  compareController(state, out);
+}
+
+void BusWatch::compareErrors(const State& state, std::vector<Event>& out) {
+  const bool isBurst = m_burstEnd != kNever;
+  if (!m_burst.moves(isBurst ? 1 : 0, state.cursor().time, m_retry)) return;
+  Event event = eventOf(state, isBurst ? EventKind::ErrorFrames : EventKind::ErrorFramesOver);
+  if (!isBurst) event.now = static_cast<std::int64_t>(std::exchange(m_errors, 0u));
+  m_burst.settle(event);
+  out.push_back(event);
+}
+
+void BusWatch::compareController(const State& state, std::vector<Event>& out) {
+  const EventKind kind = kindOf(state.channel(m_channel).controller);
+  if (!m_controller.moves(static_cast<std::uint64_t>(kind), state.cursor().time, m_retry)) return;
+  Event event = eventOf(state, kind);
+  m_controller.settle(event);
+  out.push_back(event);
+}
+
+void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out) {
+  const AddressBook& book = state.channel(m_channel).book;
+  m_contestsDue = book.nextDecision();
+  for (std::size_t a = 0; a < kNullAddress.value; ++a) {
+    const Address address{static_cast<std::uint8_t>(a)};
+    const Name holder = book.holder(address);
+    const Name before = std::exchange(m_holders[a], holder);
+    if (holder == before) continue;
+    std::erase(m_cannotClaim, holder);
+    Event event = eventOf(state, EventKind::AddressLost, address);
+    const Instant since = std::exchange(m_heldSince[a], event.time);
+    // Who claims an address and gives way within the time for that never had it.
+    if (holder.isNull() || before.isNull() || event.time - since < kClaimTime) continue;
+    bool isTold = false;
+    for (DeviceWatch& device : devices) {
+      if (!device.isUsed() || device.channel() != m_channel) continue;
+      const bool isLoser = !device.pin().isNull() && isNameOf(before, device.pin());
+      if (isLoser) event.pin = device.pin();
+      if (device.address() != address) isTold = isTold || isLoser;
+      if (device.address() == address && (isLoser || device.pin().isNull())) device.addressWasTaken();
+    }
+    if (isTold || !m_losses.happens(event.time)) continue;
+    event.was = static_cast<std::int64_t>(before.value);
+    event.now = static_cast<std::int64_t>(holder.value);
+    m_losses.settle(event);
+    out.push_back(event);
+  }
+}
+
+// Asked again and again, it says so again: that is told once.
+void BusWatch::cannotClaim(const State& state, Name name, std::span<DeviceWatch> devices,
+                           std::vector<Event>& out) {
+  if (name.isNull() || m_cannotClaim.size() >= kMostNames) return;
+  if (std::ranges::find(m_cannotClaim, name) != m_cannotClaim.end()) return;
+  m_cannotClaim.push_back(name);
+  Event event = eventOf(state, EventKind::CannotClaim);
+  event.was = static_cast<std::int64_t>(name.value);
+  const auto holder = std::ranges::find(m_holders, name);
+  if (holder != m_holders.end()) event.address = {static_cast<std::uint8_t>(holder - m_holders.begin())};
+  for (DeviceWatch& device : devices) {
+    if (!device.isUsed() || device.channel() != m_channel) continue;
+    const bool hadIt = event.address != kNullAddress && device.address() == event.address;
+    if (hadIt || (!device.pin().isNull() && isNameOf(name, device.pin()))) event.pin = device.pin();
+    if (hadIt) device.addressWasTaken();
+  }
+  out.push_back(event);
+}
+
+void BusWatch::lookAtShared(const State& state, std::vector<Event>& out) {
+  std::bitset<256> shared;
+  for (const Device& device : state.devices().all()) {
+    if (device.kind == Device::Kind::Free || device.channel != m_channel) continue;
+    const Address address = healthOf(state, device).sharedAddress;
+    if (address != kNullAddress) shared.set(address.value);
+  }
+  m_sharedDue = shared.any() ? state.cursor().time + kSharedAgain : kNever;
+  for (std::size_t a = 0; a < shared.size(); ++a) {
+    if (shared[a] == m_shared[a]) continue;
+    const Address address{static_cast<std::uint8_t>(a)};
+    Event event =
+        eventOf(state, shared[a] ? EventKind::TwoAtOneAddress : EventKind::TwoAtOneAddressOver, address);
+    if (const Device* device = state.devices().byAddress(m_channel, address)) event.pin = device->pin;
+    for (const Device& device : state.devices().all()) {
+      if (device.kind != Device::Kind::Pin || device.channel != m_channel || device.pin == event.pin)
+        continue;
+      if (device.address == kNullAddress && device.previousAddress() == address) event.other = device.pin;
+    }
+    out.push_back(event);
+  }
+  m_shared = shared;
+}
+
+bool BusWatch::stickCame(const State& state, Address source, std::vector<Event>& out) {
+  const auto sticks = state.channel(m_channel).joysticks.all();
+  for (std::size_t i = 0; i < sticks.size(); ++i) {
+    if (sticks[i].source != source) continue;
+    const bool isBack = m_sticks[i].look(state, m_channel, sticks[i], isSettled(state.cursor().time), out);
+    m_sticksDue = std::min(m_sticksDue, m_sticks[i].due());
+    return isBack;
+  }
+  return false;
+}
+
+// Full seconds are judged, and only where an Akron device speaks J1939: of other buses the rate is not known.
+void BusWatch::judgeLoad(const State& state, std::vector<Event>& out) {
+  const std::uint64_t bits = state.channel(m_channel).bits;
+  const std::uint64_t carried = bits - std::exchange(m_bits, bits);
+  m_secondEnd = carried > 0 ? state.cursor().time + 1s : kNever;
+  m_percentBefore = m_percent;
+  m_percent = static_cast<std::int64_t>(carried * 100 / kBitRate);
+  m_isFaster = m_isFaster || m_percent > 100;
+  compareLoad(state, out);
+}
+
+void BusWatch::compareLoad(const State& state, std::vector<Event>& out) {
+  const bool isAkron = std::ranges::any_of(state.devices().all(), [this](const Device& d) {
+    return (d.kind == Device::Kind::Pin || d.kind == Device::Kind::Address) && d.channel == m_channel;
+  });
+  const bool wasHigh = m_load.shown() != 0;
+  const bool isHigh = isAkron && !m_isFaster && m_percent >= (wasHigh ? kNormal : kHigh);
+  if (!m_load.moves(isHigh ? 1 : 0, state.cursor().time, m_retry)) return;
+  Event event = eventOf(state, isHigh ? EventKind::LoadHigh : EventKind::LoadNormal);
+  event.was = m_percentBefore;
+  event.now = m_percent;
+  m_load.settle(event);
+  out.push_back(event);
+}
+
+void BusWatch::timeCame(const State& state, std::vector<Event>& out) {
+  const Instant now = state.cursor().time;
+  if (m_burstEnd <= now) {
+    m_burstEnd = kNever;
+    compareErrors(state, out);
+  }
+  if (m_sharedDue <= now) lookAtShared(state, out);
+  if (m_sticksDue <= now) {
+    m_sticksDue = kNever;
+    const auto sticks = state.channel(m_channel).joysticks.all();
+    for (std::size_t i = 0; i < sticks.size(); ++i) {
+      m_sticks[i].timeCame(state, m_channel, sticks[i], out);
+      m_sticksDue = std::min(m_sticksDue, m_sticks[i].due());
+    }
+  }
+  if (m_secondEnd <= now) judgeLoad(state, out);
+  if (m_retry > now) return;
+  m_retry = kNever;
+  compareErrors(state, out);
+  compareController(state, out);
+  compareLoad(state, out);
+}
+
+}  // namespace deckpipe

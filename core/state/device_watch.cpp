@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/device_watch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/akron.h"
+#include "protocol/gateway.h"
+#include "state/health.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr BitRange kRotation = fieldOf(akron::kPositionLimitStatusFields, "rotation_deg").bits;
+constexpr BitRange kElevation = fieldOf(akron::kPositionLimitStatusFields, "elevation_deg").bits;
+constexpr std::uint64_t kAngles = checks::bitSet(kRotation) | checks::bitSet(kElevation);
+
+// Two positions with the same bits differ at most in where the monitor points. Whether there is an angle at all
+// stands in place of the angle.
+std::uint64_t statusBitsOf(const Payload& data) {
+  std::uint64_t bits = loadLittle(data) & ~kAngles;
+  if (readBits(data, kRotation) == kRotation.mask()) bits |= checks::bitSet(kRotation);
+  if (readBits(data, kElevation) == kElevation.mask()) bits |= checks::bitSet(kElevation);
+  return bits;
+}
+
+// The messages that say the same until something changes.
+constexpr EnumArray<MessageId, bool> kIsRepeated = [] {
+  EnumArray<MessageId, bool> is;
+  for (const MessageId id : kOwnPeriodicReports) is[id] = true;
+  return is;
+}();
+
+constexpr std::uint8_t kRotationAxis = 1, kElevationAxis = 2;
+
+Event onAxis(Event event, std::size_t axis, bool isPlus) {
+  event.axis = static_cast<std::uint8_t>(axis);
+  event.isPlus = isPlus;
+  return event;
+}
+
+// The time of the last message that it repeats; of what repeats nothing, when it was heard.
+Instant lastBeat(const State& state, const Device& device) {
+  Instant last = device.lastStatus;
+  if (device.kind != Device::Kind::Node) {
+    if (const Joystick* stick = state.channel(device.channel).joysticks.find(device.address))
+      last = std::max({last, stick->basic.at, stick->extended.at});
+  }
+  return last == kNotYet ? device.lastHeard : last;
+}
+
+}  // namespace
+
+bool DeviceWatch::isOf(const Device& device) const {
+  if (device.kind == Device::Kind::Free || device.channel != m_channel) return false;
+  switch (m_kind) {
+    case Device::Kind::Free: return false;
+    case Device::Kind::Pin: return device.kind == m_kind && device.pin == m_pin;
+    case Device::Kind::Node: return device.kind == m_kind && device.node == m_node;
+    // It may have said its PIN meanwhile.
+    case Device::Kind::Address: return device.kind != Device::Kind::Node && device.address == m_address;
+  }
+  return false;
+}
+
+void DeviceWatch::begin(const Device& device, Instant now) {
+  *this = {};
+  m_kind = device.kind;
+  m_channel = device.channel;
+  m_address = device.address;
+  m_hasAddress = device.address != kNullAddress;
+  m_node = device.node;
+  m_pin = device.pin;
+  m_restarted = device.restarted;
+  m_silenceDue = now + kSilentAfter;
+}
+
+Event DeviceWatch::eventOf(const State& state) const {
+  Event event;
+  event.frame = state.cursor().frames;
+  event.time = state.cursor().time;
+  event.channel = m_channel;
+  event.address = m_kind == Device::Kind::Node ? kNullAddress : m_address;
+  event.node = m_node;
+  event.pin = m_pin;
+  return event;
+}
+
+Event DeviceWatch::appeared(const State& state) const {
+  Event event = eventOf(state);
+  event.kind = EventKind::Appeared;
+  return event;
+}
+
+void DeviceWatch::linkChanged(Instant time) {
+  m_linkChanged = time;
+  if (!m_isSilent) m_silenceDue = time + kSilentAfter;
+}
+
+void DeviceWatch::heard(const State& state, const Device& device, std::vector<Event>& out) {
+  if (m_isSilent) {
+    if (lastBeat(state, device) == m_silentSince || healthOf(state, device).has(HealthCause::Silent)) return;
+    m_isSilent = false;
+    compareSilence(state, out);
+  }
+  if (m_silenceDue == kNever) m_silenceDue = state.cursor().time + kSilentAfter;
+}
+
+// Nothing can be heard while the link is down, which is told by itself.
+void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::vector<Event>& out) {
+  const Instant now = state.cursor().time;
+  const Instant due = std::max(lastBeat(state, device), m_linkChanged) + kSilentAfter;
+  m_silenceDue = due > now ? due : kNever;
+  if (m_silenceDue != kNever || state.channel(m_channel).link == ChannelLink::Down) return;
+  const Health health = healthOf(state, device);
+  if (!health.has(HealthCause::Silent)) return;
+  m_isSilent = true;
+  m_silentSince = health.since;
+  compareSilence(state, out);
+}
+
+void DeviceWatch::compareSilence(const State& state, std::vector<Event>& out) {
+  Event event = eventOf(state);
+  if (!m_silence.moves(m_isSilent ? 1 : 0, event.time, m_retry)) return;
+  event.kind = m_isSilent ? EventKind::Silent : EventKind::Back;
+  if (m_isSilent) {
+    event.since = m_silentSince;
+  } else {
+    event.now = (event.time - m_silentSince).count();
+  }
+  m_silence.settle(event);
+  out.push_back(event);
+}
+
+void DeviceWatch::timeCame(const State& state, const Device& device, std::vector<Event>& out) {
+  const Instant now = state.cursor().time;
+  if (m_silenceDue <= now) lookAtSilence(state, device, out);
+  if (m_permissiveDue <= now) comparePermissive(state, device, out);
+  if (m_retry > now) return;
+  m_retry = kNever;
+  m_compared = noneCompared();
+  compareSilence(state, out);
+  for (const MessageId id : kReports) {
+    if (device.report(id).isKnown()) compare(state, device, id, out);
+  }
+}
+
+void DeviceWatch::lookAtIdentity(const State& state, const Device& device, std::vector<Event>& out) {
+  m_kind = device.kind;
+  m_pin = device.pin;
+  if (device.kind != Device::Kind::Node) {
+    const bool hasAddress = device.address != kNullAddress;
+    Event event = eventOf(state);
+    if (!hasAddress && m_hasAddress) {
+      event.kind = EventKind::AddressLost;
+      if (m_moves.happens(event.time)) {
+        m_moves.settle(event);
+        out.push_back(event);
+      }
+    } else if (hasAddress && device.address != m_address) {
+      event.kind = EventKind::MovedAddress;
+      event.was = m_address.value;
+      event.now = device.address.value;
+      event.address = m_address = device.address;
+      if (m_moves.happens(event.time)) {
+        m_moves.settle(event);
+        out.push_back(event);
+      }
+    }
+    m_hasAddress = hasAddress;
+  }
+  if (device.restarted != m_restarted) {
+    m_restarted = device.restarted;
+    Event event = eventOf(state);
+    if (!m_restarts.happens(event.time)) return;
+    event.kind = EventKind::Restarted;
+    m_restarts.settle(event);
+    out.push_back(event);
+  }
+}
+
+// Nearly every report says what the one before it said.
+bool DeviceWatch::isAsCompared(const Device& device, MessageId id) {
+  if (!kIsRepeated[id]) return false;
+  const Payload data = device.report(id).frame().data;
+  const std::uint64_t bits = id == MessageId::PositionLimitStatus ? statusBitsOf(data) : loadLittle(data);
+  return std::exchange(m_compared[kReportPlaces[id]], bits) == bits;
+}
+
+void DeviceWatch::compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out) {
+  const Event event = eventOf(state);
+  switch (id) {
+    case MessageId::PositionLimitStatus: comparePosition(state, device, out); break;
+    case MessageId::RotationSoftLimits: {
+      const SoftLimits limits = device.rotationLimits().value();
+      if (limits.oscillating) break;  // then these are the oscillation's
+      compareLimit(0, limits.low, onAxis(event, kRotationAxis, false), out);
+      compareLimit(1, limits.high, onAxis(event, kRotationAxis, true), out);
+      break;
+    }
+    case MessageId::ElevationSoftLimits: {
+      const SoftLimits limits = device.elevationLimits().value();
+      compareLimit(2, limits.low, onAxis(event, kElevationAxis, false), out);
+      compareLimit(3, limits.high, onAxis(event, kElevationAxis, true), out);
+      break;
+    }
+    case MessageId::DigitalOutputs: {
+      const DigitalOutputs outputs = device.outputs().value();
+      compareFlag(m_enable, outputs.enable, EventKind::Enabled, EventKind::Disabled, event, out);
+      compareFlag(m_remote, outputs.remoteMode, EventKind::RemoteMode, EventKind::RemoteModeOver, event, out);
+      compareFlag(m_stowed, outputs.stowed, EventKind::Stowed, EventKind::NotStowed, event, out);
+      break;
+    }
+    case MessageId::MiniDigitalOutputs:
+      compareFlag(m_deviceFaulted, device.miniOutputs().value().deviceFaulted, EventKind::DeviceFaulted,
+                  EventKind::DeviceFaultedOver, event, out);
+      break;
+    case MessageId::SoePermissive: comparePermissive(state, device, out); break;
+    case MessageId::FaultResponse:
+    case MessageId::SdoReadResponse: compareFaults(state, device, out); break;
+    case MessageId::Heartbeat:
+      lookAtIdentity(state, device, out);
+      compareFlag(m_operational, device.heartbeat().value() == gateway::kOperational, EventKind::Operational,
+                  EventKind::NotOperational, event, out);
+      break;
+    default: break;
+  }
+}
+
+void DeviceWatch::comparePosition(const State& state, const Device& device, std::vector<Event>& out) {
+  const PositionLimitStatus status = device.position().value();
+  const Event event = eventOf(state);
+  compareFlag(m_rotationError, status.rotation.state == PositionState::SensorError, EventKind::SensorError,
+              EventKind::SensorErrorOver, onAxis(event, kRotationAxis, false), out);
+  compareFlag(m_elevationError, status.elevation.state == PositionState::SensorError, EventKind::SensorError,
+              EventKind::SensorErrorOver, onAxis(event, kElevationAxis, false), out);
+  const bool hadError = m_operationalError.shown() != 0;
+  compareFlag(m_operationalError, status.operationalError == Status2::On, EventKind::OperationalError,
+              EventKind::OperationalErrorOver, event, out);
+  // The code belongs to the error that is over: the next one is asked anew.
+  if (hadError && m_operationalError.shown() == 0) m_errorCode = EventSlot(0);
+  for (std::size_t axis = 0; axis < m_plusStops.size(); ++axis) {
+    compareStop(m_plusStops[axis], status.plusStop[axis], onAxis(event, axis + 1, true), out);
+    compareStop(m_minusStops[axis], status.minusStop[axis], onAxis(event, axis + 1, false), out);
+  }
+}
+
+// A node answers for its error code apart from its faults.
+void DeviceWatch::compareFaults(const State& state, const Device& device, std::vector<Event>& out) {
+  Event event = eventOf(state);
+  std::optional<std::uint16_t> code;
+  if (device.operationalErrorCode.isKnown()) code = device.operationalErrorCode.value;
+  if (const auto answer = device.faults(); answer.isKnown()) {
+    const FaultStatus faults = answer.value();
+    if (faults.pcodeError) code = faults.pcodeError;
+    if (m_faults.moves(faults.map, event.time, m_retry)) {
+      const std::uint64_t changed = m_faults.shown() ^ faults.map;
+      m_faults.settle(event);
+      for (unsigned bit = 0; bit < 32; ++bit) {
+        if ((changed >> bit & 1u) == 0) continue;
+        const bool isRaised = (faults.map >> bit & 1u) != 0;
+        event.kind = isRaised ? EventKind::Fault : EventKind::FaultCleared;
+        event.was = event.now = bit;
+        out.push_back(event);
+      }
+    }
+  }
+  event = eventOf(state);
+  if (!code || !m_errorCode.moves(*code, event.time, m_retry)) return;
+  event.kind = *code != 0 ? EventKind::ErrorCode : EventKind::ErrorCodeCleared;
+  event.was = static_cast<std::int64_t>(m_errorCode.shown());
+  event.now = *code;
+  m_errorCode.settle(event);
+  out.push_back(event);
+}
+
+void DeviceWatch::comparePermissive(const State& state, const Device& device, std::vector<Event>& out) {
+  const bool isStale = device.isStale(MessageId::SoePermissive);
+  const Permissive p = device.permissive().value();
+  const bool any = p.axis1Plus || p.axis1Minus || p.axis2Plus || p.axis2Minus;
+  m_permissiveDue = isStale ? kNever : device.permissive().at + staleAfter(MessageId::SoePermissive);
+  compareFlag(m_permissive, any && !isStale, EventKind::PermissiveBack, EventKind::PermissiveLost,
+              eventOf(state), out);
+}
+
+void DeviceWatch::compareFlag(EventSlot& slot, bool value, EventKind on, EventKind off, Event event,
+                              std::vector<Event>& out) {
+  if (!slot.moves(value ? 1 : 0, event.time, m_retry)) return;
+  event.kind = value ? on : off;
+  event.was = static_cast<std::int64_t>(slot.shown());
+  event.now = value ? 1 : 0;
+  if (kEvents[event.kind].detail == EventDetail::Code) {
+    const auto code = static_cast<std::int64_t>(m_errorCode.shown());
+    event.was = value ? 0 : code;
+    event.now = value ? code : 0;
+  }
+  slot.settle(event);
+  out.push_back(event);
+}
+
+// Not available is neither reached nor left.
+void DeviceWatch::compareStop(EventSlot& slot, Status2 value, Event event, std::vector<Event>& out) {
+  if (value == Status2::NotAvailable) return;
+  if (!slot.moves(static_cast<std::uint64_t>(value), event.time, m_retry)) return;
+  event.kind = value == Status2::On      ? EventKind::StopReached
+               : value == Status2::Error ? EventKind::StopError
+                                         : EventKind::StopLeft;
+  event.was = static_cast<std::int64_t>(slot.shown());
+  event.now = static_cast<std::int64_t>(value);
+  slot.settle(event);
+  out.push_back(event);
+}
+
+void DeviceWatch::compareLimit(std::size_t which, std::int16_t value, Event event, std::vector<Event>& out) {
+  EventSlot& slot = m_limits[which];
+  if (!slot.moves(static_cast<std::uint16_t>(value), event.time, m_retry)) return;
+  event.kind = EventKind::SoftLimitChanged;
+  event.was = static_cast<std::int16_t>(slot.shown());
+  event.now = value;
+  slot.settle(event);
+  if (event.was != event.now) out.push_back(event);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was last told of one device, and what has changed since. EventWalk owns one for each place of Devices. It
+// looks only at the device that a frame touched, and only at what that frame can have changed.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "state/event.h"
+#include "state/event_slot.h"
+#include "state/state.h"
+
+namespace deckpipe {
+
+class DeviceWatch {
+ public:
+  bool isUsed() const { return m_kind != Device::Kind::Free; }
+  // Whether it is still the device that this watches.
+  bool isOf(const Device& device) const;
+  // Begins with a device that the state has just come to know. What is known already is no change.
+  void begin(const Device& device, Instant now);
+
+  // That it is heard for the first time.
+  Event appeared(const State& state) const;
+
+  // A frame came from the device, or one to it that it reports: the last one of `id`, if that is not Count.
+  void look(const State& state, const Device& device, MessageId id, std::vector<Event>& out) {
+    if (m_isSilent || m_silenceDue == kNever) heard(state, device, out);
+    if (id != MessageId::Count && !isAsCompared(device, id)) compare(state, device, id, out);
+  }
+  // Whatever is due by the state's time.
+  void timeCame(const State& state, const Device& device, std::vector<Event>& out);
+  // Its PIN, its address, or when it started may have changed.
+  void lookAtIdentity(const State& state, const Device& device, std::vector<Event>& out);
+  // Another NAME took its address, and that was told.
+  void addressWasTaken() { m_hasAddress = false; }
+  // The link of its channel went up or down.
+  void linkChanged(Instant time);
+
+  // Nothing changes before then unless a frame comes.
+  Instant due() const { return std::min({m_silenceDue, m_permissiveDue, m_retry}); }
+  const Pin& pin() const { return m_pin; }
+  Channel channel() const { return m_channel; }
+  // Null while it has none.
+  Address address() const { return m_hasAddress ? m_address : kNullAddress; }
+
+ private:
+  static constexpr std::array<std::uint64_t, kReports.size()> noneCompared() {
+    std::array<std::uint64_t, kReports.size()> none{};
+    none.fill(~0ull);
+    return none;
+  }
+  bool isAsCompared(const Device& device, MessageId id);
+  Event eventOf(const State& state) const;
+  void heard(const State& state, const Device& device, std::vector<Event>& out);
+  void compareSilence(const State& state, std::vector<Event>& out);
+  void lookAtSilence(const State& state, const Device& device, std::vector<Event>& out);
+  void compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out);
+  void comparePosition(const State& state, const Device& device, std::vector<Event>& out);
+  void compareFaults(const State& state, const Device& device, std::vector<Event>& out);
+  void comparePermissive(const State& state, const Device& device, std::vector<Event>& out);
+  void compareFlag(EventSlot& slot, bool value, EventKind on, EventKind off, Event event,
+                   std::vector<Event>& out);
+  void compareStop(EventSlot& slot, Status2 value, Event event, std::vector<Event>& out);
+  void compareLimit(std::size_t which, std::int16_t value, Event event, std::vector<Event>& out);
+
+  Device::Kind m_kind = Device::Kind::Free;
+  Channel m_channel;
+  Address m_address;  // the last one that it had
+  NodeId m_node;
+  Pin m_pin;
+  bool m_hasAddress = false;
+  bool m_isSilent = false;
+  Instant m_silentSince = kNotYet;  // while it is silent: when it was heard last
+  Instant m_linkChanged = kNotYet;
+  Instant m_restarted = kNotYet;
+  Instant m_silenceDue = kNever;     // it may be silent then; never: once it is heard again
+  Instant m_permissiveDue = kNever;  // its permissive may have timed out then
+  Instant m_retry = kNever;          // a change that came too fast may be told then
+
+  // Of each report what was compared last. All ones: nothing, as a report begins with its type.
+  std::array<std::uint64_t, kReports.size()> m_compared = noneCompared();
+  EventSlot m_silence{0};
+  TellCount m_restarts, m_moves;
+  EventSlot m_rotationError{0}, m_elevationError{0}, m_operationalError{0};
+  EventSlot m_deviceFaulted{0}, m_faults{0}, m_errorCode{0};
+  EventSlot m_enable, m_remote, m_stowed, m_permissive, m_operational;
+  std::array<EventSlot, 5> m_plusStops, m_minusStops;
+  std::array<EventSlot, 4> m_limits;  // left, right, down, up
+};
+
+}  // namespace deckpipe

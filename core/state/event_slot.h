@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told as events, and how often. A value that flickers does not flood the list: kBurst changes are told as
+// they come, further ones at most every kEach. What came between is counted, and the value that it settles at is
+// told.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "state/event.h"
+
+namespace deckpipe {
+
+class TellLimit {
+ public:
+  static constexpr int kBurst = 4;
+  static constexpr Duration kEach = 10s;
+
+  Instant next() const { return m_paid == kNotYet ? kNotYet : m_paid - kEach * (kBurst - 1); }
+  bool allows(Instant now) const { return next() <= now; }
+  void pay(Instant now) { m_paid = (m_paid < now ? now : m_paid) + kEach; }
+
+ private:
+  Instant m_paid = kNotYet;  // until when what was told has been paid for
+};
+
+// Something that happens, and has no value. What is not told is counted with the next one that is.
+class TellCount {
+ public:
+  bool happens(Instant now) {
+    if (m_limit.allows(now)) return true;
+    ++m_folded;
+    return false;
+  }
+  // After happens(), by this event.
+  void settle(Event& event) {
+    m_limit.pay(event.time);
+    event.folded = std::exchange(m_folded, 0u);
+  }
+
+ private:
+  TellLimit m_limit;
+  std::uint32_t m_folded = 0;
+};
+
+class EventSlot {
+ public:
+  // The first value heard is no change.
+  EventSlot() = default;
+  // The first value heard is a change if it is another one than `usual`.
+  explicit EventSlot(std::uint64_t usual) : m_shown(usual), m_last(usual), m_isKnown(true) {}
+
+  // Whether a change is to be told now: from shown() to `value`. Then call settle(). If it is to be told later,
+  // `retry` becomes the time to ask again, if that is sooner.
+  bool moves(std::uint64_t value, Instant now, Instant& retry) {
+    if (!m_isKnown) {
+      m_isKnown = true;
+      m_shown = m_last = value;
+    }
+    if (value == m_last && m_waiting == 0) return false;
+    if (!m_limit.allows(now)) {
+      take(value, now);
+      if (m_limit.next() < retry) retry = m_limit.next();
+      return false;
+    }
+    const bool isLate = m_waiting > 0;
+    take(value, now);
+    if (!isLate) m_waiting = 0;
+    return true;
+  }
+  std::uint64_t shown() const { return m_shown; }
+  // Sets the value without telling it.
+  void set(std::uint64_t value) {
+    m_shown = m_last = value;
+    m_waiting = 0;
+    m_isKnown = true;
+  }
+  // The change is told, by this event. One that is told later than it came says since when it holds.
+  void settle(Event& event) {
+    if (m_waiting > 0) {
+      event.folded = m_waiting - 1;
+      if (event.since == kNotYet) event.since = m_changed;
+    }
+    m_shown = m_last;
+    m_waiting = 0;
+    m_limit.pay(event.time);
+  }
+
+ private:
+  void take(std::uint64_t value, Instant now) {
+    if (value == m_last) return;
+    m_last = value;
+    m_changed = now;
+    ++m_waiting;
+  }
+
+  std::uint64_t m_shown = 0, m_last = 0;
+  Instant m_changed = kNotYet;
+  TellLimit m_limit;
+  std::uint32_t m_waiting = 0;  // changes that are not told
+  bool m_isKnown = false;
+};
+
+}  // namespace deckpipe

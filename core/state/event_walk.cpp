@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/event_walk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bus/canopen.h"
+#include "bus/j1939.h"
+#include "state/advance.h"
+
+namespace deckpipe {
+namespace {
+
+// The message that the first byte of a frame of PGN EF00 stands for, of those that are looked at; Count for any
+// other. Whether the frame is that message is for the state to say: then the device has a new report.
+constexpr std::array<MessageId, 256> kByType = [] {
+  std::array<MessageId, 256> ids{};
+  ids.fill(MessageId::Count);
+  for (const MessageId id :
+       {MessageId::PositionLimitStatus, MessageId::RotationSoftLimits, MessageId::ElevationSoftLimits,
+        MessageId::DigitalOutputs, MessageId::MiniDigitalOutputs, MessageId::SoePermissive,
+        MessageId::FaultResponse, MessageId::AddressAnnouncement})
+    ids[typeOf(id)] = id;
+  return ids;
+}();
+
+// The same of a CANopen node's frames, by function.
+MessageId messageOfNode(CobFunction function) {
+  switch (function) {
+    case CobFunction::Tpdo1: return MessageId::PositionLimitStatus;
+    case CobFunction::Tpdo2: return MessageId::DigitalOutputs;
+    case CobFunction::SdoResponse: return MessageId::SdoReadResponse;
+    case CobFunction::Heartbeat: return MessageId::Heartbeat;
+    case CobFunction::Nmt:
+    case CobFunction::Emergency:
+    case CobFunction::Rpdo1:
+    case CobFunction::SdoRequest: break;
+  }
+  return MessageId::Count;
+}
+
+bool isReportedNow(const Device& device, MessageId id, Instant now) {
+  return kReportPlaces[id] < kReports.size() && device.report(id).at == now;
+}
+
+}  // namespace
+
+EventWalk::EventWalk() : m_state(std::make_unique<State>()), m_devices(kMaxDevices) {
+  for (std::size_t c = 0; c < kMaxChannels; ++c) m_buses.emplace_back(Channel{static_cast<std::uint8_t>(c)});
+}
+
+void EventWalk::advance(const FrameStore& frames, const NoteStore& notes, Cursor to,
+                        std::vector<Event>& out) {
+  m_found.swap(out);
+  walkLog(*this, frames, notes, to);
+  m_found.swap(out);
+}
+
+std::size_t EventWalk::placeOf(const Device& device) const {
+  return static_cast<std::size_t>(&device - m_state->devices().all().data());
+}
+
+void EventWalk::plan() {
+  m_due = kNever;
+  for (std::size_t i = 0; i < m_used; ++i) m_due = std::min(m_due, m_devices[i].due());
+  for (std::size_t c = 0; c < m_state->channelCount(); ++c) m_due = std::min(m_due, m_buses[c].due());
+}
+
+void EventWalk::catchUp(Instant time) {
+  while (m_due <= time && m_due != kNever) {
+    const Instant now = std::max(m_due, cursor().time);
+    m_state->timeCame(now);
+    for (std::size_t c = 0; c < m_state->channelCount(); ++c) {
+      BusWatch& bus = m_buses[c];
+      if (bus.contestsDue() <= now) lookAtIdentities({static_cast<std::uint8_t>(c)}, bus);
+      if (bus.due() <= now) bus.timeCame(*m_state, m_found);
+    }
+    const auto devices = m_state->devices().all();
+    for (std::size_t i = 0; i < m_used; ++i) {
+      if (m_devices[i].due() <= now) m_devices[i].timeCame(*m_state, devices[i], m_found);
+    }
+    plan();
+    if (m_due <= now) m_due = now + Duration(1);
+  }
+}
+
+void EventWalk::timeCame(Instant time) {
+  catchUp(time);
+  m_state->timeCame(time);
+}
+
+void EventWalk::apply(const Note& note) {
+  timeCame(std::max(note.time, cursor().time));
+  m_state->apply(note);
+  const bool isLink =
+      std::holds_alternative<note::LinkUp>(note.value) || std::holds_alternative<note::LinkDown>(note.value);
+  if (!isLink) return;
+  for (DeviceWatch& device : m_devices) {
+    if (device.isUsed() && device.channel() == channelOf(note.value)) device.linkChanged(cursor().time);
+  }
+  plan();
+}
+
+void EventWalk::apply(const Frame& frame, Instant time) {
+  if (m_due <= time) catchUp(time);
+  m_state->apply(frame, time);
+  if ((frame.flags & Frame::kTimeJump) != 0) {
+    Event event;
+    event.frame = cursor().frames;
+    event.time = cursor().time;
+    event.channel = {frame.channel};
+    m_found.push_back(event);
+  }
+  if (frame.channel >= kMaxChannels) return;
+  BusWatch& bus = m_buses[frame.channel];
+  if (bus.heard(*m_state)) m_due = std::min(m_due, bus.due());
+  if (frame.isError()) {
+    bus.errorCame(*m_state, m_found);
+    m_due = std::min(m_due, bus.due());
+  } else if (!frame.isRemote()) {
+    if (frame.isExtended()) {
+      lookExtended(frame, bus);
+    } else {
+      lookStandard(frame, bus);
+    }
+  }
+}
+
+void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {
+  const J1939Id id = J1939Id::of(frame.identifier());
+  const Channel channel{frame.channel};
+  MessageId message = MessageId::Count;
+  if (id.pgn == pgn::kProprietaryA) {
+    if (frame.length > 0) message = kByType[frame.data[0]];
+  } else if (id.pgn == pgn::kBasicJoystick) {
+    const bool isBack = bus.stickCame(*m_state, id.source, m_found);
+    m_due = std::min(m_due, bus.due());
+    if (!isBack) return;
+  } else if (id.pgn != pgn::kAddressClaimed) {
+    return;  // none of what a device of Akron's sends
+  }
+  if (id.pgn == pgn::kAddressClaimed && id.source == kNullAddress && frame.length == 8)
+    bus.cannotClaim(*m_state, Name::of(frame), m_devices, m_found);
+  if (id.pgn == pgn::kAddressClaimed || message == MessageId::AddressAnnouncement) {
+    lookAtIdentities(channel, bus);
+    m_due = std::min(m_due, bus.due());
+    message = MessageId::Count;
+  }
+  const bool isToDevice = message == MessageId::SoePermissive;
+  const Device* device = m_state->devices().byAddress(channel, isToDevice ? id.destination : id.source);
+  if (device != nullptr) look(*device, message, bus);
+}
+
+void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
+  const CobId cob = CobId::of(frame.identifier());
+  if (!cob.hasNode()) return;
+  const Device* device = m_state->devices().byNode({frame.channel}, cob.node);
+  if (device == nullptr) return;
+  // Other buses use these identifiers too: nothing is told of a node that was not heard as one.
+  const bool isNode = device->heartbeat().isKnown() || device->faults().isKnown() ||
+                      m_state->channel({frame.channel}).book.isAkronNode(cob.node);
+  const MessageId message = messageOfNode(CobFunction{cob.function});
+  if (isNode && message != MessageId::Count) look(*device, message, bus);
+}
+
+void EventWalk::look(const Device& device, MessageId id, BusWatch& bus) {
+  const std::size_t place = placeOf(device);
+  const Instant now = cursor().time;
+  DeviceWatch& watch = m_devices[place];
+  if (!watch.isUsed()) {
+    m_used = std::max(m_used, place + 1);
+    watch.begin(device, now);
+    if (bus.isSettled(now)) m_found.push_back(watch.appeared(*m_state));
+  }
+  const bool isAnswer = id == MessageId::SdoReadResponse;
+  watch.look(*m_state, device, isAnswer || isReportedNow(device, id, now) ? id : MessageId::Count, m_found);
+  if (device.doubled == now && !bus.isShared(device.address)) {
+    bus.lookAtShared(*m_state, m_found);
+    m_due = std::min(m_due, bus.due());
+  }
+  m_due = std::min(m_due, watch.due());
+}
+
+void EventWalk::lookAtIdentities(Channel channel, BusWatch& bus) {
+  bus.lookAtHolders(*m_state, m_devices, m_found);
+  const auto devices = m_state->devices().all();
+  for (std::size_t i = 0; i < m_used; ++i) {
+    DeviceWatch& watch = m_devices[i];
+    if (!watch.isUsed()) continue;
+    if (!watch.isOf(devices[i])) {
+      watch = {};
+    } else if (watch.channel() == channel) {
+      watch.lookAtIdentity(*m_state, devices[i], m_found);
+    }
+  }
+  bus.lookAtShared(*m_state, m_found);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/stick_watch.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace deckpipe {
+namespace {
+
+bool deflects(const StickAxis& axis) { return axis.tenths.value_or(0) != 0; }
+
+// Who goes before a source, of x and of y: the first one of higher priority that deflects the same axis. Null: none.
+std::array<Address, 2> whoGoesBefore(const Joysticks& all, const Joystick& stick) {
+  std::array<Address, 2> first{kNullAddress, kNullAddress};
+  if (!stick.isActive()) return first;
+  for (const Joystick& other : all.all()) {
+    if (other.source >= stick.source || !other.priority() || !other.isActive()) continue;
+    const BasicJoystick own = stick.basic.value(), its = other.basic.value();
+    if (deflects(own.x) && deflects(its.x)) first[0] = std::min(first[0], other.source);
+    if (deflects(own.y) && deflects(its.y)) first[1] = std::min(first[1], other.source);
+  }
+  return first;
+}
+
+}  // namespace
+
+Event StickWatch::eventOf(const State& state, Channel channel, EventKind kind) const {
+  Event event;
+  event.kind = kind;
+  event.frame = state.cursor().frames;
+  event.time = state.cursor().time;
+  event.channel = channel;
+  event.address = m_source;
+  return event;
+}
+
+bool StickWatch::look(const State& state, Channel channel, const Joystick& stick, bool isNews,
+                      std::vector<Event>& out) {
+  if (stick.source != m_source) {
+    *this = {};
+    m_source = stick.source;
+    if (isNews) m_sending = EventSlot(0);
+  }
+  const Instant now = state.cursor().time;
+  const Duration gap = m_last == kNotYet ? Duration{0} : now - m_last;
+  const bool wasSending = std::exchange(m_isSending, true), hadTimedOut = std::exchange(m_hasTimedOut, false);
+  m_last = now;
+  if (m_due > now + kInputTimeout) m_due = now + kInputTimeout;
+  if (!wasSending) {
+    m_timeout.set(0);
+    compareSending(state, channel, out);
+  } else if (hadTimedOut) {
+    compareTimeout(state, channel, gap, out);
+  } else if (gap > (stick.period > kSlowPeriod ? kMostSlowGap : kMostGap) && m_gaps.happens(now)) {
+    Event event = eventOf(state, channel, EventKind::JoystickGap);
+    event.now = gap.count();
+    m_gaps.settle(event);
+    out.push_back(event);
+  }
+  if (stick.priority()) lookAtRank(state, channel, stick, out);
+  return !wasSending;
+}
+
+void StickWatch::compareSending(const State& state, Channel channel, std::vector<Event>& out) {
+  const Instant now = state.cursor().time;
+  if (!m_sending.moves(m_isSending ? 1 : 0, now, m_due)) return;
+  Event event = eventOf(state, channel, m_isSending ? EventKind::JoystickBegan : EventKind::JoystickEnded);
+  if (!m_isSending) event.since = m_last;
+  m_sending.settle(event);
+  out.push_back(event);
+}
+
+void StickWatch::compareTimeout(const State& state, Channel channel, Duration gap, std::vector<Event>& out) {
+  const Instant now = state.cursor().time;
+  if (!m_timeout.moves(m_hasTimedOut ? 1 : 0, now, m_due)) return;
+  Event event =
+      eventOf(state, channel, m_hasTimedOut ? EventKind::JoystickTimedOut : EventKind::JoystickBack);
+  event.now = gap.count();
+  m_timeout.settle(event);
+  out.push_back(event);
+}
+
+void StickWatch::lookAtRank(const State& state, Channel channel, const Joystick& stick,
+                            std::vector<Event>& out) {
+  const Joysticks& all = state.channel(channel).joysticks;
+  const bool isAlone = all.all()[1].source == kNullAddress;
+  if (isAlone && !m_isOutranked) return;
+  const std::array<Address, 2> before = whoGoesBefore(all, stick);
+  const bool isOutranked = before[0] != kNullAddress || before[1] != kNullAddress;
+  if (!isOutranked && !m_isOutranked) return;
+  m_isOutranked = isOutranked;
+  for (std::size_t axis = 0; axis < before.size(); ++axis) {
+    const Address by = before[axis];
+    EventSlot& slot = m_outranked[axis];
+    if (!slot.moves(by.value, state.cursor().time, m_due)) continue;
+    Event event = eventOf(
+        state, channel, by == kNullAddress ? EventKind::JoystickOutrankedOver : EventKind::JoystickOutranked);
+    event.axis = static_cast<std::uint8_t>(axis + 1);
+    event.now = by.value;
+    slot.settle(event);
+    out.push_back(event);
+  }
+}
+
+void StickWatch::timeCame(const State& state, Channel channel, const Joystick& stick,
+                          std::vector<Event>& out) {
+  const Instant now = state.cursor().time;
+  if (m_due > now) return;
+  m_due = kNever;
+  const Instant timeout = m_last + kInputTimeout, end = m_last + Joystick::kSilence;
+  if (m_isSending) m_hasTimedOut = timeout <= now;
+  if (m_isSending) m_isSending = now < end;
+  compareTimeout(state, channel, now - m_last, out);
+  compareSending(state, channel, out);
+  if (stick.priority()) lookAtRank(state, channel, stick, out);
+  if (m_isSending) m_due = std::min(m_due, m_hasTimedOut ? end : timeout);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was last told of one joystick source: whether it sends, how regularly, and whether a source of higher
+// priority deflects the same axis. EventWalk owns one for each place of Joysticks.
+// Source: CAN Messaging manual, Appendix B (100 ms at most, input cleared after 200 ms, priority by address).
+#pragma once
+
+#include <vector>
+
+#include "state/event.h"
+#include "state/event_slot.h"
+#include "state/state.h"
+
+namespace deckpipe {
+
+class StickWatch {
+ public:
+  // Longer than this is a gap. A source with a period near it may be late by a quarter of it.
+  static constexpr Duration kMostGap = 100ms, kMostSlowGap = 125ms, kSlowPeriod = 80ms;
+
+  // A basic message came. `isNews`: the channel was heard long enough before to know that it did not send. Returns
+  // whether none had come for a while.
+  bool look(const State& state, Channel channel, const Joystick& stick, bool isNews, std::vector<Event>& out);
+  void timeCame(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
+  Instant due() const { return m_due; }
+
+ private:
+  Event eventOf(const State& state, Channel channel, EventKind kind) const;
+  void compareSending(const State& state, Channel channel, std::vector<Event>& out);
+  void compareTimeout(const State& state, Channel channel, Duration gap, std::vector<Event>& out);
+  void lookAtRank(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
+
+  Address m_source;  // null: none yet
+  Instant m_last = kNotYet;
+  bool m_isSending = false;  // false from Joystick::kSilence after its last message on
+  bool m_hasTimedOut = false;
+  Instant m_due = kNever;
+  EventSlot m_sending, m_timeout{0};
+  TellCount m_gaps;
+  // The source that goes before it, of x and of y.
+  bool m_isOutranked = false;
+  EventSlot m_outranked[2]{EventSlot(kNullAddress.value), EventSlot(kNullAddress.value)};
+};
+
+}  // namespace deckpipe

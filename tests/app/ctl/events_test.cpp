@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `deckpipectl events` as a script meets it: of a log, of a pipe, of a recording.
+#include <QFile>
+#include <QTemporaryDir>
+#include <memory>
+
+#include "base/event_kind.h"
+#include "log/journal_writer.h"
+#include "run_ctl.h"
+#include "support/frames.h"
+
+namespace deckpipe {
+namespace {
+
+using test::Outcome;
+
+Outcome eventsOf(const QByteArray& log, bool asJson = true) {
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), test::words(asJson ? "events --json -" : "events -"));
+  process.write(log);
+  process.closeWriteChannel();
+  EXPECT_TRUE(process.waitForFinished(60'000));
+  return test::outcomeOf(process);
+}
+
+const QByteArray kStory =
+    "(1700000000.000000) can0 18EFFF80#FF83150206021A0B\n"
+    "(1700000000.100000) can0 18EFFF80#83C051\n"
+    "(1700000000.200000) can0 18EFFF80#834051\n"
+    "(1700000000.300000) can0 18EF80F9#02\n"
+    "(1700000000.310000) can0 18EFF980#0200200000000B\n"
+    "(1700000000.400000) can0 18EFFF80#011D940371400041\n"
+    "(1700000000.500000) can0 18EFFF80#011D940371000041\n"
+    "(1700000000.600000) can0 18EFFF80#81FC7C038400\n"
+    "(1700000000.700000) can0 18EFFF80#81FC7C02BD00\n"
+    "(1700000009.000000) can0 18FEF100#FF\n";
+
+TEST(EventsOfTheTool, AreOneObjectALine) {
+  const Outcome r = eventsOf(kStory);
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_EQ(
+      r.lines(),
+      (QList<QByteArray>{
+          R"({"event":"disabled","t":1700000000.200000,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"warning","was":true,"now":false})",
+          R"({"event":"fault","t":1700000000.310000,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"fault","fault":"internal_fuse"})",
+          R"({"event":"error_code","t":1700000000.310000,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"fault","code":11,"was":0,"now":11})",
+          R"({"event":"stop_left","t":1700000000.500000,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"info","axis":1,"side":"plus","was":"on","now":"off"})",
+          R"({"event":"soft_limit_changed","t":1700000000.700000,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"info","axis":1,"side":"plus","was":90,"now":70.1})",
+          R"({"event":"silent","t":1700000003.700000,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"fault","since":1700000000.700000})"}));
+}
+
+TEST(EventsOfTheTool, AreLinesForPeople) {
+  const Outcome r = eventsOf(kStory, false);
+  EXPECT_EQ(r.status, 0);
+  ASSERT_EQ(r.lines().size(), 6);
+  EXPECT_EQ(r.lines()[0], "       0.200  can0   1032AE100801035  warning  disabled");
+  EXPECT_EQ(r.lines()[4],
+            "       0.700  can0   1032AE100801035  info     soft limit changed, axis 1 +: 90 -> 70.1");
+  EXPECT_EQ(r.lines()[5], "       3.700  can0   1032AE100801035  fault    silent, since 0.700");
+}
+
+TEST(EventsOfTheTool, TellTwoDevicesAtOneAddress) {
+  QByteArray log =
+      "(1700000000.000000) can0 18EEFF80#0B1AC22800420090\n"
+      "(1700000000.001000) can0 18EFFF80#FF83150206021A0B\n"
+      "(1700000000.500000) can0 18EEFF80#0C1AC22800420090\n"
+      "(1700000000.501000) can0 18EFFF80#FF83150206021A0C\n";
+  for (int i = 0; i < 8; ++i)
+    log += QByteArray("(1700000000.") + QByteArray::number(600 + 50 * i) + "000) can0 18EFFF80#" +
+           (i % 2 == 0 ? "011D9412C4000041\n" : "0112C10644000041\n");
+  const auto events = eventsOf(log).objects();
+  const auto shared = std::ranges::find_if(events, [](const QJsonObject& event) {
+    return event[QStringLiteral("event")].toString() == QStringLiteral("two_at_one_address");
+  });
+  ASSERT_NE(shared, events.end());
+  EXPECT_EQ((*shared)[QStringLiteral("address")].toInt(), 128);
+  EXPECT_EQ((*shared)[QStringLiteral("pin")].toString(), QStringLiteral("1032AE100801036"));
+  EXPECT_EQ((*shared)[QStringLiteral("other_pin")].toString(), QStringLiteral("1032AE100801035"));
+  EXPECT_EQ((*shared)[QStringLiteral("weight")].toString(), QStringLiteral("fault"));
+}
+
+TEST(EventsOfTheTool, EndWithTheStatusOfWhatReadsFiles) {
+  EXPECT_EQ(eventsOf({}).status, 4);
+  EXPECT_EQ(eventsOf("no log\n").status, 3);
+  const Outcome r = eventsOf(kStory + "no frame\n");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_EQ(r.lines().size(), 6);
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), test::words("events"));
+  ASSERT_TRUE(process.waitForFinished(60'000));
+  EXPECT_EQ(test::outcomeOf(process).status, 2);
+}
+
+TEST(EventsOfTheTool, AreAllNamedByHelp) {
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), test::words("events --help"));
+  ASSERT_TRUE(process.waitForFinished(60'000));
+  const QByteArray help = test::outcomeOf(process).out;
+  for (const EventFacts& facts : kEvents)
+    EXPECT_TRUE(help.contains("  " + QByteArray(facts.key.data(), static_cast<int>(facts.key.size())) + " "))
+        << facts.key;
+}
+
+TEST(EventsOfTheTool, HaveTheNotesOfARecordingAmongThem) {
+  const QTemporaryDir folder;
+  FrameStore frames;
+  NoteStore notes;
+  frames.channel("can0");
+  const auto hear = [&](const char* data, std::int64_t ms) {
+    const Frame frame = test::frame("18EFFF80", data, 0, ms * 1'000'000);
+    ASSERT_TRUE(frames.append({&frame, 1}));
+  };
+  notes.append({.frame = 0, .time = {1'000'000'000}, .value = note::LinkUp{}});
+  hear("83C051", 1000);
+  notes.append({.frame = 1, .time = {1'200'000'000}, .value = note::Mark{"valve opened"}});
+  hear("834051", 1500);
+  notes.append({.frame = 2, .time = {1'500'000'000}, .value = note::Dropped{{}, 7}});
+  {
+    JournalWriter writer(
+        frames, notes,
+        [&] { return createJournalFile(folder.filePath(QStringLiteral("one")).toStdString()); },
+        [] { return JournalHead{.begin = 1'796'000'000'000'000'000}; });
+    writer.timeCame({});
+    writer.end();
+  }
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), {QStringLiteral("events"), QStringLiteral("--json"),
+                                              folder.filePath(QStringLiteral("one.deckpipe"))});
+  ASSERT_TRUE(process.waitForFinished(60'000));
+  const Outcome r = test::outcomeOf(process);
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  QStringList keys;
+  for (const QJsonObject& event : r.objects()) keys << event[QStringLiteral("event")].toString();
+  EXPECT_EQ(keys.join(QLatin1Char(' ')).toStdString(), "link_up mark disabled dropped");
+  EXPECT_EQ(r.objects()[1][QStringLiteral("text")].toString(), QStringLiteral("valve opened"));
+  EXPECT_EQ(r.objects()[3][QStringLiteral("frames")].toInt(), 7);
+}
+
+}  // namespace
+}  // namespace deckpipe

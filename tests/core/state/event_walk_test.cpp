@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "state/event_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+#include <set>
+
+#include "event_story.h"
+
+namespace deckpipe {
+namespace {
+
+using Story = test::EventStory;
+using Lines = std::vector<std::string>;
+
+struct EventCase {
+  const char* name;
+  std::function<void(Story&)> tell;
+  Lines lines;
+};
+class EventsOf : public testing::TestWithParam<EventCase> {};
+
+TEST_P(EventsOf, AreToldWhenTheyHappen) {
+  Story story;
+  GetParam().tell(story);
+  EXPECT_EQ(story.lines(), GetParam().lines);
+}
+
+// Cases begin with the monitor at 6 s, after five seconds of its statuses.
+#define MONITOR " 1032AE100801035"
+const std::vector<EventCase> kCases{
+    {"AMonitorThatIsWell", [](Story& s) { s.monitor().answers(Story::kNoFaults).goOn(60s); }, {}},
+    // Presence.
+    {"ASilence",
+     [](Story& s) { s.monitor().pass(40s).goOn(1s); },
+     {"8.900 silent" MONITOR " since 5.900", "46.000 back" MONITOR " 40100 ms"}},
+    {"ASilenceThatGoesOn", [](Story& s) { s.monitor().pass(3s); }, {"8.900 silent" MONITOR " since 5.900"}},
+    {"NoSilenceYet", [](Story& s) { s.monitor().pass(2899ms); }, {}},
+    {"ASilenceOfWhatAnswersAndSendsNoStatus",
+     [](Story& s) { s.monitor().pass(10s).answers(Story::kNoFaults).pass(1s); },
+     {"8.900 silent" MONITOR " since 5.900"}},
+    {"ALinkThatIsDownIsNoSilence",
+     [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(100ms).goOn(5s); },
+     {}},
+    {"ASilenceAfterTheLinkIsUpAgain",
+     [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
+     {"49.000 silent" MONITOR " since 5.900"}},
+    {"ADeviceThatAppearsLater",
+     [](Story& s) {
+       s.monitor().hear("18EEFF81", Story::kNameOfB).hear("18EFFF81", Story::kAnnouncesB).goOn(1s);
+     },
+     {"6.000 appeared 1032AE100801036"}},
+    {"ARestart",
+     [](Story& s) { s.monitor().hear("18EFFF80", Story::kAnnouncesA).goOn(1s); },
+     {"6.000 restarted" MONITOR}},
+    {"AnAnnouncementThatWasAskedFor",
+     [](Story& s) {
+       s.monitor().hear("18EAFFF9", "00EE00").hear("18EEFF80", Story::kNameOfA);
+       s.hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {}},
+    {"ANodeThatRestarts",
+     [](Story& s) {
+       for (const char* state : {"05", "05", "00", "7F", "05"}) s.hear("724", state).pass(1s);
+     },
+     {"3.000 restarted node 24", "3.000 not_operational node 24", "5.000 operational node 24"}},
+    {"ANodeThatIsSilent",
+     [](Story& s) { s.hear("724", "05").pass(1s).hear("724", "05").pass(9s).hear("724", "05"); },
+     {"5.000 silent node 24 since 2.000", "11.000 back node 24 9000 ms"}},
+    // Addresses.
+    {"AMove",
+     [](Story& s) {
+       s.monitor().hear("18EFFF85", Story::kAnnouncesA).pass(100ms).hear("18EFFF85", Story::kPosition);
+     },
+     {"6.000 moved_address" MONITOR " 128>133"}},
+    {"AnAddressLostToALowerName",
+     [](Story& s) { s.monitor().hear("18EEFF80", Story::kLowerName).pass(1s); },
+     {"6.000 address_lost" MONITOR " to another"}},
+    {"AnAddressLostForWantOfAnAnswer",
+     [](Story& s) { s.monitor().hear("18EEFF80", Story::kHigherName).pass(1s); },
+     {"6.250 address_lost" MONITOR " to another"}},
+    {"AnAddressOfAnotherMakerThatIsLost",
+     [](Story& s) { s.hear("18EEFF21", Story::kHigherName).pass(1s).hear("18EEFF21", Story::kLowerName); },
+     {"2.000 address_lost 21 to another"}},
+    {"AContestThatTheHolderWins",
+     [](Story& s) {
+       s.monitor().hear("18EEFF80", Story::kHigherName).pass(50ms).hear("18EEFF80", Story::kNameOfA).goOn(1s);
+     },
+     {}},
+    {"ANameThatCannotClaimIsToldOnce",
+     [](Story& s) {
+       s.monitor().hear("18EEFFFE", Story::kNameOfA).pass(1s).hear("18EEFFFE", Story::kNameOfA);
+     },
+     {"6.000 cannot_claim" MONITOR}},
+    {"ANameThatNeverHadAnAddressAndCannotClaim",
+     [](Story& s) { s.hear("18EEFFFE", Story::kHigherName); },
+     {"1.000 cannot_claim"}},
+    {"TwoAtOneAddress",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 8; ++i)
+         s.hear("18EFFF80", i % 2 == 0 ? Story::kPosition : "0112C10644000041").pass(50ms);
+       s.goOn(15s);
+     },
+     {"6.250 two_at_one_address" MONITOR, "17.250 two_at_one_address_over" MONITOR}},
+    // Faults.
+    {"FaultsRaisedAndCleared",
+     [](Story& s) {
+       s.monitor().answers(Story::kNoFaults).goOn(1s).answers("02002000020000").goOn(1s);
+       s.answers("02002000000000").goOn(1s).answers(Story::kNoFaults);
+     },
+     {"7.000 fault" MONITOR " 1>1", "7.000 fault" MONITOR " 21>21", "8.000 fault_cleared" MONITOR " 1>1",
+      "9.000 fault_cleared" MONITOR " 21>21"}},
+    {"AFaultInTheFirstAnswer",
+     [](Story& s) { s.monitor().answers("02002000000000"); },
+     {"6.000 fault" MONITOR " 21>21"}},
+    {"PollsThatRepeatAnAnswer",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 50; ++i) s.answers("0200200000000B").goOn(1s);
+     },
+     {"6.000 fault" MONITOR " 21>21", "6.000 error_code" MONITOR " 0>11"}},
+    {"AnErrorCodeThatChangesAndIsCleared",
+     [](Story& s) {
+       s.monitor().answers("0200000000000B").goOn(1s).answers("0200000000000C").goOn(1s);
+       s.answers(Story::kNoFaults);
+     },
+     {"6.000 error_code" MONITOR " 0>11", "7.000 error_code" MONITOR " 11>12",
+      "8.000 error_code_cleared" MONITOR " 12>0"}},
+    {"FaultsOfANode",
+     [](Story& s) {
+       s.hear("724", "05").hear("5A4", "4301500100002000").pass(1s).hear("5A4", "4301500100000000");
+       s.hear("5A4", "4B0150020B00").pass(1s).hear("5A4", "4B0150020000");
+     },
+     {"1.000 fault node 24 13>13", "2.000 fault_cleared node 24 13>13", "2.000 error_code node 24 0>11",
+      "3.000 error_code_cleared node 24 11>0"}},
+    {"AnOperationalError",
+     [](Story& s) { s.monitor().goOn(1s, "011D940371000045").goOn(1s); },
+     {"6.000 operational_error" MONITOR " 0>0", "7.000 operational_error_over" MONITOR " 0>0"}},
+    {"AnOperationalErrorWhoseCodeIsAsked",
+     [](Story& s) {
+       s.monitor()
+           .goOn(1s, "011D940371000045")
+           .answers("0200000000000B")
+           .goOn(1s, "011D940371000045")
+           .goOn(1s);
+     },
+     {"6.000 operational_error" MONITOR " 0>0", "7.000 error_code" MONITOR " 0>11",
+      "8.000 operational_error_over" MONITOR " 11>0"}},
+    {"ASensorError",
+     [](Story& s) { s.monitor().goOn(1s, "01FFF40371000041").goOn(1s); },
+     {"6.000 sensor_error" MONITOR " -1", "7.000 sensor_error_over" MONITOR " -1"}},
+    {"ARiserThatIsFaulted",
+     [](Story& s) {
+       for (const char* outputs : {"848000", "84C000", "848000"}) s.hear("18EFFF91", outputs).pass(100ms);
+     },
+     {"1.100 device_faulted 91", "1.200 device_faulted_over 91"}},
+    // Modes.
+    {"DisabledAndEnabled",
+     [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "834051").goOn(1s); },
+     {"6.000 disabled" MONITOR, "7.000 enabled" MONITOR}},
+    {"RemoteMode",
+     [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "83C059").goOn(1s); },
+     {"6.000 remote_mode" MONITOR, "7.000 remote_mode_over" MONITOR}},
+    {"Stowed",
+     [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "83A051").goOn(1s); },
+     {"6.000 stowed" MONITOR, "7.000 not_stowed" MONITOR}},
+    {"APermissiveThatTimesOutAndComesBack",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 10; ++i) s.hear("18EF8021", "A1000F").goOn(100ms);
+       s.goOn(2s).hear("18EF8021", "A1000F");
+     },
+     {"7.200 permissive_lost" MONITOR, "9.000 permissive_back" MONITOR}},
+    {"APermissiveThatIsWithdrawn",
+     [](Story& s) {
+       s.monitor().hear("18EF8021", "A1000F").goOn(100ms).hear("18EF8021", "A10000").goOn(100ms);
+       s.hear("18EF8021", "A10001");
+     },
+     {"6.100 permissive_lost" MONITOR, "6.200 permissive_back" MONITOR}},
+    // Stops and limits.
+    {"AStop",
+     [](Story& s) { s.monitor().goOn(1s, "011D940371400041").goOn(1s); },
+     {"6.000 stop_reached" MONITOR " +1 0>1", "7.000 stop_left" MONITOR " +1 1>0"}},
+    {"AStopThatReportsAnError",
+     [](Story& s) { s.monitor().goOn(1s, "011D940371020041").goOn(1s, "011D940371010041"); },
+     {"6.000 stop_error" MONITOR " -2 0>2", "7.000 stop_reached" MONITOR " -2 2>1"}},
+    {"SoftLimits",
+     [](Story& s) {
+       s.monitor();
+       for (const char* limits : {"81FC7C03840000", "81FC7C02BC0000"})
+         s.hear("18EFFF80", std::string(limits).substr(0, 12)).goOn(1s);
+       for (const char* limits : {"82FE0C00E100", "82FED400E100"}) s.hear("18EFFF80", limits).goOn(1s);
+     },
+     {"7.000 soft_limit_changed" MONITOR " +1 900>700", "9.000 soft_limit_changed" MONITOR " -2 -500>-300"}},
+    {"LimitsOfAnOscillationAreNoSoftLimits",
+     [](Story& s) {
+       s.monitor();
+       for (const char* limits : {"81FC7C038400", "81FF9C006480", "81FC7C038400"})
+         s.hear("18EFFF80", limits).goOn(1s);
+     },
+     {}},
+    // Joysticks.
+    {"AJoystickThatWasThereAllTheTime", [](Story& s) { s.stick(20s); }, {}},
+    {"AJoystickThatBeginsAndEnds",
+     [](Story& s) { s.hear("18FEF100", "11").pass(5s).stick(1s).pass(3s); },
+     {"6.000 joystick_began 33", "7.180 joystick_timed_out 33", "8.980 joystick_ended 33 since 6.980"}},
+    {"AJoystickThatBeginsAnew",
+     [](Story& s) { s.stick(1s).pass(3s).stick(100ms); },
+     {"2.180 joystick_timed_out 33", "3.980 joystick_ended 33 since 1.980", "5.000 joystick_began 33"}},
+    {"AGapOfAJoystick",
+     [](Story& s) { s.stick(1s).pass(130ms).stick(1s); },
+     {"2.130 joystick_gap 33 150 ms"}},
+    {"NoGapOfAJoystick", [](Story& s) { s.stick(1s).pass(80ms).stick(1s); }, {}},
+    {"AJoystickThatSendsEvery100Ms",
+     [](Story& s) {
+       for (int i = 0; i < 100; ++i) s.hear("0CFDD633", Story::kNeutral).pass(i % 2 == 0 ? 98ms : 102ms);
+     },
+     {}},
+    {"ATimeOutOfAJoystick",
+     [](Story& s) { s.stick(1s).pass(480ms).stick(1s); },
+     {"2.180 joystick_timed_out 33", "2.480 joystick_back 33 500 ms"}},
+    {"AJoystickThatIsOutranked",
+     [](Story& s) {
+       s.stick(1s, "0CFDD634", Story::kRight);
+       for (int i = 0; i < 10; ++i) s.stick(20ms, "0CFDD633", Story::kRight).hear("0CFDD634", Story::kRight);
+       for (int i = 0; i < 10; ++i) s.stick(20ms, "0CFDD633").hear("0CFDD634", Story::kRight);
+     },
+     {"2.020 joystick_outranked 34 -1 0>51", "2.220 joystick_outranked_over 34 -1"}},
+    // The bus.
+    {"ABurstOfErrorFrames",
+     [](Story& s) {
+       for (int i = 0; i < 30; ++i) s.errorFrame(0x8).pass(100ms);
+       s.pass(5s);
+     },
+     {"1.000 error_frames", "4.900 error_frames_over 0>30"}},
+    {"AControllerThatIsBusOff",
+     [](Story& s) {
+       s.errorFrame(0x4, 0x20).pass(10ms).errorFrame(0x40).pass(10ms).errorFrame(0x100).pass(5s);
+     },
+     {"1.000 error_frames", "1.000 error_passive", "1.010 bus_off", "1.020 error_active",
+      "2.020 error_frames_over 0>3"}},
+    {"AFullBus",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 20; ++i) s.goOn(100ms);
+       for (Duration t = 0s; t < 3s; t += 600us) {
+         if (t % 120ms == 0s) s.statuses();
+         s.hear("18FEF100", "1122334455667788").pass(600us);
+       }
+       s.goOn(3s);
+     },
+     {"9.000 load_high 0>97", "12.000 load_normal 97>0"}},
+};
+INSTANTIATE_TEST_SUITE_P(Walk, EventsOf, testing::ValuesIn(kCases),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(EventWalk, HasACaseOfEveryKind) {
+  std::set<std::string_view> told{kEvents[EventKind::ClockJump].key};  // below
+  for (const EventCase& event : kCases) {
+    for (const std::string& line : event.lines) {
+      for (const EventFacts& facts : kEvents) {
+        if ((line + " ").find(" " + std::string(facts.key) + " ") != std::string::npos)
+          told.insert(facts.key);
+      }
+    }
+  }
+  for (const EventFacts& facts : kEvents) EXPECT_TRUE(told.contains(facts.key)) << facts.key;
+}
+
+TEST(EventWalk, TellsThatTheClockJumps) {
+  FrameStore frames;
+  const std::vector<Frame> all{
+      test::frame("18FEF100", "11", 0, 9'000'000'000), test::frame("18FEF100", "11", 0, 10'000'000'000),
+      test::frame("18FEF100", "11", 0, 1'000'000'000), test::frame("18FEF100", "11", 0, 2'000'000'000)};
+  ASSERT_TRUE(frames.append(all));
+  std::vector<Event> events;
+  EventWalk walk;
+  walk.advance(frames, NoteStore(), cursorAfter(frames, 4), events);
+  EXPECT_EQ(test::linesOf(events), (Lines{"10.000 clock_jump"}));
+}
+
+// At a cursor anywhere, frame or no frame.
+TEST(EventWalk, FindsTheSameHoweverOftenItStops) {
+  std::mt19937 random(1);
+  for (const EventCase& event : kCases) {
+    Story story;
+    event.tell(story);
+    EventWalk walk;
+    std::vector<Event> events;
+    for (Instant at = walk.cursor().time; at < story.now();) {
+      at = std::max(at, Instant{0}) + Duration(static_cast<std::int64_t>(random() % 500'000'000));
+      at = std::min(at, story.now());
+      walk.advance(story.frames(), story.notes(), cursorAt(story.frames(), at), events);
+    }
+    EXPECT_EQ(test::linesOf(events), event.lines) << event.name;
+    State state;
+    advance(state, story.frames(), story.notes(), story.end());
+    EXPECT_EQ(walk.state(), state) << event.name;
+  }
+}
+
+TEST(EventWalk, DoesNotTellEveryChangeOfAValueThatFlickers) {
+  Story story;
+  story.monitor();
+  for (int i = 0; i < 301; ++i) story.goOn(100ms, Story::kPosition, i % 2 == 0 ? "834051" : "83C051");
+  story.goOn(20s, Story::kPosition, "834051");
+  const Lines lines = story.lines();
+  EXPECT_EQ(lines,
+            (Lines{"6.000 disabled" MONITOR, "6.100 enabled" MONITOR, "6.200 disabled" MONITOR,
+                   "6.300 enabled" MONITOR, "16.000 enabled" MONITOR " since 15.900 (95)",
+                   "26.000 enabled" MONITOR " since 25.900 (99)",
+                   "36.000 enabled" MONITOR " since 35.900 (99)", "46.000 disabled" MONITOR " since 36.000"}))
+      << "what it settles at is told";
+}
+
+TEST(EventWalk, CountsGapsOfAJoystickThatSendsTooSeldom) {
+  Story story;
+  story.stick(1s);
+  for (int i = 0; i < 200; ++i) story.pass(130ms).hear("0CFDD633", Story::kNeutral);
+  const Lines lines = story.lines();
+  EXPECT_LE(lines.size(), 10u);
+  EXPECT_EQ(lines.back().back(), ')') << lines.back();
+}
+
+}  // namespace
+}  // namespace deckpipe
