@@ -190,6 +190,13 @@
             <numerusform>%Ln frames missing</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln gaps, %1 in all</source>
+        <translation>
+            <numerusform>%Ln gap, %1 in all</numerusform>
+            <numerusform>%Ln gaps, %1 in all</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>deckpipe::OverviewPanel</name>

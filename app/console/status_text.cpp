@@ -11,7 +11,9 @@
 #include <limits>
 
 #include "base/overload.h"
+#include "log/link_gaps.h"
 #include "model/field_text.h"
+#include "text/age_text.h"
 #include "text/device_text.h"
 #include "text/elapsed_text.h"
 #include "text/service_text.h"
@@ -122,6 +124,33 @@ StatusTone sourceTone(const SourceStatus& source) {
     case Progress::Failed: return StatusTone::Fault;
   }
   return StatusTone::Idle;
+}
+
+bool isReadWhole(const SourceStatus& source) {
+  const ReadSummary& read = source.read;
+  return read.cutBytes == 0 && read.newerParts == 0 && !read.isOpenEnded && !read.sidecarFault &&
+         source.progress != Progress::Failed;
+}
+
+struct LinkOutages {
+  bool isDown = false;  // now
+  int count = 0;        // that are over
+  Duration length{};    // of all that are over
+};
+
+// What a file ends with is its end, no hole in it.
+LinkOutages outagesOf(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  LinkOutages outages{.isDown = source.kind == From::Link && source.progress == Progress::Lost};
+  for (const LinkGap& gap : linkGaps(snapshot.view.document->notes.all())) {
+    if (gap.isOpen()) {
+      outages.isDown = source.kind == From::Link;
+    } else {
+      ++outages.count;
+      outages.length += gap.end - gap.begin;
+    }
+  }
+  return outages;
 }
 
 }  // namespace
@@ -337,40 +366,44 @@ StatusFact recordingFact(const Snapshot& snapshot) {
 
 StatusFact completenessFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
-  const std::uint64_t missing = source.notKept;
-  const ReadSummary& read = source.read;
-  const bool isWhole = read.cutBytes == 0 && read.newerParts == 0 && !read.isOpenEnded && !read.sidecarFault &&
-                       source.progress != Progress::Failed;
-  if (source.unreadable == 0 && missing == 0 && isWhole) {
-    if (source.progress == Progress::Opening)
-      return {StatusTone::Plain, StatusText::tr("Not complete yet"),
-              StatusText::tr("Nothing is known to be missing in what has come so far.")};
-    if (source.progress == Progress::Lost)
-      return {StatusTone::Attend, StatusText::tr("Link lost"),
-              StatusText::tr("What is sent on the bus while the link is lost is missing here.")};
-    return {StatusTone::Fine, StatusText::tr("Complete"),
-            source.kind == From::File
-                ? StatusText::tr("Every line of the log was read and is held.")
-                : StatusText::tr("No frame is known to be lost since the link came up.")};
-  }
   QStringList words, story;
-  if (!isWhole) {
-    words += StatusText::tr("Not whole");
-    story += StatusText::tr("Not all of the log could be read; what is missing is said below the strip.");
-  }
-  if (source.unreadable > 0) {
-    words += StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable));
-    story += StatusText::tr("Lines that are no frames are left out; what they were is said below the strip.");
-  }
-  if (missing > 0) {
-    words += StatusText::tr("%Ln frames missing", nullptr, forPlural(missing));
-    story += source.kind == From::File
-                 ? StatusText::tr(
-                       "They were lost while it was recorded, or are CAN FD or CAN XL, which are not held.")
-                 : StatusText::tr(
-                       "Frames that came faster than they could be read, or are no classic CAN frames.");
-  }
-  return {StatusTone::Attend, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
+  const auto miss = [&](const QString& what, const QString& why) {
+    words += what;
+    story += why;
+  };
+  if (source.kind == From::File && !isReadWhole(source))
+    miss(StatusText::tr("Not whole"),
+         StatusText::tr("Not all of the log could be read; what is missing is said below the strip."));
+  if (std::holds_alternative<StoreFull>(source.error))
+    miss(StatusText::tr("Store full"),
+         StatusText::tr("What came after the last frame is missing here: there was no room for more."));
+  const LinkOutages outages = outagesOf(snapshot);
+  if (outages.isDown)
+    miss(StatusText::tr("Link lost"),
+         StatusText::tr("What is sent on the bus while the link is lost is missing here."));
+  if (outages.count > 0)
+    miss((outages.count == 1 ? StatusText::tr("1 gap of %1")
+                             : StatusText::tr("%Ln gaps, %1 in all", nullptr, outages.count))
+             .arg(briefAge(outages.length)),
+         StatusText::tr("The link was down in between: what was sent on the bus then is missing here."));
+  if (source.unreadable > 0)
+    miss(StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable)),
+         StatusText::tr("Lines that are no frames are left out; what they were is said below the strip."));
+  if (source.notKept > 0)
+    miss(StatusText::tr("%Ln frames missing", nullptr, forPlural(source.notKept)),
+         source.kind == From::File
+             ? StatusText::tr(
+                   "They were lost while it was recorded, or are CAN FD or CAN XL, which are not held.")
+             : StatusText::tr(
+                   "Frames that came faster than they could be read, or are no classic CAN frames."));
+  if (!words.isEmpty())
+    return {StatusTone::Attend, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
+  if (source.progress == Progress::Opening)
+    return {StatusTone::Plain, StatusText::tr("Not complete yet"),
+            StatusText::tr("Nothing is known to be missing in what has come so far.")};
+  return {StatusTone::Fine, StatusText::tr("Complete"),
+          source.kind == From::File ? StatusText::tr("Every line of the log was read and is held.")
+                                    : StatusText::tr("No frame is known to be lost since the link came up.")};
 }
 
 }  // namespace deckpipe

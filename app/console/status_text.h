@@ -36,8 +36,6 @@ StatusFact recordingFact(const Snapshot& snapshot);
 QString recordingFaultText(const JournalStatus& recording);
 StatusFact completenessFact(const Snapshot& snapshot);
 
-// Frames lost up to the cursor or refused by the store, of all channels.
-std::uint64_t missingFrames(const Snapshot& snapshot);
 // The words alone, for how wide they may become.
 QString loadWords(long percent);
 QString rateWords(long frames);

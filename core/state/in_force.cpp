@@ -42,9 +42,9 @@ std::int64_t stampAt(const FrameStore& frames, std::uint8_t channel, std::uint64
 }
 
 // What a note that holds until the next one is about: its group, channel and address.
-using Subject = std::tuple<int, Channel, Address>;
-std::optional<Subject> subjectOf(const NoteValue& value) {
-  using About = std::optional<Subject>;
+using NoteSubject = std::tuple<int, Channel, Address>;
+std::optional<NoteSubject> subjectOf(const NoteValue& value) {
+  using About = std::optional<NoteSubject>;
   return std::visit(
       Overload{[](const note::LinkUp& n) {
                  return About({0, n.channel, {}});
@@ -125,7 +125,7 @@ std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& note
 
 std::vector<Note> notesInForce(const FrameStore& frames, const NoteStore& notes, std::uint64_t at) {
   const std::vector<Note> before = notes.between(0, at);
-  std::map<Subject, std::size_t> last;
+  std::map<NoteSubject, std::size_t> last;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (const auto about = subjectOf(before[i].value)) last[*about] = i;
   }

@@ -39,17 +39,32 @@ void AnswerHistory::setView(const LogView& view, const Conversations& talk, cons
       fresh.push_back(read(said));
   }
   if (fresh.empty()) return;
-  if (fresh.size() > kMostRows)
-    fresh.erase(fresh.begin(), fresh.end() - static_cast<std::ptrdiff_t>(kMostRows));
-  if (const std::size_t all = m_rows.size() + fresh.size(); all > kMostRows) {
-    const auto surplus = static_cast<int>(all - kMostRows);
-    beginRemoveRows({}, 0, surplus - 1);
-    m_rows.erase(m_rows.begin(), m_rows.begin() + surplus);
-    endRemoveRows();
-  }
+  const std::size_t all = m_rows.size() + fresh.size();
+  std::size_t surplus = dropOldest(all - std::min(all, kMostRows));
+  std::erase_if(fresh, [&](const Row& row) {
+    const bool goes = surplus > 0 && !isLatest(row);
+    if (goes) --surplus;
+    return goes;
+  });
   beginInsertRows({}, static_cast<int>(m_rows.size()), static_cast<int>(m_rows.size() + fresh.size()) - 1);
   std::ranges::move(fresh, std::back_inserter(m_rows));
   endInsertRows();
+}
+
+bool AnswerHistory::isLatest(const Row& row) const { return m_last[row.message] == row.frame; }
+
+std::size_t AnswerHistory::dropOldest(std::size_t surplus) {
+  for (std::size_t i = 0; surplus > 0 && i < m_rows.size(); ++i) {
+    const auto first = m_rows.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto most = first + static_cast<std::ptrdiff_t>(std::min(surplus, m_rows.size() - i));
+    const auto last = std::find_if(first, most, [this](const Row& row) { return isLatest(row); });
+    if (first == last) continue;
+    surplus -= static_cast<std::size_t>(last - first);
+    beginRemoveRows({}, static_cast<int>(i), static_cast<int>(last - m_rows.begin()) - 1);
+    m_rows.erase(first, last);
+    endRemoveRows();
+  }
+  return surplus;
 }
 
 AnswerHistory::Row AnswerHistory::read(const Utterance& said) {
@@ -62,21 +77,22 @@ AnswerHistory::Row AnswerHistory::read(const Utterance& said) {
   row.message = said.message;
   row.answer = summaryText(frame, asAkron(said.message));
   if (row.answer.isEmpty()) row.answer = messageName(message.id);
-  std::optional<Frame>& before = m_last[said.message];
-  row.isFirst = !before.has_value();
-  if (before) {
+  std::optional<std::uint64_t>& last = m_last[said.message];
+  row.isFirst = !last.has_value();
+  if (last) {
+    const Frame& before = m_view.document->frames[*last];
     QStringList changes;
     for (const Field& field : message.fields) {
       if (field.key.empty() || !isPresent(field, frame)) continue;
       const QString now = valueText(message, field, valueOf(field, frame));
       const QString then =
-          isPresent(field, *before) ? valueText(message, field, valueOf(field, *before)) : QString();
+          isPresent(field, before) ? valueText(message, field, valueOf(field, before)) : QString();
       if (now != then)
         changes.append(tr("%1 was %2").arg(fieldName(field), then.isEmpty() ? tr("not sent") : then));
     }
     row.changed = changes.join(QStringLiteral(", "));
   }
-  before = frame;
+  last = said.frame;
   return row;
 }
 

@@ -20,7 +20,7 @@ class AnswerHistory : public QAbstractTableModel {
  public:
   enum Column { When, What, Answer, Changed, ColumnCount };
   enum Role { FrameRole = Qt::UserRole };  // place in the log, quint64
-  // Older ones are left out.
+  // Older ones are left out, but for the last of each message: what was answered once stays answered.
   static constexpr std::size_t kMostRows = 500;
 
   explicit AnswerHistory(QObject* parent = nullptr);
@@ -50,13 +50,16 @@ class AnswerHistory : public QAbstractTableModel {
 
  private:
   Row read(const Utterance& said);
+  bool isLatest(const Row& row) const;
+  // So many rows, but for the latest of each message; what could not be dropped is given back.
+  std::size_t dropOldest(std::size_t surplus);
 
   LogView m_view;
   DeviceKey m_device;
   std::size_t m_taken = 0;  // utterances looked at
   Cursor m_cursor;
   std::vector<Row> m_rows;
-  EnumArray<MessageId, std::optional<Frame>> m_last;  // by message
+  EnumArray<MessageId, std::optional<std::uint64_t>> m_last;  // place in the log, by message
 };
 
 }  // namespace deckpipe

@@ -4,8 +4,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
+#include "log/link_gaps.h"
 #include "model/event_text.h"
 
 namespace deckpipe {
@@ -115,21 +116,13 @@ bool LogMarks::takeNotes() {
   m_notesTaken = notes.size();
   m_notes.clear();
   m_lost.clear();
-  std::map<Channel, Instant> down;
   for (const Note& note : notes) {
-    const auto* linkDown = std::get_if<note::LinkDown>(&note.value);
-    const auto* linkUp = std::get_if<note::LinkUp>(&note.value);
     m_notes.push_back({TimelineMark::Kind::Event, note.time,
                        named(keyOf(note), noteText(*m_log, note), m_labels), EventGroup::Note,
                        noteWeight(note.value)});
-    if (linkDown != nullptr) down.emplace(linkDown->channel, note.time);
-    if (linkUp == nullptr) continue;
-    if (const auto since = down.find(linkUp->channel); since != down.end()) {
-      m_lost.push_back({TimelineGap::Kind::LinkLost, {since->second, note.time}});
-      down.erase(since);
-    }
   }
-  for (const auto& [channel, since] : down) m_lost.push_back({TimelineGap::Kind::LinkLost, {since, kNever}});
+  for (const LinkGap& gap : linkGaps(notes))
+    m_lost.push_back({TimelineGap::Kind::LinkLost, {gap.begin, gap.end}});
   return true;
 }
 

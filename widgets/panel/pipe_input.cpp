@@ -20,11 +20,33 @@ bool isControlCharacter(const QKeyEvent& event) {
          ((event.key() >= Qt::Key_A && event.key() <= Qt::Key_Z) || event.key() == Qt::Key_BracketLeft);
 }
 
-// Of what was typed or pasted: CR LF, CR and LF all end a line, and the last line needs no end.
-QStringList linesOf(QString text) {
+// What was typed or pasted, where CR LF, CR and LF all end a line. Without an end of its own each line keeps
+// the one it came with: lines that run into one another are another command.
+QString withEnds(QString text, const QString& end) {
+  if (end.isEmpty()) return text;
   text.replace(QLatin1String("\r\n"), QLatin1String("\n")).replace(QLatin1Char('\r'), QLatin1Char('\n'));
-  if (text.endsWith(QLatin1Char('\n'))) text.chop(1);
-  return text.split(QLatin1Char('\n'));
+  return text.replace(QLatin1Char('\n'), end);
+}
+
+bool isEnded(const QString& text) {
+  return text.endsWith(QLatin1Char('\n')) || text.endsWith(QLatin1Char('\r'));
+}
+
+// The last line needs no end.
+int countLines(const QString& text) {
+  const auto ends = withEnds(text, QStringLiteral("\n")).count(QLatin1Char('\n'));
+  return static_cast<int>(ends) + (isEnded(text) ? 0 : 1);
+}
+
+// The first character that does not fit into a byte, as a person can find it: itself, or its number where
+// there is nothing to see. Empty if all fit.
+QString wideCharacter(const QString& text) {
+  const auto wide = std::ranges::find_if(text, [](QChar c) { return c.unicode() > 0xFF; });
+  if (wide == text.end()) return {};
+  const QString from = text.mid(wide - text.begin(), 2);
+  const char32_t character = from.toUcs4().at(0);
+  if (QChar::isPrint(character) && !QChar::isSpace(character)) return QString::fromUcs4(&character, 1);
+  return QStringLiteral("U+%1").arg(static_cast<uint>(character), 4, 16, QLatin1Char('0')).toUpper();
 }
 
 }  // namespace
@@ -88,9 +110,8 @@ std::string PipeInput::lineEnd() const {
 }
 
 bool PipeInput::take(const QString& text, std::string& bytes) {
-  if (std::ranges::any_of(text, [](QChar c) { return c.unicode() > 0xFF; })) {
-    Q_EMIT refused(
-        tr("Not sent: the pipe takes characters of one byte only, and “%1” has another.").arg(text));
+  if (const QString wide = wideCharacter(text); !wide.isEmpty()) {
+    Q_EMIT refused(tr("Not sent: the pipe takes characters of one byte only, and “%1” has more.").arg(wide));
     return false;
   }
   const QByteArray latin = text.toLatin1();
@@ -99,7 +120,7 @@ bool PipeInput::take(const QString& text, std::string& bytes) {
 }
 
 void PipeInput::showCount() {
-  const int lines = static_cast<int>(linesOf(m_input->text()).size());
+  const int lines = countLines(m_input->text());
   m_send->setText(lines > 1 ? tr("Send %Ln lines", nullptr, lines) : tr("Send"));
   m_send->setAccessibleName(m_send->text());
 }
@@ -109,9 +130,7 @@ void PipeInput::sendLine() {
   const QString line = m_input->text();
   const QString end = QString::fromLatin1(lineEnd().c_str());
   std::string bytes;
-  if (!take(line, bytes)) return;  // said of what was typed, without its end
-  take(linesOf(line).join(end) + end, bytes);
-  if (bytes.empty()) return;
+  if (!take(withEnds(isEnded(line) ? line : line + end, end), bytes) || bytes.empty()) return;
   if (!line.isEmpty() && (m_history.isEmpty() || m_history.last() != line)) m_history.append(line);
   m_recalled = m_history.size();
   clear();
@@ -120,13 +139,11 @@ void PipeInput::sendLine() {
 
 void PipeInput::sendRest() {
   if (!isRaw()) return;
-  QString text = m_input->text();
+  const QString text = m_input->text();
   clear();
-  const QString end = QString::fromLatin1(lineEnd().c_str());
-  text.replace(QLatin1String("\r\n"), QLatin1String("\n")).replace(QLatin1Char('\r'), QLatin1Char('\n'));
-  text.replace(QLatin1Char('\n'), end);
   std::string bytes;
-  if (take(text, bytes) && !bytes.empty()) Q_EMIT typed(bytes);
+  if (take(withEnds(text, QString::fromLatin1(lineEnd().c_str())), bytes) && !bytes.empty())
+    Q_EMIT typed(bytes);
 }
 
 // The bytes of a key as a terminal sends them; false for keys that are none.

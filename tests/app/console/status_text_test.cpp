@@ -248,6 +248,55 @@ TEST(CompletenessFact, IsSaidOnlyOfWhatWasReadToItsEnd) {
   EXPECT_EQ(completenessFact(link(Progress::Lost)).text.toStdString(), "Link lost");
 }
 
+// Down between the two frames, each time for 17 s; up again after all but the last, or after all.
+Snapshot snapshotWithOutages(From kind, Progress progress, int outages, bool isUpAgain) {
+  Snapshot snapshot = snapshotOf(kTruck, kind, progress);
+  const auto log = logOfText(kTruck);
+  for (int i = 0; i < outages; ++i) {
+    const Instant down{(20 + 40 * i) * 1'000'000'000LL};
+    log->notes.append({.frame = 1, .time = down, .value = note::LinkDown{{}, LinkFault::Gone}});
+    if (isUpAgain || i + 1 < outages)
+      log->notes.append({.frame = 1, .time = down + 17s, .value = note::LinkUp{}});
+  }
+  snapshot.view.document = log;
+  return snapshot;
+}
+
+TEST(CompletenessFact, OfALinkRemembersThatItWasDown) {
+  struct Row {
+    const char* name;
+    From kind;
+    Progress progress;
+    int outages;
+    bool isUpAgain;
+    const char* text;
+  };
+  for (const Row& row : {Row{"up again", From::Link, Progress::Running, 1, true, "1 gap of 17 s"},
+                         Row{"up again twice", From::Link, Progress::Running, 2, true, "2 gaps, 34 s in all"},
+                         Row{"connecting again", From::Link, Progress::Opening, 1, false, "Link lost"},
+                         Row{"lost again", From::Link, Progress::Lost, 2, false, "Link lost, 1 gap of 17 s"},
+                         Row{"not up again", From::Link, Progress::Failed, 1, false, "Link lost"},
+                         Row{"a file of it", From::File, Progress::Done, 1, true, "1 gap of 17 s"},
+                         Row{"a file that ends so", From::File, Progress::Done, 1, false, "Complete"}}) {
+    SCOPED_TRACE(row.name);
+    const StatusFact fact =
+        completenessFact(snapshotWithOutages(row.kind, row.progress, row.outages, row.isUpAgain));
+    EXPECT_EQ(fact.text.toStdString(), row.text);
+    EXPECT_EQ(fact.tone == StatusTone::Fine, fact.text == QLatin1String("Complete"));
+    EXPECT_FALSE(says(fact.story.toStdString(), "Nothing is known to be missing"));
+    EXPECT_FALSE(says(fact.story.toStdString(), "could be read;"));
+  }
+}
+
+TEST(CompletenessFact, OfALinkWithoutRoomSaysThatTheEndIsMissing) {
+  Snapshot full = link(Progress::Failed);
+  full.source.error = StoreFull{};
+  const StatusFact fact = completenessFact(full);
+  EXPECT_EQ(fact.text.toStdString(), "Store full");
+  EXPECT_EQ(fact.tone, StatusTone::Attend);
+  EXPECT_TRUE(says(fact.story.toStdString(), "What came after the last frame is missing"));
+}
+
 TEST(LoadFact, IsUnknownWithoutTimes) {
   const Snapshot timeless = file("can0  18EFFF80   [8]  01 1D 94 03 71 00 00 41\n");
   const BusRates rates = ratesAt(timeless.view);

@@ -315,5 +315,35 @@ TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {
   EXPECT_EQ(history->rowCount(), 1);
 }
 
+TEST_F(AskedDevice, WhatWasAnsweredOnceStaysAnsweredBelowManyOtherAnswers) {
+  AnswerHistory* history = test::child<AnswerHistory>(panel);
+  QAbstractItemModelTester tester(history, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  std::int64_t time = 2 * kSecond;
+  const auto faults = [&](std::size_t count) {
+    std::vector<Frame> frames;
+    for (std::size_t i = 0; i < count; ++i) frames.push_back(frame("18EFF980", "02000000000000", 0, ++time));
+    return frames;
+  };
+  const auto expectBoth = [&] {
+    EXPECT_EQ(history->rowCount(), static_cast<int>(AnswerHistory::kMostRows));
+    EXPECT_EQ(history->rows().front().ask, Ask::Firmware);
+    EXPECT_EQ(history->rows().back().frame, view.frameCount - 1);
+    EXPECT_FALSE(card(Ask::Firmware)->values().answer.isEmpty());
+    EXPECT_TRUE(card(Ask::Firmware)->values().state.contains(QStringLiteral("heard")))
+        << card(Ask::Firmware)->values().state.toStdString();
+  };
+  // All at once, as of a file; one by one, as of a link; more than there is room for, behind others.
+  std::vector<Frame> frames = faults(3);
+  frames.push_back(frame("18EFF980", "03010B02040206", 0, ++time));
+  const std::vector<Frame> more = faults(AnswerHistory::kMostRows + 100);
+  frames.insert(frames.end(), more.begin(), more.end());
+  add(frames);
+  expectBoth();
+  for (int i = 0; i < 3; ++i) add(faults(1));
+  expectBoth();
+  add(faults(AnswerHistory::kMostRows + 7));
+  expectBoth();
+}
+
 }  // namespace
 }  // namespace deckpipe

@@ -123,6 +123,22 @@ TEST_F(Terminal, PastedLinesStayLinesWithTheChosenEndAndAreCounted) {
   EXPECT_EQ(written().back(), "one\rtwo\rthree\r");
 }
 
+TEST_F(Terminal, WithoutALineEndPastedLinesKeepTheirOwn) {
+  auto* input = child<QLineEdit>("pipeInput");
+  QGuiApplication::clipboard()->setText(QStringLiteral("one\r\ntwo\nthree"));
+  child<QComboBox>("pipeLineEnd")->setCurrentIndex(3);
+  input->paste();
+  EXPECT_EQ(child<QPushButton>("pipeSend")->text(), QStringLiteral("Send 3 lines"));
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_EQ(written(), (std::vector<std::string>{"one\r\ntwo\nthree"}));
+  QTest::keyClicks(input, QStringLiteral("four"));
+  QTest::keyClick(input, Qt::Key_Return);
+  EXPECT_EQ(written().back(), "four");
+  goRaw();
+  input->paste();
+  EXPECT_EQ(written().back(), "one\r\ntwo\nthree");
+}
+
 TEST_F(Terminal, OfALongTextNothingIsCut) {
   auto* input = child<QLineEdit>("pipeInput");
   const std::string text(100'000, 'x');
@@ -136,7 +152,7 @@ TEST_F(Terminal, CharactersOfMoreThanAByteAreRefusedWithWords) {
   auto* input = child<QLineEdit>("pipeInput");
   input->setText(QStringLiteral("5 €"));
   QTest::keyClick(input, Qt::Key_Return);
-  EXPECT_TRUE(hint().contains(QStringLiteral("“5 €”"))) << hint().toStdString();
+  EXPECT_TRUE(hint().contains(QStringLiteral("“€”"))) << hint().toStdString();
   EXPECT_EQ(input->text(), QStringLiteral("5 €")) << "to be mended";
   input->setText(QStringLiteral("5 \u00b0"));
   QTest::keyClick(input, Qt::Key_Return);
@@ -147,6 +163,21 @@ TEST_F(Terminal, CharactersOfMoreThanAByteAreRefusedWithWords) {
   EXPECT_TRUE(hint().contains(QStringLiteral("“€”")));
   EXPECT_TRUE(input->text().isEmpty());
   EXPECT_EQ(written().size(), 1u);
+}
+
+TEST_F(Terminal, OfALongTextTheRefusalNamesOnlyTheCharacter) {
+  auto* input = child<QLineEdit>("pipeInput");
+  const auto hintOf = [&](const QString& character) {
+    input->setText(QString(50'000, QLatin1Char('x')) + character + QStringLiteral("y€"));
+    QTest::keyClick(input, Qt::Key_Return);
+    EXPECT_LT(hint().size(), 120);
+    return hint();
+  };
+  EXPECT_TRUE(hintOf(QStringLiteral("ž")).contains(QStringLiteral("“ž”"))) << hint().toStdString();
+  EXPECT_TRUE(hintOf(QStringLiteral("🚒")).contains(QStringLiteral("“🚒”"))) << hint().toStdString();
+  // A space without width: nothing to see.
+  EXPECT_TRUE(hintOf(QString(QChar(0x200B))).contains(QStringLiteral("“U+200B”"))) << hint().toStdString();
+  EXPECT_TRUE(written().empty());
 }
 
 TEST_F(Terminal, WhatWasTypedForOneDeviceIsNotThereForAnother) {
