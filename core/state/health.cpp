@@ -42,7 +42,8 @@ bool canBeAsked(const Subject& s) {
   return d.partNumber.isKnown() || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
 }
 
-// What the device has to repeat, as far as its type says it, or without one what it sends.
+// What the device has to repeat, as far as its type says it, or without one what it sends. The heartbeat of a gateway
+// is not among it: it is on by default, and can be switched off (Gateway manual).
 EnumSet<MessageId> repeats(const Subject& s) {
   if (s.device == nullptr) return {};
   const Device& d = *s.device;
@@ -52,15 +53,8 @@ EnumSet<MessageId> repeats(const Subject& s) {
   }
   const DeviceTypeFacts* type =
       deviceTypeOf(s.isNode() ? deviceTypeOfPart(d.partNumber.value) : d.pin.deviceType());
-  EnumSet<MessageId> all;
-  if (type != nullptr) {
-    all = type->repeats;
-  } else if (!heard.isEmpty()) {
-    all = repeatedBySenderOf(heard);
-  }
-  // Of a node of another maker nobody knows whether it has a heartbeat.
-  if (s.isNode() && canBeAsked(s)) all.add(MessageId::Heartbeat);
-  return all;
+  if (type != nullptr) return type->repeats;
+  return heard.isEmpty() ? heard : repeatedBySenderOf(heard);
 }
 
 // Whether something of it comes by itself. Controls have to send joystick messages, but from an address of 33 to
