@@ -193,6 +193,14 @@ TEST_F(LawfulBus, ALogThatHoldsEveryFrameTwice) {
   EXPECT_FALSE(isCalledShared());
 }
 
+TEST_F(LawfulBus, AnAddressThatGoesBackToWhoeverCouldClaimNoOther) {
+  m_bus.hear("18EEFF80", kNameOfB).hear("18EFFF80", kAnnouncesB).pass(3s);
+  m_bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(10ms);
+  m_bus.hear("18EEFFFE", kNameOfB).pass(3s);
+  m_bus.hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB).pass(1s);
+  EXPECT_FALSE(isCalledShared());
+}
+
 TEST_F(LawfulBus, ASensorThatJumps) {
   for (int i = 0; i < 60; ++i) m_bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(100ms);
   EXPECT_FALSE(isCalledShared());
