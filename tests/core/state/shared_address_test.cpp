@@ -43,6 +43,35 @@ TEST(TwoAtOneAddress, IsWhereEqualStatusesComeTwiceAPeriodForTwoSeconds) {
   EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
 }
 
+TEST(TwoAtOneAddress, IsWhereEqualStatusesComeFifteenMillisecondsApart) {
+  Bus bus;
+  bus.monitor().answered();
+  for (int i = 0; i < 100; ++i) {
+    bus.pass(85ms).statuses();
+    if (i % 10 == 0) bus.answered().hear("18EFF980", kNoFaults);
+    bus.pass(15ms).statuses();
+  }
+  EXPECT_EQ(listed(bus), "two_at_one_address");
+}
+
+// A log that holds each frame twice says the same until something changes.
+TEST(TwoAtOneAddress, IsOnlyEqualUntilAStatusChangesInPairs) {
+  Bus bus;
+  const auto health = [&bus] { return healthOf(bus.state(), *bus.device(kPinA)); };
+  const auto twice = [&bus](int periods, std::string_view position) {
+    for (int i = 0; i < periods; ++i) bus.pass(70ms).statuses(position).pass(30ms).statuses(position);
+  };
+  bus.monitor();
+  twice(25, kPosition);
+  EXPECT_TRUE(health().has(HealthCause::TwoAtOneAddress));
+  EXPECT_TRUE(health().isOnlyEqual);
+  twice(1, kTurnedALittle);
+  EXPECT_FALSE(health().has(HealthCause::TwoAtOneAddress));
+  for (int i = 0; i < 25; ++i) bus.pass(70ms).statuses(kPosition).pass(30ms).statuses(kTurnedALittle);
+  EXPECT_TRUE(health().has(HealthCause::TwoAtOneAddress));
+  EXPECT_FALSE(health().isOnlyEqual) << "they say different things";
+}
+
 TEST(TwoAtOneAddress, IsOfThreeAndFour) {
   for (const Duration apart : {33ms, 25ms}) {
     Bus bus;
@@ -68,6 +97,30 @@ TEST(TwoAtOneAddress, IsOfNobodyWhoLeftItBefore) {
   for (int i = 0; i < 8; ++i) bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
   EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinB)).has(HealthCause::TwoAtOneAddress));
   EXPECT_FALSE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
+}
+
+TEST(TwoAtOneAddress, IsOfBothAfterAPauseToo) {
+  Bus bus;
+  bus.monitor().pass(1s).hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB);
+  const auto bothSend = [&](int statuses) {
+    for (int i = 0; i < statuses; ++i)
+      bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
+  };
+  bothSend(8);
+  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
+  bus.pass(13s);
+  EXPECT_FALSE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
+  bothSend(160);
+  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinB)).has(HealthCause::TwoAtOneAddress));
+  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
+}
+
+TEST(TwoAtOneAddress, IsOfBothHoweverOftenTheSecondIsAnnounced) {
+  Bus bus;
+  bus.monitor().pass(300ms);
+  for (int i = 0; i < 4; ++i) bus.hear("18EFFF80", kAnnouncesB).pass(5s);
+  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinB)).has(HealthCause::TwoAtOneAddress));
+  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
 }
 
 TEST(TwoAtOneAddress, IsWhereTwoPinsAnswerInTurn) {
@@ -191,6 +244,40 @@ TEST_F(LawfulBus, ALogThatHoldsEveryFrameTwice) {
     m_bus.hear("18EFFF80", position).pass(1ms).hear("18EFFF80", position).pass(99ms);
   }
   EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, ALogThatHoldsEveryFrameTwiceAtOnceWhileNothingChanges) {
+  for (int i = 0; i < 100; ++i) m_bus.statuses().pass(4ms).statuses().pass(96ms);
+  EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, AMonitorThatTurnsAndThatTwoLoggersHeardWhoseClocksDiffer) {
+  for (const Duration apart : {10ms, 30ms, 47ms}) {
+    for (int i = 0; i < 100; ++i) {
+      const unsigned angle = m_angle;
+      hearAngle();
+      m_bus.hear("18EFFF80", kOutputs).pass(apart);
+      m_angle = angle;
+      hearAngle();
+      m_bus.hear("18EFFF80", kOutputs).pass(100ms - apart);
+      EXPECT_FALSE(isCalledShared()) << apart.count() << " at " << i;
+    }
+    m_bus.pass(20s);
+  }
+}
+
+TEST_F(LawfulBus, AnAdapterThatStoodStillAndDrainsSlowly) {
+  for (const bool turns : {true, false}) {
+    turn(20);
+    m_bus.goOn(2s).pass(4s);
+    for (int i = 0; i < 60; ++i) {
+      turns ? hearAngle() : static_cast<void>(m_bus.statuses());
+      m_bus.pass(50ms);
+      EXPECT_FALSE(isCalledShared()) << i;
+    }
+    turn(30);
+    EXPECT_FALSE(isCalledShared());
+  }
 }
 
 TEST_F(LawfulBus, AnAddressThatGoesBackToWhoeverCouldClaimNoOther) {
