@@ -76,7 +76,7 @@ Notice unreadable(const Snapshot& snapshot) {
 
 // Where a log's clock does not run, ages, rates and load are no measure.
 Notice clockNotice(const LogDocument& log) {
-  if (!log.frames[0].hasStamp()) {
+  if (!log.frames.hasTimes()) {
     return {StatusTone::Attend, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
                                                "rates, load and silence means nothing.")};
   }

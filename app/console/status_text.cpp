@@ -112,6 +112,13 @@ QString readErrorWords(const ReadError& error) {
   return {};
 }
 
+// Of BusRates that are not known.
+QString whyNoRates(const BusRates& rates) {
+  return rates.basis == BusRates::Basis::NoTimes
+             ? StatusText::tr("Without times neither load nor rate is known.")
+             : StatusText::tr("Too little of the log lies before the cursor to tell load and rate.");
+}
+
 StatusTone sourceTone(const SourceStatus& source) {
   switch (source.progress) {
     case Progress::Idle: return StatusTone::Idle;
@@ -210,11 +217,11 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
   const int bitRate = loadBitRate(snapshot.source);
   const auto percent = std::lround(loadPercent(rates, bitRate));
   StatusFact fact;
-  fact.text = rates.isKnown ? loadWords(percent) : StatusText::tr("Load –");
+  fact.text = rates.isKnown() ? loadWords(percent) : StatusText::tr("Load –");
   QStringList story{StatusText::tr("How much of the bus was taken in the last second, of %1 kbit/s.\n"
                                    "Reckoned from the frames; stuff bits are estimated.")
                         .arg(bitRate / 1000)};
-  if (!rates.isKnown) story += StatusText::tr("Without times no load is known.");
+  if (!rates.isKnown()) story += whyNoRates(rates);
   if (snapshot.source.bitRate == 0)
     story += StatusText::tr("The log does not say its bit rate: this takes it for J1939.");
   if (const auto& document = snapshot.view.document; document && document->frames.channelCount() > 1) {
@@ -231,9 +238,7 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
 }
 
 StatusFact rateFact(const BusRates& rates) {
-  if (!rates.isKnown)
-    return {StatusTone::Plain, StatusText::tr("– frames/s"),
-            StatusText::tr("Without times no rate is known.")};
+  if (!rates.isKnown()) return {StatusTone::Plain, StatusText::tr("– frames/s"), whyNoRates(rates)};
   return {StatusTone::Plain, rateWords(std::lround(rates.framesASecond)),
           StatusText::tr("Frames in the last second before the cursor, of all buses.")};
 }
@@ -328,7 +333,7 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   const QString shortLength = length.left(length.size() - 4);
   if (snapshot.source.kind == From::File) {
     const QString frames = frameCountText(view.frameCount);
-    const bool hasTimes = view.frameCount == 0 || view.document->frames[0].hasStamp();
+    const bool hasTimes = view.frameCount == 0 || view.document->frames.hasTimes();
     if (snapshot.source.progress == Progress::Opening)
       return {StatusTone::Plain, frames, StatusText::tr("%1 have been read so far.").arg(frames)};
     return {StatusTone::Plain, frames,

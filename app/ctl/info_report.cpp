@@ -33,7 +33,7 @@ std::string_view ageWord(AnswerAge age) {
 }
 
 // What it answered of faults, how long ago, and why that is old: "no faults, asked 93.0 s ago, silent since".
-std::string faultsText(const State& state, const Device& device) {
+std::string faultsText(const State& state, const Device& device, bool hasTimes) {
   if (!device.faults().isKnown()) return {};
   const FaultStatus faults = device.faults().value();
   std::string out;
@@ -42,10 +42,12 @@ std::string faultsText(const State& state, const Device& device) {
   }
   if (out.empty()) out = faults.map == 0 ? "no faults" : "fault bits " + hex(faults.map, 8);
   if (faults.pcodeError.value_or(0) != 0) out += ", pCode error " + std::to_string(*faults.pcodeError);
-  char age[40];
-  const Duration ago = state.cursor().time - device.faults().at;
-  std::snprintf(age, sizeof age, ", asked %.1f s ago", std::chrono::duration<double>(ago).count());
-  out += age;
+  if (hasTimes) {
+    char age[40];
+    const Duration ago = state.cursor().time - device.faults().at;
+    std::snprintf(age, sizeof age, ", asked %.1f s ago", std::chrono::duration<double>(ago).count());
+    out += age;
+  }
   const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
   if (!why.empty()) out.append(", ").append(why);
   return out;
@@ -57,7 +59,7 @@ void appendAngle(std::string& out, const PositionReading& reading) {
 
 // One device as a JSON object: what it is, and the last of each thing it said.
 void appendDeviceJson(std::string& out, const State& state, const Device& device, std::string_view channel,
-                      std::string_view label) {
+                      std::string_view label, bool hasTimes) {
   const auto key = [&](std::string_view name) {
     out += ",\"";
     out += name;
@@ -121,7 +123,8 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
                              ? Value::integer(*device.faults().value().pcodeError)
                              : Value());
     key("faults_age");
-    appendJsonValue(out, Value::decimal((state.cursor().time - device.faults().at) / 100ms, 1));
+    const Duration ago = state.cursor().time - device.faults().at;
+    appendJsonValue(out, hasTimes ? Value::decimal(ago / 100ms, 1) : Value());
     key("faults_old");
     const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
     appendJsonValue(out, why.empty() ? Value() : Value::text(why));
@@ -148,7 +151,7 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
 }
 
 std::string deviceText(const State& state, const Device& device, std::string_view channel,
-                       std::string_view label) {
+                       std::string_view label, bool hasTimes) {
   std::string out;
   if (device.kind == Device::Kind::Pin) {
     out += device.pin.text();
@@ -176,7 +179,7 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
     out += ", rotation " + angle(device.position().value().rotation);
     out += ", elevation " + angle(device.position().value().elevation);
   }
-  if (const std::string faults = faultsText(state, device); !faults.empty()) out += ", " + faults;
+  if (const std::string faults = faultsText(state, device, hasTimes); !faults.empty()) out += ", " + faults;
   return out.append(", ").append(healthOf(state, device).key());
 }
 
@@ -244,8 +247,6 @@ Frame InfoReport::frameOf(const Key& key) const {
   return frame;
 }
 
-bool InfoReport::hasTimes() const { return m_frames.count() == 0 || m_frames[0].hasStamp(); }
-
 double InfoReport::spanSeconds() const {
   if (m_frames.count() == 0) return 0;
   return std::chrono::duration<double>(m_frames.lastTime() - m_frames.timeAt(0)).count();
@@ -255,7 +256,7 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
   std::string out = file + "\n";
   char line[160];
   char span[40] = "without times";
-  if (hasTimes()) std::snprintf(span, sizeof span, "over %.6f s", spanSeconds());
+  if (m_frames.hasTimes()) std::snprintf(span, sizeof span, "over %.6f s", spanSeconds());
   std::snprintf(line, sizeof line, "  %llu frames %s on %zu channels\n",
                 static_cast<unsigned long long>(m_frames.count()), span, m_frames.channelCount());
   out += line;
@@ -284,7 +285,9 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
     out += "devices\n";
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;
-      out += "  " + deviceText(m_state, device, m_frames.channelName(device.channel.value), labelOf(device)) +
+      out += "  " +
+             deviceText(m_state, device, m_frames.channelName(device.channel.value), labelOf(device),
+                        m_frames.hasTimes()) +
              "\n";
     }
   }
@@ -296,7 +299,7 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
   appendJsonString(out, file);
   out += ",\"frames\":" + std::to_string(m_frames.count());
   char span[40] = ",\"span\":null";
-  if (hasTimes()) std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
+  if (m_frames.hasTimes()) std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
   out += span;
   appendNotesJson(out);
   out += ",\"time_jumps\":" + std::to_string(m_timeJumps);
@@ -335,7 +338,8 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;
       comma();
-      appendDeviceJson(out, m_state, device, m_frames.channelName(device.channel.value), labelOf(device));
+      appendDeviceJson(out, m_state, device, m_frames.channelName(device.channel.value), labelOf(device),
+                       m_frames.hasTimes());
     }
     out += ']';
   }

@@ -37,7 +37,6 @@ class InfoReport {
   void appendNotes(std::string& out) const;
   void appendNotesJson(std::string& out) const;
   Frame frameOf(const Key& key) const;
-  bool hasTimes() const;
   double spanSeconds() const;
 
   const FrameStore& m_frames;

@@ -22,7 +22,7 @@ enum class HealthSeverity : std::uint8_t {
 // The worst first.
 enum class HealthCause : std::uint8_t {
   Silent,             // its periodic messages stopped
-  TwoAtOneAddress,    // another device sends from the same address
+  TwoAtOneAddress,    // another device sends from the same address, or the log holds its frames twice
   FaultsNamed,        // its answer names faults, or a pCode error
   SensorError,        // the position sensor of an axis
   OperationalError,   // as its position status says

@@ -203,6 +203,8 @@ Instant FrameStore::lastTime() const {
   return n == 0 ? Instant{} : timeAt(n - 1);
 }
 
+bool FrameStore::hasTimes() const { return count() == 0 || (*this)[0].hasStamp() || lastTime() != Instant{}; }
+
 std::uint8_t FrameStore::channel(std::string_view name) {
   const std::lock_guard lock(m_namesLock);
   if (const auto known = m_indexOfName.find(name); known != m_indexOfName.end()) return known->second;

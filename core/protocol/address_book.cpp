@@ -123,9 +123,10 @@ void AddressBook::noteTurn(const Turn& turn) {
   m_turns.front() = turn;
 }
 
-bool AddressBook::forgetTurns(Turn::By by, std::uint64_t who, Address except) {
+template <typename IsMeant>
+bool AddressBook::forgetTurns(IsMeant isMeant, Address except) {
   const auto kept = std::ranges::remove_if(m_turns, [&](const Turn& turn) {
-    return turn.time != kNotYet && turn.by == by && turn.who == who && turn.address != except;
+    return turn.time != kNotYet && turn.address != except && isMeant(turn);
   });
   std::ranges::fill(kept, Turn{});
   return !kept.empty();
@@ -145,7 +146,7 @@ bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lo
   }
   if (m_pins[source.value] != 0) lost.set(source.value);
   m_pins[source.value] = pin;
-  forgetTurns(Turn::By::Pin, pin, source);
+  forgetTurns([pin](const Turn& turn) { return turn.by == Turn::By::Pin && turn.who == pin; }, source);
   noteTurn({time, pin, source, Turn::By::Pin});
   return true;
 }
@@ -153,7 +154,10 @@ bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lo
 bool AddressBook::claimed(Address source, const Frame& frame, Instant time, Lost& lost) {
   const Name name = Name::of(frame);
   if (source == kGlobalAddress || name.isNull()) return false;
-  const bool hasForgotten = forgetTurns(Turn::By::Name, name.value, source);
+  const auto isItsTurn = [name](const Turn& turn) {
+    return turn.by == Turn::By::Name ? turn.who == name.value : isNameOf(name, pinOf(turn.who));
+  };
+  const bool hasForgotten = forgetTurns(isItsTurn, source);
   const bool hasGivenUp = giveUpContests(name, source) || hasForgotten;
   if (source == kNullAddress) return cannotClaim(name, lost) || hasGivenUp;
   if (!isHeld(source)) {

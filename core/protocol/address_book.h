@@ -75,7 +75,8 @@ class AddressBook {
   // Since when two devices have said that it is theirs, neither giving way; kNotYet: they do not. Two NAMEs have
   // taken it, or two PINs were announced there, in turn: the first one again a second or more after its first time,
   // at most 10 s from turn to turn, and the last not more than a minute ago. On a lawful bus whoever loses an address
-  // claims another one, says that it cannot, or is gone; its turns are forgotten then.
+  // claims another one, says that it cannot, or is gone. When a NAME does either of the first two, its turns and those
+  // of the PINs that may have it are forgotten; so are those of a PIN that is announced elsewhere.
   Instant sharedSince(Address a, Instant now) const;
   // `now` is the log time that is looked at, not before the last frame.
   ClaimState claim(Address a, Instant now) const;
@@ -158,8 +159,9 @@ class AddressBook {
   Contest& contestAt(Address a);
   bool decide(Instant time, Lost& lost);
   void noteTurn(const Turn& turn);
-  // It is elsewhere now, or nowhere: it shares no address but `except`.
-  bool forgetTurns(Turn::By by, std::uint64_t who, Address except);
+  // Whoever is meant is elsewhere now, or nowhere: it shares no address but `except`.
+  template <typename IsMeant>
+  bool forgetTurns(IsMeant isMeant, Address except);
   // The latest turns of an address by NAME or PIN, the last first; null where there were fewer.
   std::array<const Turn*, 4> turnsOf(Address a, Turn::By by) const;
 

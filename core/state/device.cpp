@@ -61,9 +61,26 @@ void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
   const Frame before = report(id).frame();
   const bool leaps = id == MessageId::PositionLimitStatus &&
                      isLeap(PositionLimitStatus::of(before), PositionLimitStatus::of(frame));
-  Pace& pace = m_paces[paceOf(id)];
-  if (!pace.isDoubled(time - report(id).at, messageOf(id).period, before.data != frame.data, leaps)) return;
-  if (doubled == kNotYet || time - doubled > kDoubledFor) doubledSince = time;
+  takeDoubling(m_paces[paceOf(id)].next(id, time - report(id).at, before.data != frame.data, leaps), time);
+}
+
+void Device::takeDoubling(Doubling doubling, Instant time) {
+  const auto isRecent = [time](Instant at) { return at != kNotYet && time - at <= kDoubledFor; };
+  switch (doubling) {
+    case Doubling::None: return;
+    case Doubling::InPairs:
+      paired = time;
+      if (isOnlyEqual) doubledSince = doubled = kNotYet;
+      isOnlyEqual = false;
+      return;
+    case Doubling::Equal:
+      // Another of its statuses shows that the log holds each twice.
+      if (isRecent(paired)) return;
+      isOnlyEqual = isOnlyEqual || !isRecent(doubled);
+      break;
+    case Doubling::Differing: isOnlyEqual = false; break;
+  }
+  if (doubledSince == kNotYet || doubledSince < addressSince) doubledSince = time;
   doubled = time;
 }
 

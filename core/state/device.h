@@ -49,9 +49,12 @@ struct Device {
   Instant lastStatus = kNotYet;  // when one of kOwnPeriodicReports came last
   Instant resumed = kNotYet;     // when they came again after a silence
   Instant restarted = kNotYet;   // when it announced itself unasked, or as a node booted
-  // When it was first and last certain that two devices send from its address (pace.h).
+  // When statuses first and last showed that two devices send from its address (pace.h). The first time stays as long
+  // as it has the address.
   Instant doubledSince = kNotYet;
   Instant doubled = kNotYet;
+  Instant paired = kNotYet;  // when a status changed last as in a log that holds each frame twice
+  bool isOnlyEqual = false;  // nothing but equal statuses showed the two: the log may hold each frame twice
 
   Address permissiveFrom;  // the master controller that sent the permissive
 
@@ -123,6 +126,7 @@ struct Device {
     m_askedInVain[ask] = kNotYet;
   }
   void takeStatus(const Frame& frame, MessageId id, Instant time);
+  void takeDoubling(Doubling doubling, Instant time);
   void takeSdo(const Frame& frame, Instant time);
 
   std::array<Report, kReports.size()> m_reports;

@@ -42,7 +42,8 @@ bool canBeAsked(const Subject& s) {
   return d.partNumber.isKnown() || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
 }
 
-// What the device has to repeat, as far as its type says it, or without one what it sends.
+// What the device has to repeat, as far as its type says it, or without one what it sends. The heartbeat of a gateway
+// is not among it: it is on by default, and can be switched off (Gateway manual).
 EnumSet<MessageId> repeats(const Subject& s) {
   if (s.device == nullptr) return {};
   const Device& d = *s.device;
@@ -52,15 +53,8 @@ EnumSet<MessageId> repeats(const Subject& s) {
   }
   const DeviceTypeFacts* type =
       deviceTypeOf(s.isNode() ? deviceTypeOfPart(d.partNumber.value) : d.pin.deviceType());
-  EnumSet<MessageId> all;
-  if (type != nullptr) {
-    all = type->repeats;
-  } else if (!heard.isEmpty()) {
-    all = repeatedBySenderOf(heard);
-  }
-  // Of a node of another maker nobody knows whether it has a heartbeat.
-  if (s.isNode() && canBeAsked(s)) all.add(MessageId::Heartbeat);
-  return all;
+  if (type != nullptr) return type->repeats;
+  return heard.isEmpty() ? heard : repeatedBySenderOf(heard);
 }
 
 // Whether something of it comes by itself. Controls have to send joystick messages, but from an address of 33 to
@@ -93,35 +87,46 @@ AnswerAge ageOf(const Subject& s, Instant answered) {
   return isSilent(s) && s.now() - answered >= kSilentAfter ? AnswerAge::BeforeSilence : AnswerAge::Current;
 }
 
-// Since when two devices send from one address; kNotYet: they do not. They do if their PINs or NAMEs say so in turn
-// (AddressBook::sharedSince), if their statuses come twice a period (pace.h), or if a PIN is announced, with no
-// claim under way, under the NAME of another device.
-Instant sharedSince(const Subject& s, Address address) {
-  Instant since = s.channel.book.sharedSince(address, s.now());
-  const auto found = [&](Instant at) { since = since == kNotYet ? at : std::min(since, at); };
+// That two devices send from one address.
+struct Shared {
+  Instant since = kNotYet;  // kNotYet: they do not
+  bool isCertain = false;   // not by equal statuses alone
+};
+
+// They do if their PINs or NAMEs say so in turn (AddressBook::sharedSince), if their statuses come twice a period
+// (pace.h), or if a PIN is announced, with no claim under way, under the NAME of another device.
+Shared sharedAt(const Subject& s, Address address) {
+  Shared shared;
+  const auto found = [&](Instant at, bool isCertain) {
+    shared.since = shared.since == kNotYet ? at : std::min(shared.since, at);
+    shared.isCertain = shared.isCertain || isCertain;
+  };
+  const AddressBook& book = s.channel.book;
+  if (const Instant since = book.sharedSince(address, s.now()); since != kNotYet) found(since, true);
   for (const Device& d : s.state.devices().all()) {
     if (d.kind != Device::Kind::Pin && d.kind != Device::Kind::Address) continue;
     if (&s.state.channel(d.channel) != &s.channel || d.address != address) continue;
-    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor) found(d.doubledSince);
-    const Name holder = s.channel.book.holder(address);
+    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor) found(d.doubledSince, !d.isOnlyEqual);
+    const Name holder = book.holder(address);
     if (d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
-        s.channel.book.claim(address, d.announced) == ClaimState::Claimed)
-      found(d.announced);
+        book.claim(address, d.announced) == ClaimState::Claimed)
+      found(d.addressSince, true);
   }
-  return since;
+  return shared;
 }
 
-// The address that it has, or lost last: whoever lost it to the other one may still send from there.
-Address sharedAddress(const Subject& s) {
-  if (s.isNode()) return kNullAddress;
+// Of the address that it has, or lost last: whoever lost it to the other one may still send from there.
+void takeShared(const Subject& s, Health& h) {
+  if (s.isNode()) return;
   const bool hasLost = !s.hasAddress() && s.device != nullptr;
   const Address address = hasLost ? s.device->previousAddress() : s.address;
-  if (address == kNullAddress) return kNullAddress;
-  const Instant since = sharedSince(s, address);
-  if (since == kNotYet) return kNullAddress;
+  if (address == kNullAddress) return;
+  const Shared shared = sharedAt(s, address);
+  if (shared.since == kNotYet) return;
   // It left before: the two are others.
-  if (hasLost && since - s.device->formerAddresses.front().until > kLostWithin) return kNullAddress;
-  return address;
+  if (hasLost && shared.since - s.device->formerAddresses.front().until > kLostWithin) return;
+  h.sharedAddress = address;
+  h.isOnlyEqual = !shared.isCertain;
 }
 
 bool isOld(const Health& h) { return h.answered != kNotYet && h.answer != AnswerAge::Current; }
@@ -153,7 +158,7 @@ Axes axesThatAre(const Subject& s, PositionState state) {
 
 Health factsOf(const Subject& s) {
   Health h;
-  h.sharedAddress = sharedAddress(s);
+  takeShared(s, h);
   if (s.device == nullptr) return h;
   const Device& d = *s.device;
   takeAnswers(s, h);

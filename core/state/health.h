@@ -52,6 +52,8 @@ struct Health {
   Instant answered = kNotYet;             // FaultsOld: when the answer came
   AnswerAge answer = AnswerAge::Current;  // FaultsOld: why it is old
   Address sharedAddress;                  // TwoAtOneAddress: which; null otherwise
+  // TwoAtOneAddress: the two say the same, or there is one and the log holds its frames twice.
+  bool isOnlyEqual = false;
 
   bool isFine() const { return causes.isEmpty(); }
   bool has(HealthCause cause) const { return causes.has(cause); }

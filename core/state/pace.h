@@ -3,9 +3,15 @@
 // Device owns one for each message that it repeats.
 //
 // Two devices are told by this alone: in each period two such messages come, or more, and that goes on for two
-// seconds; or four times in a row the position leaps farther than a monitor turns in a period. A lawful bus cannot
-// give either. Frames that were held up and come all at once do not count, as they lie much closer; nor do frames
-// that a log holds twice, as their bytes are equal and there is next to no time between the two.
+// seconds; or four times in a row the position leaps farther than a monitor turns in a period. One device alone can
+// give the like in two ways, which do not count:
+//
+//   Frames that were held up. Those that come all at once lie much closer. Others drain slowly: after a message was
+//   stale the rate says nothing for five seconds, or until one comes about a period after the one before.
+//
+//   A log that holds each frame twice, as one does that was merged of what two loggers heard. What changes, changes
+//   in equal pairs there (A A B B). While nothing changes, such a log cannot be told from two devices that say the
+//   same: only then is the answer Equal. Equal messages less than 5 ms apart are taken for one that is there twice.
 #pragma once
 
 #include <algorithm>
@@ -13,39 +19,78 @@
 #include <limits>
 
 #include "base/time.h"
+#include "protocol/lists.h"
 
 namespace deckpipe {
 
+// What one more message shows of how many send it.
+enum class Doubling : std::uint8_t {
+  None,       // nothing
+  InPairs,    // it changed after two that were equal: it may be one device, recorded twice
+  Equal,      // two devices that say the same, or one that was recorded twice
+  Differing,  // two devices
+};
+
 class Pace {
  public:
-  // A message came `gap` after the one before it. `differs`: its bytes are others. `leaps`: so is its position,
-  // by more than a monitor turns in a period. Returns whether two devices must be sending it.
-  bool isDoubled(Duration gap, Duration period, bool differs, bool leaps) {
+  // A message `id` came `gap` after the one before it. `differs`: its bytes are others. `leaps`: so is its position,
+  // by more than a monitor turns in a period.
+  Doubling next(MessageId id, Duration gap, bool differs, bool leaps) {
+    const Duration period = messageOf(id).period;
     const Duration both = gap + m_gap * kUnit;
-    const bool isApart = std::min<Duration>(gap, m_gap * kUnit) * 5 >= period;
+    const bool isApart = std::min<Duration>(gap, m_gap * kUnit) > kOne;
     const bool isTwice =
         m_gap != 0 && gap > 0ns && (differs || isApart) && both * 5 >= period * 2 && both * 3 <= period * 4;
+    const bool isSingle = differs && m_differed;
+    holdUp(id, gap);
     m_gap = units(gap);
-    m_doubled = isTwice ? units(m_doubled * kUnit + gap) : std::uint16_t{0};
-    m_leaps = isTwice && leaps ? next(m_leaps) : std::uint8_t{0};
-    return m_leaps >= kLeaps || m_doubled * kUnit >= kFor;
+    m_differed = differs;
+    if (!isTwice || m_heldUp != 0) {
+      m_doubled = 0;
+      m_leaps = 0;
+      m_hasSingles = false;
+      return Doubling::None;
+    }
+    m_hasSingles = m_hasSingles || isSingle;
+    m_leaps = leaps ? static_cast<std::uint8_t>(std::min<int>(m_leaps + 1, kLeaps)) : std::uint8_t{0};
+    if (differs && !m_hasSingles) {
+      m_doubled = 0;
+      return Doubling::InPairs;
+    }
+    m_doubled = units(m_doubled * kUnit + gap);
+    if (m_leaps < kLeaps && m_doubled * kUnit < kFor) return Doubling::None;
+    return m_hasSingles ? Doubling::Differing : Doubling::Equal;
   }
   friend bool operator==(const Pace&, const Pace&) = default;
 
  private:
   static constexpr Duration kUnit = 100us;
   static constexpr Duration::rep kMost = std::numeric_limits<std::uint16_t>::max();
+  static constexpr Duration kOne = 5ms;
   static constexpr Duration kFor = 2s;
+  static constexpr Duration kDrainsFor = 5s;
   static constexpr std::uint8_t kLeaps = 4;
+  static_assert(kDrainsFor / kUnit <= kMost);
 
   static std::uint16_t units(Duration d) {
     return static_cast<std::uint16_t>(std::clamp<Duration::rep>(d / kUnit, 0, kMost));
   }
-  static std::uint8_t next(std::uint8_t n) { return n == 255 ? n : static_cast<std::uint8_t>(n + 1); }
+  void holdUp(MessageId id, Duration gap) {
+    if (gap >= staleAfter(id)) {
+      m_heldUp = units(kDrainsFor);
+    } else if (gap * 10 >= messageOf(id).period * 9) {
+      m_heldUp = 0;
+    } else {
+      m_heldUp = units(m_heldUp * kUnit - gap);
+    }
+  }
 
   std::uint16_t m_gap = 0;      // before the last message
   std::uint16_t m_doubled = 0;  // for so long two or more came a period
+  std::uint16_t m_heldUp = 0;   // for so long the rate says nothing
   std::uint8_t m_leaps = 0;     // messages in a row that leapt meanwhile
+  bool m_differed = false;      // the last message from the one before it
+  bool m_hasSingles = false;    // meanwhile one differed from the one before and from the one after it
 };
 
 }  // namespace deckpipe

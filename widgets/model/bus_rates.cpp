@@ -20,8 +20,12 @@ BusRates ratesAt(const LogView& view) {
   const FrameStore& frames = view.document->frames;
   const std::uint64_t end = std::min(view.cursor.frames, frames.count());
   const Duration span = std::min(kSpan, view.cursor.time - view.begin);
-  rates.isKnown = end == 0 || span >= kLeastSpan;
-  if (end == 0 || view.cursor.time < view.begin || span < kLeastSpan) return rates;
+  if (!frames.hasTimes()) {
+    rates.basis = BusRates::Basis::NoTimes;
+  } else if (end == 0 || span >= kLeastSpan) {
+    rates.basis = BusRates::Basis::Times;
+  }
+  if (end == 0 || !rates.isKnown() || view.cursor.time < view.begin) return rates;
   const std::uint64_t earliest = end > kMostFrames ? end - kMostFrames : 0;
   std::uint64_t i = std::max(earliest, frames.firstAfter(view.cursor.time - span));
   std::uint64_t count = 0;

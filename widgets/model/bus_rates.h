@@ -11,12 +11,18 @@
 namespace deckpipe {
 
 struct BusRates {
-  bool isKnown = false;  // not of a log without times, nor in its first moments
+  enum class Basis : std::uint8_t {
+    Times,     // known
+    TooShort,  // too little of the log lies before the cursor
+    NoTimes,   // the log has no times (FrameStore::hasTimes)
+  };
+  Basis basis = Basis::TooShort;
   double framesASecond = 0;
   std::array<double, kMaxChannels> bitsASecond{};
   // Among the frames of that second, error frames apart.
   std::uint64_t extended = 0, standard = 0;
 
+  bool isKnown() const { return basis == Basis::Times; }
   friend bool operator==(const BusRates&, const BusRates&) = default;
 };
 

@@ -48,6 +48,11 @@ QString oldAnswerText(const Health& health, Instant now) {
   return text.replace(0, 1, text.at(0).toUpper());
 }
 
+QString sharedText(const Health& health) {
+  const QString address = addressText(health.sharedAddress);
+  return health.isOnlyEqual ? HealthWords::tr("%1, or the log holds its frames twice").arg(address) : address;
+}
+
 QString whatOf(HealthCause cause, const Health& health, Instant now) {
   switch (cause) {
     case HealthCause::Silent:
@@ -56,7 +61,7 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
                  : HealthWords::tr("Its periodic messages stopped %1").arg(agoOf(health.since, now));
     case HealthCause::Idle: return agoOf(health.since, now);
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
-    case HealthCause::TwoAtOneAddress: return addressText(health.sharedAddress);
+    case HealthCause::TwoAtOneAddress: return sharedText(health);
     case HealthCause::FaultsNamed: return faultSummary(health.faults.map, health.faults.errorCode);
     case HealthCause::SensorError: return axesText(health.sensorError);
     case HealthCause::PositionInvalid: return axesText(health.invalid);

@@ -302,7 +302,17 @@ TEST(LoadFact, IsUnknownWithoutTimes) {
   const BusRates rates = ratesAt(timeless.view);
   EXPECT_EQ(loadFact(timeless, rates).text.toStdString(), "Load –");
   EXPECT_EQ(rateFact(rates).text.toStdString(), "– frames/s");
+  EXPECT_TRUE(says(rateFact(rates).story.toStdString(), "Without times"));
   EXPECT_TRUE(says(recordingFact(timeless).story.toStdString(), "without times"));
+}
+
+TEST(LoadFact, IsUnknownOfALogTooShortToTell) {
+  const Snapshot brief = file("(1.000) can0 18EFFF80#011D940371000041\n(1.050) can0 18EFFF80#83C051\n");
+  const BusRates rates = ratesAt(brief.view);
+  EXPECT_EQ(loadFact(brief, rates).text.toStdString(), "Load –");
+  EXPECT_TRUE(says(loadFact(brief, rates).story.toStdString(), "Too little of the log"));
+  EXPECT_FALSE(says(loadFact(brief, rates).story.toStdString(), "Without times"));
+  EXPECT_FALSE(says(rateFact(rates).story.toStdString(), "Without times"));
 }
 
 TEST(SourceError, NamesTheFormatThatAFileSeemsToBe) {

@@ -83,4 +83,26 @@ TEST(AnswerOfALog, IsSaidWithItsAgeAndWhyItIsOld) {
       << out.toStdString();
 }
 
+TEST(AnswerOfALog, HasNoAgeInALogWithoutTimes) {
+  const QByteArray log =
+      "can0  18EFFF80   [8]  FF 83 15 02 06 02 1A 0B\n"
+      "can0  18EF80F9   [1]  02\n"
+      "can0  18EFF980   [7]  02 00 00 00 00 00 00\n";
+  const auto infoOf = [&log](const char* arguments) {
+    QProcess process;
+    process.start(QStringLiteral(DECKPIPECTL), deckpipe::test::words(arguments));
+    process.write(log);
+    process.closeWriteChannel();
+    EXPECT_TRUE(process.waitForFinished(60'000));
+    return deckpipe::test::outcomeOf(process).out;
+  };
+  const QByteArray text = infoOf("info --devices -");
+  EXPECT_TRUE(text.contains("no faults, ")) << text.toStdString();
+  EXPECT_FALSE(text.contains(" ago")) << text.toStdString();
+  const QJsonObject report = QJsonDocument::fromJson(infoOf("info --devices --json -")).object();
+  const QJsonObject device = report[QStringLiteral("devices")][0].toObject();
+  EXPECT_TRUE(device.contains(QStringLiteral("faults_age")));
+  EXPECT_TRUE(device[QStringLiteral("faults_age")].isNull());
+}
+
 }  // namespace

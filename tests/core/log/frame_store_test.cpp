@@ -37,6 +37,20 @@ std::vector<std::uint64_t> jumps(const FrameStore& store) {
 
 void append(FrameStore& store, const std::vector<Frame>& frames) { ASSERT_TRUE(store.append(frames)); }
 
+TEST(FrameStore, HasTimesWhereAnyFrameHasOne) {
+  const Frame without = stamped(kNoStamp);
+  FrameStore empty, timeless, laterOnes, atZero, live;
+  append(timeless, {without, without});
+  append(laterOnes, {without, stamped(kSecond)});
+  append(atZero, {stamped(0)});
+  ASSERT_TRUE(live.append({&without, 1}, Arrival{Instant{kSecond}}));
+  EXPECT_TRUE(empty.hasTimes());
+  EXPECT_FALSE(timeless.hasTimes());
+  EXPECT_TRUE(laterOnes.hasTimes());
+  EXPECT_TRUE(atZero.hasTimes());
+  EXPECT_TRUE(live.hasTimes()) << "of a driver that gives no stamps";
+}
+
 TEST(FrameStore, GivesBackWhatWasAppendedAcrossChunks) {
   FrameStore store;
   constexpr std::uint64_t n = 3 * FrameStore::kChunkFrames + 17;

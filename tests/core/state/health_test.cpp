@@ -5,89 +5,13 @@
 
 #include <functional>
 
-#include "support/frames.h"
+#include "health_bus.h"
 
 namespace deckpipe {
 namespace {
 
-using test::frame;
+using namespace test;
 
-constexpr char kPinA[] = "1032AE100801035";
-constexpr char kPinB[] = "1032AE100801036";
-constexpr char kAnnouncesA[] = "FF83150206021A0B";
-constexpr char kAnnouncesB[] = "FF83150206021A0C";
-constexpr char kNameOfA[] = "0B1AC22800420090";
-constexpr char kNameOfB[] = "0C1AC22800420090";
-constexpr char kLowerForeignName[] = "0100200000000000";
-constexpr char kHigherForeignName[] = "01002001000000FF";
-constexpr char kAsksForNames[] = "00EE00";
-constexpr char kPosition[] = "011D940371000041";       // 47.3 right, 5.5 down
-constexpr char kOtherPosition[] = "0112C10644000041";  // 30.0 right
-constexpr char kTurnedALittle[] = "011D950371000041";
-constexpr char kSensorError[] = "01FFF4FFF4000000";
-constexpr char kOutputs[] = "83C051";
-constexpr char kNoFaults[] = "02000000000000";
-
-class Bus {
- public:
-  Bus& hear(std::string_view id, std::string_view data, std::uint8_t channel = 0) {
-    m_state.apply(frame(id, data, channel), m_now);
-    return *this;
-  }
-  Bus& hear(Frame f, std::uint8_t flags) {
-    f.flags |= flags;
-    m_state.apply(f, m_now);
-    return *this;
-  }
-  Bus& note(note::OwnAddress note) {
-    m_state.apply(Note{.time = m_now, .value = note});
-    return *this;
-  }
-  Bus& pass(Duration d) {
-    m_now = m_now + d;
-    m_state.timeCame(m_now);
-    return *this;
-  }
-  // A 6032 at 80 that sends what it repeats.
-  Bus& monitor(std::string_view position = kPosition, std::string_view outputs = kOutputs) {
-    return hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).statuses(position, outputs);
-  }
-  Bus& statuses(std::string_view position = kPosition, std::string_view outputs = kOutputs) {
-    return hear("18EFFF80", position).hear("18EFFF80", outputs);
-  }
-  // What the gateway sends for a monitor.
-  Bus& node() { return hear("724", "05").hear("1A4", kPosition).hear("2A4", kOutputs); }
-  Bus& asked() { return hear("18EF80F9", "02"); }
-  Bus& answered(std::string_view faults = kNoFaults) { return asked().hear("18EFF980", faults); }
-  // Its statuses come on for so long.
-  Bus& goOn(Duration d) {
-    for (Duration t = 0s; t < d; t += 100ms) pass(100ms).statuses();
-    return *this;
-  }
-
-  const State& state() const { return m_state; }
-  Instant now() const { return m_now; }
-  const Device* device(std::string_view pin) const { return m_state.devices().byPin(*Pin::parse(pin)); }
-
- private:
-  State m_state;
-  Instant m_now{1'000'000'000};
-};
-
-// Keys of all causes, the worst first.
-std::string listed(const Health& health) {
-  std::string text;
-  for (const HealthCause cause : kAllOf<HealthCause>) {
-    if (!health.has(cause)) continue;
-    if (!text.empty()) text += ' ';
-    text += kHealthCauses[cause].key;
-  }
-  return text.empty() ? "fine" : text;
-}
-std::string listed(const Bus& bus, std::string_view pin = kPinA) {
-  const Device* device = bus.device(pin);
-  return device == nullptr ? "no device" : listed(healthOf(bus.state(), *device));
-}
 // Of the first device, PIN or not, or of address 21 where there is none.
 std::string listedFirst(const Bus& bus) {
   const Device& first = bus.state().devices().all().front();
@@ -191,6 +115,9 @@ INSTANTIATE_TEST_SUITE_P(
              "fine"},
         Case{"ANodeWithoutHeartbeat",
              [](Bus& b) { b.hear("1A4", kPosition).hear("2A4", kOutputs).hear("5A4", "4301500100000000"); },
+             "fine"},
+        Case{"ANodeWithHeartbeatThatNeverSaidWhereItIs",
+             [](Bus& b) { b.hear("724", "05").hear("2A4", kOutputs).hear("5A4", "4301500100000000"); },
              "status_never_heard"},
         Case{"ANodeThatNeverSaidWhetherItIsEnabled",
              [](Bus& b) { b.hear("724", "05").hear("1A4", kPosition).hear("5A4", "4301500100000000"); },
@@ -334,199 +261,6 @@ INSTANTIATE_TEST_SUITE_P(
              },
              "faults_old"}),
     [](const auto& row) { return std::string(row.param.name); });
-
-TEST(Health, SaysTwoAtOneAddressWhereTwoPositionsComeInTurn) {
-  Bus bus;
-  bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(500ms);
-  bus.hear("18EEFF80", kNameOfB).hear("18EFFF80", kAnnouncesB).pass(100ms);
-  for (int i = 0; i < 8; ++i) bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
-  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked status_never_heard");
-  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked status_never_heard");
-  EXPECT_EQ(healthOf(bus.state(), *bus.device(kPinA)).sharedAddress, Address{0x80});
-}
-
-TEST(Health, SaysTwoAtOneAddressWhereStatusesThatDifferComeTwiceAPeriodForTwoSeconds) {
-  Bus bus;
-  bus.monitor();
-  const auto both = [&](Duration time, Duration apart) {
-    for (Duration t = 0s; t < time; t += 100ms)
-      bus.hear("18EFFF80", kPosition).pass(apart).hear("18EFFF80", kTurnedALittle).pass(100ms - apart);
-  };
-  both(1900ms, 10ms);
-  EXPECT_EQ(bus.device(kPinA)->doubled, kNotYet);
-  both(300ms, 10ms);
-  EXPECT_NE(bus.device(kPinA)->doubled, kNotYet);
-  bus.goOn(11s);
-  EXPECT_EQ(listed(bus), "faults_never_asked") << "the other one is gone";
-}
-
-// Both at rest say the same, byte for byte.
-TEST(Health, SaysTwoAtOneAddressWhereEqualStatusesComeTwiceAPeriodForTwoSeconds) {
-  Bus bus;
-  bus.monitor();
-  for (int i = 0; i < 21; ++i) bus.pass(40ms).statuses().pass(60ms).statuses();
-  EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
-}
-
-TEST(Health, SaysTwoAtOneAddressOfThreeAndFour) {
-  for (const Duration apart : {33ms, 25ms}) {
-    Bus bus;
-    bus.monitor();
-    for (Duration t = 0s; t < 2300ms; t += apart) bus.pass(apart).statuses();
-    EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
-  }
-}
-
-TEST(Health, SaysTwoAtOneAddressWhereTheFirstPinComesBackAndTheSecondDoesNotGo) {
-  Bus bus;
-  bus.monitor().pass(500ms).hear("18EFFF80", kAnnouncesB).pass(500ms).hear("18EFFF80", kAnnouncesA);
-  EXPECT_EQ(listed(bus), "late faults_never_asked") << "the second may give way yet";
-  bus.statuses().pass(250ms);
-  EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
-}
-
-TEST(Health, SaysTwoAtOneAddressOfNobodyWhoLeftItBefore) {
-  Bus bus;
-  bus.monitor().pass(1s).hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB);
-  EXPECT_TRUE(bus.device(kPinA)->address == kNullAddress);
-  bus.pass(60s);
-  for (int i = 0; i < 8; ++i) bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
-  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinB)).has(HealthCause::TwoAtOneAddress));
-  EXPECT_FALSE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
-}
-
-TEST(Health, SaysTwoAtOneAddressWhereTwoPinsAnswerInTurn) {
-  Bus bus;
-  const auto bothAnswer = [&] {
-    bus.hear("18EAFFF9", kAsksForNames)
-        .hear("18EFFF80", kAnnouncesA)
-        .pass(20ms)
-        .hear("18EFFF80", kAnnouncesB);
-  };
-  bothAnswer();
-  EXPECT_EQ(listed(bus, kPinB), "faults_never_asked status_never_heard");
-  bus.pass(1s);
-  bothAnswer();
-  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked status_never_heard");
-  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost faults_never_asked status_never_heard");
-}
-
-TEST(Health, SaysTwoAtOneAddressWhereTwoNamesTakeItInTurn) {
-  Bus bus;
-  for (int i = 0; i < 2; ++i) {
-    bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(100ms);
-    bus.hear("18EEFF80", kNameOfB).pass(900ms);
-  }
-  EXPECT_TRUE(healthOf(bus.state(), Channel{0}, Address{0x80}).has(HealthCause::TwoAtOneAddress));
-  EXPECT_TRUE(healthOf(bus.state(), *bus.device(kPinA)).has(HealthCause::TwoAtOneAddress));
-}
-
-TEST(Health, SaysTwoAtOneAddressOfAPinUnderTheNameOfAnother) {
-  Bus bus;
-  bus.hear("18EEFF80", kNameOfA).pass(300ms).hear("18EFFF80", kAnnouncesB);
-  EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked status_never_heard");
-}
-
-// What a lawful bus gives.
-class LawfulBus : public testing::Test {
- protected:
-  bool isCalledShared() const {
-    for (const Device& device : m_bus.state().devices().all()) {
-      if (device.kind != Device::Kind::Free &&
-          healthOf(m_bus.state(), device).has(HealthCause::TwoAtOneAddress))
-        return true;
-    }
-    return false;
-  }
-  // A status every 100 ms that differs each time.
-  void turn(int statuses) {
-    for (int i = 0; i < statuses; ++i) {
-      hearAngle();
-      m_bus.pass(100ms);
-    }
-  }
-  void hearAngle(std::uint8_t flags = 0) {
-    char data[17];
-    std::snprintf(data, sizeof data, "01%03X40371000041", 0x100u + m_angle++ % 0x600u * 2);
-    m_bus.hear(frame("18EFFF80", data), flags);
-  }
-  Bus m_bus;
-  unsigned m_angle = 0;
-};
-
-TEST_F(LawfulBus, ContestsThatTheHolderWins) {
-  m_bus.monitor().pass(1s);
-  for (int i = 0; i < 10; ++i) {
-    m_bus.hear("18EEFF80", kNameOfB).pass(10ms).hear("18EEFF80", kNameOfA).pass(990ms);
-    EXPECT_FALSE(isCalledShared());
-  }
-}
-
-TEST_F(LawfulBus, AnAddressThatGoesOverAndBack) {
-  m_bus.monitor().pass(1s);
-  m_bus.hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB).pass(2s);
-  m_bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(10ms);
-  m_bus.hear("18EEFF81", kNameOfB).pass(250ms).hear("18EFFF81", kAnnouncesB);
-  EXPECT_FALSE(isCalledShared());
-}
-
-TEST_F(LawfulBus, APowerSupplyThatBouncesTheSameContestEachTime) {
-  for (int i = 0; i < 4; ++i) {
-    m_bus.hear("18EEFF80", kNameOfB).pass(10ms).hear("18EEFF80", kNameOfA).pass(10ms);
-    m_bus.hear("18EEFF81", kNameOfB).pass(250ms);
-    m_bus.hear("18EFFF80", kAnnouncesA).hear("18EFFF81", kAnnouncesB).pass(2s);
-    EXPECT_FALSE(isCalledShared());
-  }
-}
-
-TEST_F(LawfulBus, ADeviceThatIsExchangedForAnotherAndBack) {
-  m_bus.monitor().pass(1min).hear("18EFFF80", kAnnouncesB).pass(1min).hear("18EFFF80", kAnnouncesA).pass(1s);
-  EXPECT_FALSE(isCalledShared());
-}
-
-TEST_F(LawfulBus, ABurstAfterAnAdapterStoodStill) {
-  turn(20);
-  m_bus.pass(10s);
-  for (int i = 0; i < 100; ++i) hearAngle(Frame::kLate);  // all at the time of the cursor
-  turn(20);
-  EXPECT_FALSE(isCalledShared());
-  m_bus.pass(10s);
-  for (int i = 0; i < 100; ++i) {
-    hearAngle();
-    m_bus.pass(500us);
-  }
-  turn(30);
-  EXPECT_FALSE(isCalledShared());
-}
-
-TEST_F(LawfulBus, AnAdapterThatGivesItsFramesInBatches) {
-  for (int batch = 0; batch < 40; ++batch) {
-    for (int i = 0; i < 5; ++i) {
-      hearAngle();
-      m_bus.pass(1ms);
-    }
-    m_bus.pass(495ms);
-  }
-  EXPECT_FALSE(isCalledShared());
-}
-
-TEST_F(LawfulBus, ALogThatHoldsEveryFrameTwice) {
-  for (int i = 0; i < 60; ++i) {
-    const char* position = i % 2 == 0 ? kPosition : kTurnedALittle;
-    m_bus.hear("18EFFF80", position).pass(1ms).hear("18EFFF80", position).pass(99ms);
-  }
-  EXPECT_FALSE(isCalledShared());
-}
-
-TEST_F(LawfulBus, ASensorThatJumps) {
-  for (int i = 0; i < 60; ++i) m_bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(100ms);
-  EXPECT_FALSE(isCalledShared());
-}
-
-TEST_F(LawfulBus, AGatewayThatIsSetToSendMoreOften) {
-  for (int i = 0; i < 200; ++i) m_bus.hear("1A4", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
-  EXPECT_FALSE(isCalledShared());
-}
 
 TEST(WhoIsADevice, NobodyWhoOnlySendsToOne) {
   Bus bus;

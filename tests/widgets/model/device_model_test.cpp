@@ -149,7 +149,14 @@ INSTANTIATE_TEST_SUITE_P(
                        b.pass(50ms).hear("18EFFF80", i % 2 == 0 ? "0112C10644000041" : kPosition);
                      b.statuses();
                    },
-                   "two at one address", "Two devices at one address: both send from 80 hex."}),
+                   "two at one address", "Two devices at one address: both send from 80 hex."},
+        HealthCase{"TwoAtOneAddressOrALogThatHoldsItTwice",
+                   [](Heard& b) {
+                     b.monitor().faults();
+                     for (int i = 0; i < 50; ++i) b.pass(50ms).statuses();
+                   },
+                   "two at one address",
+                   "Two devices at one address: both send from 80 hex, or the log holds its frames twice."}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST_F(DeviceTable, TellsEveryReasonWithoutAMouse) {
