@@ -272,6 +272,16 @@ Other devices in the list: %n.</numerusform>
     </message>
 </context>
 <context>
+    <name>deckpipe::TerminalPanel</name>
+    <message numerus="yes">
+        <source>The device restarted %1: %Ln characters that were typed before were not taken.</source>
+        <translation>
+            <numerusform>The device restarted %1: %Ln character that was typed before was not taken.</numerusform>
+            <numerusform>The device restarted %1: %Ln characters that were typed before were not taken.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::TracePanel</name>
     <message numerus="yes">
         <source>%Ln rows</source>

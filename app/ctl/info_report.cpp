@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "node_lines.h"
 #include "protocol/device_types.h"
 #include "report/json.h"
 #include "report/trace_text.h"
@@ -277,11 +278,7 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
     out += line;
   }
   if (m_withDevices) {
-    if (m_state.untrackedFrames() != 0) {
-      out += "  " + std::to_string(m_state.untrackedFrames()) + " frames on channels beyond the first " +
-             std::to_string(kMaxChannels) + ", not followed\n";
-    }
-    if (m_state.devices().untracked() != 0) out += "  more devices than can be followed\n";
+    for (const std::string& what : untrackedLines(m_state)) out += "  " + what + "\n";
     out += "devices\n";
     for (const Device& device : m_state.devices().all()) {
       if (device.kind == Device::Kind::Free) continue;

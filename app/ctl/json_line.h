@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/ids.h"
 #include "report/json.h"
@@ -34,6 +36,15 @@ class JsonLine {
   }
   JsonLine& add(std::string_view key, const Value& value) {
     appendJsonValue(begin(key), value);
+    return *this;
+  }
+  JsonLine& add(std::string_view key, const std::vector<std::string_view>& words) {
+    std::string& text = begin(key) += '[';
+    for (bool isFirst = true; const std::string_view word : words) {
+      if (!std::exchange(isFirst, false)) text += ',';
+      appendJsonString(text, word);
+    }
+    text += ']';
     return *this;
   }
   // Null where there is none.

@@ -84,6 +84,20 @@ std::vector<Row> rowsOf(const State& state, const NodeCounts& counts, Channel ch
   return rows;
 }
 
+// Their keys, the worst first.
+std::vector<std::string_view> causesOf(const Health& health) {
+  std::vector<std::string_view> keys;
+  health.causes.forEach([&](HealthCause cause) { keys.push_back(kHealthCauses[cause].key); });
+  return keys;
+}
+
+std::string healthWords(const Health& health) {
+  if (health.isFine()) return std::string(health.key());
+  std::string words;
+  for (const std::string_view key : causesOf(health)) words.append(words.empty() ? "" : ", ").append(key);
+  return words;
+}
+
 std::string jsonLine(const Row& row, std::string_view channelName) {
   JsonLine line;
   line.add("channel", channelName);
@@ -116,6 +130,7 @@ std::string jsonLine(const Row& row, std::string_view channelName) {
     line.add("part_number", std::int64_t{row.device->partNumber.value});
   line.add("frames", std::int64_t{row.frames()}).add("malformed", std::int64_t{row.malformed()});
   line.addTime("last_heard", wallTime(row.lastHeard())).add("health", row.health.key());
+  line.add("causes", causesOf(row.health));
   return line.text();
 }
 
@@ -131,11 +146,10 @@ std::string textLine(const Row& row, Instant now) {
   }
   char name[20] = "";
   if (row.name != 0) std::snprintf(name, sizeof name, "%016llX", static_cast<unsigned long long>(row.name));
-  std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u frames, last %.1f s ago, %s\n",
-                place, row.what, std::string(pin.text()).c_str(), std::string(type).c_str(), name,
-                row.frames(), std::chrono::duration<double>(now - row.lastHeard()).count(),
-                std::string(row.health.key()).c_str());
-  return text;
+  std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u frames, last %.1f s ago, ", place,
+                row.what, std::string(pin.text()).c_str(), std::string(type).c_str(), name, row.frames(),
+                std::chrono::duration<double>(now - row.lastHeard()).count());
+  return text + healthWords(row.health) + '\n';
 }
 
 }  // namespace
@@ -147,6 +161,19 @@ std::string nodeLines(const State& state, const NodeCounts& counts, Channel chan
     out += format == NodeFormat::Text ? textLine(row, state.cursor().time) : jsonLine(row, channelName);
   }
   return out;
+}
+
+std::vector<std::string> untrackedLines(const State& state) {
+  std::vector<std::string> lines;
+  if (const std::uint64_t frames = state.untrackedFrames(); frames != 0) {
+    lines.push_back(std::to_string(frames) + " frames on channels beyond the first " +
+                    std::to_string(kMaxChannels) + ", which are not followed");
+  }
+  if (const std::uint64_t frames = state.devices().untracked(); frames != 0) {
+    lines.push_back(std::to_string(frames) + " frames of devices beyond the first " +
+                    std::to_string(kMaxDevices) + ", which are not followed");
+  }
+  return lines;
 }
 
 }  // namespace deckpipe::ctl

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "node_counts.h"
 #include "state/state.h"
@@ -14,5 +16,8 @@ enum class NodeFormat : std::uint8_t { JsonLines, Text };
 
 std::string nodeLines(const State& state, const NodeCounts& counts, Channel channel,
                       std::string_view channelName, NodeFormat format);
+
+// What was counted and not followed, each kind a line without its end; none where all is followed.
+std::vector<std::string> untrackedLines(const State& state);
 
 }  // namespace deckpipe::ctl

@@ -11,17 +11,23 @@ namespace deckpipe::ctl {
 
 ExitStatus nodesCommand(const QStringList& arguments) {
   QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral(
-      "Listens for a while, then writes a line for everyone on the bus. With --unlock it claims an address\n"
-      "and asks everyone for their NAME; without, whoever keeps silent is not found.\n"
-      "Keys: channel, address or node, what (own, akron, drive, joystick, foreign, canopen_node, unknown, "
-      "or\n"
-      "presumed: it speaks as Akron's do, and nothing else is known), sends_joystick, pin,\n"
-      "device_type, type_name, claim, name and its parts, part_number, frames and malformed (of who holds "
-      "the\n"
-      "address, since then), last_heard (seconds since 1970), health (fine, or the worst of what keeps it\n"
-      "from being fine). An interface that is lost ends it with 1, after the lines of who was heard so "
-      "far."));
+  parser.setApplicationDescription(
+      QStringLiteral(
+          "Listens for a while, then writes a line for everyone on the bus. With --unlock it claims an\n"
+          "address and asks everyone for their NAME; without, whoever keeps silent is not found.\n"
+          "Keys: channel, address or node, what (own, akron, drive, joystick, foreign, canopen_node, "
+          "unknown,\n"
+          "or presumed: it speaks as Akron's do, and nothing else is known), sends_joystick, pin,\n"
+          "device_type, type_name, claim, name and its parts, part_number, frames and malformed (of who "
+          "holds\n"
+          "the address, since then), last_heard (seconds since 1970), health (fine, or the worst of what "
+          "keeps\n"
+          "it from being fine), causes (all of that, the worst first). What is beyond %1 devices or %2 "
+          "channels\n"
+          "is not followed: that is said on standard error. An interface that is lost ends it with 1, after\n"
+          "the lines of who was heard so far.")
+          .arg(kMaxDevices)
+          .arg(kMaxChannels));
   const LiveOptions live(parser);
   const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("Listen so long; 3 by default."),
                                    QStringLiteral("N"), QStringLiteral("3"));
@@ -50,6 +56,8 @@ ExitStatus nodesCommand(const QStringList& arguments) {
     run.output().text() +=
         nodeLines(run.follower().state(), counts, run.channel(), settings->link.interfaceName.toStdString(),
                   asText ? NodeFormat::Text : NodeFormat::JsonLines);
+    for (const std::string& line : untrackedLines(run.follower().state()))
+      run.say(QString::fromStdString(line));
   };
   const auto tell = [&] {
     run.follower().follow(run.snapshot().view);

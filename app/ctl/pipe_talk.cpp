@@ -75,6 +75,8 @@ void PipeTalk::begin(const DeviceServices& device) {
 void PipeTalk::talk(const PipeStatus& pipe) {
   if (pipe.acks != m_acks) m_inARow = 0;
   m_acks = pipe.acks;
+  if (pipe.restarts != 0 && m_phase != Phase::Listening)
+    return fail(QStringLiteral("the device restarted meanwhile"), pipe);
   if (pipe.progress == Progress::Stalled) return ackMissing(pipe);
   const bool isIdle = pipe.progress == Progress::Idle && pipe.sent >= m_handed + pipe.fileSent;
   if (m_isStopping) {
@@ -102,6 +104,7 @@ void PipeTalk::talk(const PipeStatus& pipe) {
       return;
     case Phase::Listening:
       if (m_quiet.elapsed() < static_cast<qint64>(m_plan.idle * 1000)) return;
+      if (!sendsFile()) sayDoubts(pipe);
       // Nobody knows whether the device got what was skipped.
       m_run.finish(pipe.skipped == 0 ? kDone : kNotWhole);
   }
@@ -188,7 +191,7 @@ void PipeTalk::ackMissing(const PipeStatus& pipe) {
   const bool wasSent = pipe.stall != PipeStatus::Stall::NotTaken;
   const QString why = wasSent ? QStringLiteral("no acknowledgement")
                               : QStringLiteral("the adapter did not take the packet: it was not sent");
-  if (m_isStopping || m_plan.missingAck == PipePlan::MissingAck::Stop || m_inARow >= kMostInARow)
+  if (m_isStopping || m_plan.missingAck == PipePlan::MissingAck::Stop || m_inARow >= kMostMissingAcks)
     return fail(why, pipe);
   if (m_decided == m_stalls) return;  // what was decided is on its way
   m_decided = m_stalls;
@@ -220,6 +223,10 @@ void PipeTalk::sayEnd(const PipeStatus& pipe) {
   std::fprintf(stderr, "%s%llu bytes in %.1f s, %u acknowledgements, the slowest after %.0f ms\n",
                ::isatty(STDERR_FILENO) != 0 ? "\r" : "", static_cast<unsigned long long>(pipe.fileSent),
                seconds, pipe.acks, milliseconds(pipe.ackWorst));
+  sayDoubts(pipe);
+}
+
+void PipeTalk::sayDoubts(const PipeStatus& pipe) {
   if (pipe.skipped + pipe.resent > 0)
     std::fprintf(stderr, "%u packets skipped, %u sent again\n", pipe.skipped, pipe.resent);
 }

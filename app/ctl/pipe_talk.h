@@ -28,9 +28,6 @@ struct PipePlan {
 
 class PipeTalk {
  public:
-  // After so many missing acks one after the other nobody listens.
-  static constexpr unsigned kMostInARow = 5;
-
   PipeTalk(LiveRun& run, PipePlan plan);
   ~PipeTalk();
 
@@ -49,6 +46,7 @@ class PipeTalk {
   void act(wish::PipeAction::What what);
   void sayProgress(const PipeStatus& pipe);
   void sayEnd(const PipeStatus& pipe);
+  static void sayDoubts(const PipeStatus& pipe);
   std::optional<ExitStatus> stop();
   void fail(const QString& why, const PipeStatus& pipe);
   PipeStatus status() const;

@@ -57,6 +57,8 @@ struct PipeAction {
   };
   DeviceKey device;
   What what = What::Pause;
+  // Resend and Skip: the same at each further missing ack of this file or text (PipeStatus::rest).
+  bool forTheRest = false;
 };
 
 }  // namespace wish

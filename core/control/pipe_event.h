@@ -14,9 +14,10 @@ enum class PipeEvent : std::uint8_t {
   FileAborted = 3,
   Stalled = 4,  // no ack
   AckLate = 5,  // it came after all
-  Resent = 6,   // by the person
-  Skipped = 7,  // by the person
+  Resent = 6,   // by the person, or as the person said for the rest
+  Skipped = 7,  // …
   Dropped = 8,  // what was typed and not sent
+  DeviceRestarted = 9,
 };
 
 constexpr bool isKnown(PipeEvent event) {
@@ -29,7 +30,8 @@ constexpr bool isKnown(PipeEvent event) {
     case PipeEvent::AckLate:
     case PipeEvent::Resent:
     case PipeEvent::Skipped:
-    case PipeEvent::Dropped: return true;
+    case PipeEvent::Dropped:
+    case PipeEvent::DeviceRestarted: return true;
   }
   return false;
 }

@@ -79,6 +79,12 @@ struct RequestStatus {
   friend bool operator==(const RequestStatus&, const RequestStatus&) = default;
 };
 
+// Of a data pipe: after so many missing acks in a row, each answered as the person had said for all, nobody
+// listens, and nothing goes on by itself.
+inline constexpr unsigned kMostMissingAcks = 5;
+
+inline constexpr std::size_t kPipePacket = 7;  // characters, at most
+
 struct PipeStatus {
   enum class Progress : std::uint8_t {
     Idle,
@@ -96,15 +102,31 @@ struct PipeStatus {
     NotTaken,  // the adapter did not take the packet: it was not sent
     NotSent,   // nothing may go to the device: `refusal` says why
   };
-  enum class FileEnd : std::uint8_t { None, Done, Cancelled, Aborted };
+  enum class FileEnd : std::uint8_t {
+    None,
+    Done,
+    Cancelled,
+    Aborted,
+    Restarted,  // the device did, in the middle of it
+  };
+  // What becomes of a packet whose ack is missing.
+  enum class Rest : std::uint8_t { Ask, Resend, Skip };
 
   Progress progress = Progress::Idle;
   Stall stall = Stall::None;
   Refusal refusal = Refusal::None;  // of the last packet, by the rules for sending to a device
-  std::uint32_t waiting = 0;        // characters typed and not yet sent
-  std::uint64_t sent = 0;           // characters acknowledged or skipped
+  // As the person said for the rest of a file or text. It ends with that, with the next that is typed, after
+  // kMostMissingAcks, at any stall that is not for a missing ack, at a lock, and when the device restarts.
+  Rest rest = Rest::Ask;
+  std::uint32_t waiting = 0;  // characters typed and not yet sent
+  std::uint64_t sent = 0;     // characters acknowledged or skipped
   std::uint64_t received = 0;
   std::uint32_t skipped = 0, resent = 0, lateAcks = 0, strayAcks = 0;
+  // Packets of what was typed since nothing waited.
+  std::uint32_t textSkipped = 0, textResent = 0;
+  std::uint32_t restarts = 0;  // of the device, at which what waited was dropped
+  std::uint32_t notTaken =
+      0;  // characters that were typed and dropped so; until the next that is typed or sent
 
   std::string file;  // name of the last one; empty: none yet
   std::uint64_t fileSize = 0, fileSent = 0;

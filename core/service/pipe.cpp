@@ -13,6 +13,7 @@ namespace {
 using Progress = PipeStatus::Progress;
 using Stall = PipeStatus::Stall;
 using FileEnd = PipeStatus::FileEnd;
+using Rest = PipeStatus::Rest;
 using What = wish::PipeAction::What;
 
 void notePipe(const Pipe::Turn& turn, const DeviceKey& device, Address address, PipeEvent event,
@@ -59,20 +60,26 @@ void Pipe::giveUpFlying() {
   m_flying.reset();
 }
 
-bool Pipe::isBusy() const {
-  return m_flying || waiting() > 0 || m_status.isSendingFile() || m_status.progress == Progress::Settling;
+// Where nothing is under way.
+void Pipe::begin(Instant now) {
+  m_begun = now;
+  m_status.textSkipped = m_status.textResent = m_status.notTaken = 0;
 }
 
 Refusal Pipe::write(const Turn& turn, const std::string& bytes) {
   if (m_status.isSendingFile()) return Refusal::Busy;  // it would end up in the middle of the file
   if (waiting() + bytes.size() > kMostTyped) return Refusal::TooMuch;
+  if (!isUnderWay()) begin(turn.now);
+  m_status.rest = Rest::Ask;
+  m_status.notTaken = 0;
   m_typed += bytes;
   sendNext(turn);
   return Refusal::None;
 }
 
 Refusal Pipe::sendFile(const Turn& turn, const wish::PipeFile& wish) {
-  if (m_status.isSendingFile() || waiting() > 0 || m_flying) return Refusal::Busy;
+  if (isUnderWay()) return Refusal::Busy;
+  begin(turn.now);
   m_content = wish.content;
   m_status.file = wish.name;
   m_status.fileSize = wish.content->size();
@@ -110,6 +117,7 @@ void Pipe::sendNext(const Turn& turn) {
   }
   m_status.waiting = static_cast<std::uint32_t>(waiting());
   if (packet.bytes.empty()) {
+    m_status.rest = Rest::Ask;
     move(turn.now, PipeMove::Nothing);
     return;
   }
@@ -160,6 +168,7 @@ void Pipe::ackHeard(const Turn& turn, Address source) {
     return;
   }
   const Duration took = std::max<Duration>(turn.now - m_flying->sent, 0ns);
+  m_inARow = 0;
   ++m_status.acks;
   m_status.ackLast = took;
   m_status.ackWorst = std::max(m_status.ackWorst, took);
@@ -188,6 +197,7 @@ void Pipe::endFile(const Turn& turn, FileEnd how) {
   if (!m_status.isSendingFile()) return;
   countHeld(turn.now);
   m_status.isPaused = false;
+  m_status.rest = Rest::Ask;
   m_status.fileEnd = how;
   m_status.fileEnded = turn.now;
   m_content.reset();
@@ -202,6 +212,11 @@ void Pipe::stall(const Turn& turn, Stall why) {
   m_deadline = kNever;
   m_status.stall = why;
   notePipe(turn, m_device, m_flying->to, PipeEvent::Stalled);
+  const Rest rest = std::exchange(m_status.rest, Rest::Ask);
+  if (rest == Rest::Ask || why != Stall::NoAck || m_inARow >= kMostMissingAcks) return;
+  m_status.rest = rest;
+  ++m_inARow;
+  if ((rest == Rest::Skip ? skip(turn) : resend(turn)) != Refusal::None) m_status.rest = Rest::Ask;
 }
 
 PipeStatus::Stall Pipe::whyNoAck(const Live& live) const {
@@ -211,22 +226,43 @@ PipeStatus::Stall Pipe::whyNoAck(const Live& live) const {
   return *address != m_flying->to ? Stall::Moved : Stall::NoAck;
 }
 
-void Pipe::followDevice(const Live& live) {
+void Pipe::followDevice(const Turn& turn) {
+  const Device* device = turn.live.find(m_device);
+  // Whoever says who it is from another address has moved.
+  if (device != nullptr && isUnderWay() && device->restarted > std::max(m_begun, device->addressSince))
+    return deviceRestarted(turn);
   if (m_status.progress == Progress::Stalled && m_flying->fate != Packet::Fate::NotSent)
-    m_status.stall = whyNoAck(live);
+    m_status.stall = whyNoAck(turn.live);
 }
 
-Refusal Pipe::act(const Turn& turn, What what) {
-  switch (what) {
+// It does not know any more what was sent before, and the rest alone would be another text.
+void Pipe::deviceRestarted(const Turn& turn) {
+  ++m_status.restarts;
+  const std::size_t inFlight = m_flying && !m_flying->isOfFile ? m_flying->bytes.size() : 0;
+  m_status.notTaken = static_cast<std::uint32_t>(waiting() + inFlight);
+  notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::DeviceRestarted);
+  drop(turn, FileEnd::Restarted);
+}
+
+Refusal Pipe::act(const Turn& turn, const wish::PipeAction& action) {
+  switch (action.what) {
     case What::Pause: m_status.isPaused = true; break;
     case What::Resume: m_status.isPaused = false; break;
     case What::Cancel: cancelFile(turn); break;
-    case What::Resend: return resend(turn);
-    case What::Skip: return skip(turn);
+    case What::Resend: return decide(turn, Rest::Resend, action.forTheRest);
+    case What::Skip: return decide(turn, Rest::Skip, action.forTheRest);
     case What::Abort: drop(turn); return Refusal::None;
   }
   sendNext(turn);
   return Refusal::None;
+}
+
+Refusal Pipe::decide(const Turn& turn, Rest what, bool forTheRest) {
+  m_status.rest = forTheRest ? what : Rest::Ask;  // before it may end with what it is about
+  m_inARow = 1;
+  const Refusal why = what == Rest::Skip ? skip(turn) : resend(turn);
+  if (why != Refusal::None) m_status.rest = Rest::Ask;
+  return why;
 }
 
 Refusal Pipe::resend(const Turn& turn) {
@@ -236,7 +272,7 @@ Refusal Pipe::resend(const Turn& turn) {
   move(turn.now, PipeMove::Resend);
   if (m_flying->fate == Packet::Fate::OnBus) {
     ++m_status.resent;
-    if (m_flying->isOfFile) ++m_status.fileResent;
+    ++(m_flying->isOfFile ? m_status.fileResent : m_status.textResent);
     m_flying->wasResent = true;
     notePipe(turn, m_device, m_flying->to, PipeEvent::Resent);
   }
@@ -249,7 +285,7 @@ Refusal Pipe::skip(const Turn& turn) {
   if (m_flying->fate == Packet::Fate::InAdapter) m_inAdapter.push_back(m_flying->tag);
   move(turn.now, PipeMove::Skip);
   ++m_status.skipped;
-  if (m_flying->isOfFile) ++m_status.fileSkipped;
+  ++(m_flying->isOfFile ? m_status.fileSkipped : m_status.textSkipped);
   notePipe(turn, m_device, m_flying->to, PipeEvent::Skipped);
   passed(turn);
   return Refusal::None;
@@ -265,16 +301,17 @@ void Pipe::cancelFile(const Turn& turn) {
   settle(turn.now);
 }
 
-void Pipe::drop(const Turn& turn) {
+void Pipe::drop(const Turn& turn, FileEnd how) {
   const bool wasFlying = m_flying.has_value();
   const bool had = wasFlying || waiting() > 0;
   if (wasFlying) giveUpFlying();
   m_status.isPaused = false;
+  m_status.rest = Rest::Ask;
   m_typed.clear();
   m_typedFrom = 0;
   m_status.waiting = 0;
   if (m_status.isSendingFile()) {
-    endFile(turn, FileEnd::Aborted);
+    endFile(turn, how);
   } else if (had) {
     notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::Dropped);
   }
@@ -299,6 +336,7 @@ void Pipe::take(const Turn& turn, Pipe&& other) {
   m_status.resent += more.resent;
   m_status.lateAcks += more.lateAcks;
   m_status.strayAcks += more.strayAcks;
+  m_status.restarts += more.restarts;
   m_status.acks += more.acks;
   m_status.ackSum += more.ackSum;
   m_status.ackWorst = std::max(m_status.ackWorst, more.ackWorst);

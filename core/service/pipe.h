@@ -15,7 +15,7 @@ namespace deckpipe {
 
 class Pipe {
  public:
-  static constexpr std::size_t kPacket = 7;
+  static constexpr std::size_t kPacket = kPipePacket;
   static constexpr Duration kAckTimeout = 1s;
   static constexpr Duration kSettle = 1s;
   static constexpr std::size_t kMostTyped = 65'536;  // characters that may wait
@@ -37,14 +37,14 @@ class Pipe {
 
   Refusal write(const Turn& turn, const std::string& bytes);
   Refusal sendFile(const Turn& turn, const wish::PipeFile& wish);
-  Refusal act(const Turn& turn, wish::PipeAction::What what);
+  Refusal act(const Turn& turn, const wish::PipeAction& action);
   // Nothing more of all that waits; what is in flight may or may not arrive.
-  void drop(const Turn& turn);
+  void drop(const Turn& turn) { drop(turn, PipeStatus::FileEnd::Aborted); }
 
   void dataHeard(unsigned characters) { m_status.received += characters; }
   void ackHeard(const Turn& turn, Address source);
-  // While a person decides, the device may go, or come back elsewhere.
-  void followDevice(const Live& live);
+  // While a person decides, the device may go, or come back elsewhere. What it restarts in ends.
+  void followDevice(const Turn& turn);
   void writeEnded(const Turn& turn, FrameTag tag, WriteOutcome outcome);
   void timeCame(const Turn& turn);
   Instant deadline() const { return m_deadline; }
@@ -70,7 +70,9 @@ class Pipe {
   };
 
   std::size_t waiting() const { return m_typed.size() - m_typedFrom; }
-  bool isBusy() const;
+  bool isUnderWay() const { return m_flying || waiting() > 0 || m_status.isSendingFile(); }
+  bool isBusy() const { return isUnderWay() || m_status.progress == PipeStatus::Progress::Settling; }
+  void begin(Instant now);
   bool move(Instant now, PipeMove what);
   void sendNext(const Turn& turn);
   void fly(const Turn& turn);
@@ -80,8 +82,11 @@ class Pipe {
   // An ack of what was given up may come until kSettle after it was on the bus.
   void settle(Instant now);
   void giveUpFlying();
+  void deviceRestarted(const Turn& turn);
+  Refusal decide(const Turn& turn, PipeStatus::Rest what, bool forTheRest);
   Refusal resend(const Turn& turn);
   Refusal skip(const Turn& turn);
+  void drop(const Turn& turn, PipeStatus::FileEnd how);
   void cancelFile(const Turn& turn);
   void endFile(const Turn& turn, PipeStatus::FileEnd how);
   void countHeld(Instant now);
@@ -93,6 +98,8 @@ class Pipe {
   std::shared_ptr<const std::string> m_content;
   std::optional<Packet> m_flying;
   std::vector<FrameTag> m_inAdapter;  // packets that were given up there
+  unsigned m_inARow = 0;              // missing acks that m_status.rest answered
+  Instant m_begun = kNotYet;          // what is under way
   Instant m_deadline = kNever;        // of the ack, or of settling
   Instant m_heldSince = kNotYet;      // paused or stalled
 };

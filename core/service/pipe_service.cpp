@@ -41,7 +41,7 @@ std::optional<Refusal> PipeService::wants(Instant now, const Live& live, const W
   adopt(turn);
   if (action != nullptr) {
     Pipe* at = find(live.canonical(action->device));
-    return at != nullptr ? at->act(turn, action->what) : Refusal::NoDevice;
+    return at != nullptr ? at->act(turn, *action) : Refusal::NoDevice;
   }
   const DeviceKey& to = write != nullptr ? write->device : file->device;
   if (const Refusal why = live.whyNotTo(now, to); why != Refusal::None) return why;
@@ -50,7 +50,7 @@ std::optional<Refusal> PipeService::wants(Instant now, const Live& live, const W
 }
 
 void PipeService::received(Instant now, const Live& live, const Frame& frame, Outgoing& out) {
-  for (Pipe& pipe : m_pipes) pipe.followDevice(live);
+  for (Pipe& pipe : m_pipes) pipe.followDevice({now, live, source(), out});
   if (!frame.isExtended() || frame.isRemote() || frame.isError() || frame.length == 0 ||
       (frame.flags & Frame::kSent) != 0)
     return;

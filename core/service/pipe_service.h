@@ -4,7 +4,9 @@
 // and several devices at once. What was said is in the log; here is how it goes.
 //
 // 1. There is no sequence number, so nothing is ever sent twice by itself: a missing ack stops the pipe until
-//    the person says resend, skip or abort. An ack that comes late after all resolves the doubt.
+//    the person says resend, skip or abort. An ack that comes late after all resolves the doubt. What the
+//    person says may be for the rest of a file or text too: that holds for missing acks alone, for
+//    kMostMissingAcks in a row, and never outlives what it was said of.
 // 2. An ack counts only once the packet was on the bus, and its time runs from there: one that came before
 //    cannot be its own. A packet that is not on the bus yet is not sent a second time.
 // 3. After a packet was sent again, skipped or given up, an ack of it may still come. The next packet waits
@@ -15,6 +17,7 @@
 // 6. A packet belongs to the address it went to. When the device is elsewhere by then, the pipe stops.
 // 7. Each packet goes only where a command may go: to a device heard within 1 s, at an address that nobody
 //    contests. Otherwise the pipe stops before it.
+// 8. A device that restarts has lost what it was told: what waits then is dropped, and a file ends.
 #pragma once
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <utility>
 
+#include "model/device_rows.h"
 #include "model/field_text.h"
 #include "text/elapsed_text.h"
 
@@ -36,12 +37,18 @@ QString pipeHex(std::string_view bytes) {
   return hex.join(QLatin1Char(' '));
 }
 
+QString pipeRestartText() { return PipeTranscriptText::tr("— the device restarted —"); }
+
 bool PipeTranscript::take(const LogView& view, const Conversations& talk, const DeviceKey& device) {
-  const bool isAnew = view.document.get() != m_log || device != m_device || view.cursor.frames < m_cursor;
+  const Device* known = view.state != nullptr ? findDevice(*view.state, device) : nullptr;
+  const Instant restarted = known != nullptr ? known->restarted : kNotYet;
+  const bool isAnew = view.document.get() != m_log || device != m_device || view.cursor.frames < m_cursor ||
+                      restarted != m_restarted;
   if (isAnew) {
     *this = {};
     m_log = view.document.get();
     m_device = device;
+    m_restarted = restarted;
   }
   m_cursor = view.cursor.frames;
   m_begin = view.begin;
@@ -52,6 +59,7 @@ bool PipeTranscript::take(const LogView& view, const Conversations& talk, const 
       const Frame& frame = m_log->frames[said.frame];
       std::string bytes(frame.data.begin() + 1, frame.data.begin() + frame.length);
       m_open[said.isFromDevice ? 1 : 0] = m_packets.size();
+      if (!said.isFromDevice) m_lastSent = said.time;
       m_packets.push_back({said.frame,
                            said.time,
                            said.isFromDevice,
@@ -73,7 +81,14 @@ QString PipeTranscript::text() const {
   QString text;
   Address last;
   bool isLineOpen = false;
+  bool tellsRestart = restarted() != kNotYet;
+  const auto restart = [&] {
+    if (std::exchange(isLineOpen, false)) text += QLatin1Char('\n');
+    text += elapsedText(restarted() - m_begin) + QStringLiteral("  ") + pipeRestartText() + QLatin1Char('\n');
+    tellsRestart = false;
+  };
   for (const PipePacket& packet : m_packets) {
+    if (tellsRestart && packet.time > restarted()) restart();
     if (isLineOpen && packet.sender != last) {
       text += QLatin1Char('\n');
       isLineOpen = false;
@@ -92,6 +107,8 @@ QString PipeTranscript::text() const {
     }
   }
   if (isLineOpen) text += QLatin1Char('\n');
+  isLineOpen = false;
+  if (tellsRestart) restart();
   return text;
 }
 

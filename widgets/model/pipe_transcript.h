@@ -30,6 +30,13 @@ class PipeTranscript {
 
   const std::vector<PipePacket>& packets() const { return m_packets; }
   Instant begin() const { return m_begin; }
+  // The device's last restart before the cursor, where something was said before it: what it was told by
+  // then it does not know any more. kNotYet: none.
+  Instant restarted() const {
+    return !m_packets.empty() && m_packets.front().time < m_restarted ? m_restarted : kNotYet;
+  }
+  // … after which nothing was sent to it yet.
+  Instant restartedSinceSent() const { return m_lastSent < m_restarted ? restarted() : kNotYet; }
 
   // Both directions, a line a packet or line of text, with times; for saving.
   QString text() const;
@@ -42,6 +49,8 @@ class PipeTranscript {
   std::size_t m_taken = 0;
   std::uint64_t m_cursor = 0;
   Instant m_begin;
+  Instant m_restarted = kNotYet;
+  Instant m_lastSent = kNotYet;  // to the device
   std::vector<PipePacket> m_packets;
   // The last packet of each direction that waits for its ack; [1] from the device.
   std::array<std::optional<std::size_t>, 2> m_open;
@@ -50,5 +59,7 @@ class PipeTranscript {
 // Characters that are not printable ASCII as their bytes: "⟨1B⟩"; line ends stay.
 QString pipeText(std::string_view bytes);
 QString pipeHex(std::string_view bytes);
+// A line of its own between what was said before and after.
+QString pipeRestartText();
 
 }  // namespace deckpipe

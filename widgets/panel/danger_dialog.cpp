@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/danger_dialog.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <utility>
 
 namespace deckpipe {
 namespace {
@@ -50,13 +50,23 @@ DangerDialog::DangerDialog(QWidget* parent, const Question& question) : QDialog(
   layout->setSpacing(16);
   layout->addWidget(title);
   layout->addWidget(text);
+  if (!question.option.isEmpty()) {
+    m_option = new QCheckBox(question.option, this);
+    m_option->setObjectName(QStringLiteral("dangerOption"));
+    m_option->setAccessibleName(question.option);
+    m_option->setMinimumHeight(kTarget);
+    m_option->setChecked(true);
+    layout->addWidget(m_option);
+  }
   layout->addWidget(buttons);
   setMinimumWidth(kWidth);
 }
 
-void DangerDialog::ask(QWidget* parent, const Question& question, std::function<void()> act) {
+void DangerDialog::ask(QWidget* parent, const Question& question, std::function<void(bool isTicked)> act) {
   auto* dialog = new DangerDialog(parent, question);
-  connect(dialog, &QDialog::accepted, parent, std::move(act));
+  connect(dialog, &QDialog::accepted, parent, [dialog, act = std::move(act)] {
+    act(dialog->m_option != nullptr && dialog->m_option->isChecked());
+  });
   dialog->open();
 }
 

@@ -5,6 +5,9 @@
 
 #include <QDialog>
 #include <functional>
+#include <utility>
+
+class QCheckBox;
 
 namespace deckpipe {
 
@@ -17,12 +20,18 @@ class DangerDialog : public QDialog {
     QString text;            // what it does, and what it may lead to
     QString verb;            // "Reset"
     QString otherwise = {};  // "Cancel" where nothing is said
+    QString option = {};     // beside a box, ticked at first; empty: none
   };
-  // Deletes itself. `act` is called where the person says the verb.
-  static void ask(QWidget* parent, const Question& question, std::function<void()> act);
+  // Deletes itself. `act` is called where the person says the verb, with whether the option was ticked.
+  static void ask(QWidget* parent, const Question& question, std::function<void(bool isTicked)> act);
+  static void ask(QWidget* parent, const Question& question, std::function<void()> act) {
+    ask(parent, question, [act = std::move(act)](bool) { act(); });
+  }
 
  private:
   DangerDialog(QWidget* parent, const Question& question);
+
+  QCheckBox* m_option = nullptr;
 };
 
 }  // namespace deckpipe

@@ -10,6 +10,7 @@
 #include "panel/elided_label.h"
 #include "panel/label_ink.h"
 #include "text/age_text.h"
+#include "text/service_text.h"
 
 namespace deckpipe {
 namespace {
@@ -27,9 +28,15 @@ double bytesPerSecond(const PipeStatus& pipe, Instant now) {
   return pipe.fileSent == 0 || seconds <= 0 ? 0 : static_cast<double>(pipe.fileSent) / seconds;
 }
 
+bool hasDoubts(const PipeStatus& pipe) { return pipe.fileSkipped != 0 || pipe.fileResent != 0; }
+
+QString countsText(const PipeStatus& pipe) {
+  return FileSendBar::tr("%1 packets skipped, %2 sent again").arg(pipe.fileSkipped).arg(pipe.fileResent);
+}
+
 // What was skipped or sent again may be missing, or be there twice.
 QString doneText(const PipeStatus& pipe) {
-  if (pipe.fileSkipped == 0 && pipe.fileResent == 0) return FileSendBar::tr("Sent");
+  if (!hasDoubts(pipe)) return FileSendBar::tr("Sent");
   return FileSendBar::tr("Gone through, but %1 packets skipped and %2 sent again: what arrived is not known")
       .arg(pipe.fileSkipped)
       .arg(pipe.fileResent);
@@ -102,6 +109,12 @@ void FileSendBar::setStatus(const PipeStatus& pipe, Instant now, bool isLive) {
     case PipeStatus::FileEnd::Done: parts.prepend(doneText(pipe)); break;
     case PipeStatus::FileEnd::Cancelled: parts.prepend(tr("Cancelled")); break;
     case PipeStatus::FileEnd::Aborted: parts.prepend(tr("Given up")); break;
+    case PipeStatus::FileEnd::Restarted: parts.prepend(tr("Stopped: the device restarted")); break;
+  }
+  if (pipe.isSendingFile() && pipe.rest != PipeStatus::Rest::Ask) {
+    parts.prepend(restText(pipe));
+  } else if (pipe.fileEnd != PipeStatus::FileEnd::Done && hasDoubts(pipe)) {
+    parts.append(countsText(pipe));
   }
   m_isPaused = pipe.isPaused && pipe.isSendingFile();
   if (m_isPaused) parts.prepend(tr("Paused"));

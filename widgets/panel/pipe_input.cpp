@@ -95,18 +95,22 @@ bool PipeInput::isRaw() const { return m_mode->currentIndex() == 1; }
 
 void PipeInput::clear() { m_input->clear(); }
 
-void PipeInput::setOffered(bool mayType, const QString& name) {
+void PipeInput::setOffered(bool mayType, const QString& name, bool hasRestarted) {
   m_input->setEnabled(mayType);
   m_send->setEnabled(mayType && !isRaw());
   m_lineEnd->setEnabled(mayType);
   const QString whom = name.isEmpty() ? tr("the device") : name;
-  m_input->setPlaceholderText(isRaw() ? tr("Keys go to %1 at once").arg(whom)
-                                      : tr("A line for %1").arg(whom));
+  const QString what = isRaw() ? tr("Keys go to %1 at once").arg(whom) : tr("A line for %1").arg(whom);
+  m_input->setPlaceholderText(hasRestarted ? tr("%1, which has restarted").arg(what) : what);
 }
 
 std::string PipeInput::lineEnd() const {
   constexpr const char* kEnds[] = {"\r\n", "\r", "\n", ""};
   return kEnds[m_lineEnd->currentIndex()];
+}
+
+QString PipeInput::lineEndName() const {
+  return lineEnd().empty() ? tr("nothing") : m_lineEnd->currentText();
 }
 
 bool PipeInput::take(const QString& text, std::string& bytes) {

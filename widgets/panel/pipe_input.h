@@ -25,10 +25,14 @@ class PipeInput : public QWidget {
  public:
   explicit PipeInput(QWidget* parent = nullptr);
 
-  // Whether there is a device that takes it, and how the person calls it.
-  void setOffered(bool mayType, const QString& name);
+  // Whether there is a device that takes it, how the person calls it, and whether it has restarted since
+  // something was sent to it last.
+  void setOffered(bool mayType, const QString& name, bool hasRestarted);
   // What was typed was meant for another.
   void clear();
+  // As chosen: what goes with each line, and its name for people.
+  std::string lineEnd() const;
+  QString lineEndName() const;
 
  Q_SIGNALS:
   void typed(const std::string& bytes);
@@ -40,7 +44,6 @@ class PipeInput : public QWidget {
 
  private:
   bool isRaw() const;
-  std::string lineEnd() const;
   // Nothing, said why, where a character does not fit into a byte.
   bool take(const QString& text, std::string& bytes);
   void showCount();

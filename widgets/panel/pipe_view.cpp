@@ -13,6 +13,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <utility>
+
 #include "model/field_text.h"
 
 namespace deckpipe {
@@ -126,6 +128,7 @@ void PipeView::rebuild() {
   m_shown = 0;
   m_lastSender = {};
   m_isLineOpen = false;
+  m_isRestartShown = false;
   append(0);
 }
 
@@ -133,12 +136,21 @@ void PipeView::rebuild() {
 // colour, those of another console with its address before it.
 void PipeView::append(std::size_t from) {
   const std::vector<PipePacket>& packets = m_transcript.packets();
-  if (from >= packets.size()) return;
+  const bool tellsRestart = m_transcript.restarted() != kNotYet && !m_isRestartShown;
+  if (from >= packets.size() && !tellsRestart) return;
   QTextCursor cursor(m_text->document());
   cursor.movePosition(QTextCursor::End);
   QTextCharFormat format;
+  const auto showRestart = [&] {
+    if (m_isRestartShown || !tellsRestart) return;
+    format.setForeground(m_colours.attend.ink);
+    if (std::exchange(m_isLineOpen, false)) cursor.insertText(QStringLiteral("\n"), format);
+    cursor.insertText(pipeRestartText() + QLatin1Char('\n'), format);
+    m_isRestartShown = true;
+  };
   for (; from < packets.size(); ++from) {
     const PipePacket& packet = packets[from];
+    if (packet.time > m_transcript.restarted()) showRestart();
     if (!packet.isFromDevice && !m_echo->isChecked()) continue;
     format.setForeground(packet.isFromDevice ? m_colours.text
                          : packet.isOurs     ? m_colours.accent.ink
@@ -162,6 +174,7 @@ void PipeView::append(std::size_t from) {
     }
     cursor.insertText(out, format);
   }
+  showRestart();
   m_shown = packets.size();
   if (m_isFollowing) m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
 }

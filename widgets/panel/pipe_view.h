@@ -23,6 +23,8 @@ class PipeView : public QWidget {
   explicit PipeView(QWidget* parent = nullptr);
 
   void setView(const LogView& view, const Conversations& talk, const DeviceKey& device);
+  // See PipeTranscript.
+  Instant restartedSinceSent() const { return m_transcript.restartedSinceSent(); }
   void setColours(const Colours& colours);
   // What is shown, search, and saving: a row of its own.
   void showTools(bool isOn);
@@ -51,6 +53,7 @@ class PipeView : public QWidget {
   Address m_lastSender;
   bool m_isFollowing = true;  // the end, until a person scrolls away from it
   bool m_isLineOpen = false;
+  bool m_isRestartShown = false;
   QPlainTextEdit* m_text;
   QWidget* m_tools = nullptr;
   QCheckBox* m_echo = nullptr;

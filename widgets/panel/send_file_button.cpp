@@ -6,11 +6,34 @@
 #include <QFileInfo>
 #include <QLocale>
 
+#include <algorithm>
+
 #include "panel/danger_dialog.h"
+#include "panel/pipe_input.h"
 
 namespace deckpipe {
+namespace {
 
-SendFileButton::SendFileButton(QWidget* parent) : QPushButton(tr("Send file…"), parent) {
+// No control characters but tabs and line ends.
+bool isText(const QByteArray& content) {
+  return std::ranges::all_of(content, [](char c) {
+    return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\r' || c == '\n';
+  });
+}
+
+// CR LF, CR and LF each end one line.
+QByteArray withLineEnds(QByteArray text, const QByteArray& end) {
+  return text.replace("\r\n", "\n").replace('\r', '\n').replace("\n", end);
+}
+
+std::shared_ptr<const std::string> shared(const QByteArray& content) {
+  return std::make_shared<const std::string>(content.constData(), static_cast<std::size_t>(content.size()));
+}
+
+}  // namespace
+
+SendFileButton::SendFileButton(const PipeInput& input, QWidget* parent)
+    : QPushButton(tr("Send file…"), parent), m_input(input) {
   setObjectName(QStringLiteral("pipeSendFile"));
   setAccessibleName(text());
   setAutoDefault(false);
@@ -46,17 +69,22 @@ void SendFileButton::confirm(const QString& path, const DeviceKey& device, const
     return;
   }
   const QByteArray content = file.readAll();
-  const wish::PipeFile wanted{
-      device, QFileInfo(path).fileName().toStdString(),
-      std::make_shared<const std::string>(content.constData(), static_cast<std::size_t>(content.size()))};
+  const QByteArray lines = withLineEnds(content, QByteArray::fromStdString(m_input.lineEnd()));
+  const bool mayBeLines = lines != content && isText(content);
   DangerDialog::ask(
       this,
       {tr("Send a file to %1?").arg(name),
        tr("%1, %2. The device takes the characters as if they had been typed; what they do there "
           "is the device's own affair.")
            .arg(QFileInfo(path).fileName(), QLocale().formattedDataSize(content.size())),
-       tr("Send")},
-      [this, wanted] { Q_EMIT wished(wanted); });
+       tr("Send"),
+       {},
+       mayBeLines ? tr("End each line with %1, as what is typed; otherwise as it is in the file")
+                        .arg(m_input.lineEndName())
+                  : QString()},
+      [this, device, file = QFileInfo(path).fileName().toStdString(), content, lines](bool asLines) {
+        Q_EMIT wished(wish::PipeFile{device, file, shared(asLines ? lines : content)});
+      });
 }
 
 }  // namespace deckpipe

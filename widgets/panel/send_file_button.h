@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Send file…": chooses a file, reads it, and asks once by the device's name before it is sent over the data
-// pipe. Part of the terminal; how the sending goes is the FileSendBar's.
+// pipe: as it is, or, of a text whose lines end otherwise than the device takes them, with one chosen end a
+// line. Part of the terminal; how the sending goes is the FileSendBar's.
 #pragma once
 
 #include <QPushButton>
@@ -9,13 +10,16 @@
 
 namespace deckpipe {
 
+class PipeInput;
+
 class SendFileButton : public QPushButton {
   Q_OBJECT
 
  public:
   static constexpr qint64 kLargest = 8 << 20;  // at some hundred bytes a second more would take days
 
-  explicit SendFileButton(QWidget* parent = nullptr);
+  // The lines of a text may go with the end that is chosen at `input` for what is typed.
+  explicit SendFileButton(const PipeInput& input, QWidget* parent = nullptr);
 
   // The file goes to whom it was chosen for, whatever device is looked at by then.
   void setDevice(const DeviceKey& device, const QString& name);
@@ -29,6 +33,7 @@ class SendFileButton : public QPushButton {
   void choose();
   void confirm(const QString& path, const DeviceKey& device, const QString& name);
 
+  const PipeInput& m_input;
   DeviceKey m_device;
   QString m_name;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/terminal_panel.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -15,6 +16,7 @@
 #include "panel/secondary_font.h"
 #include "panel/send_file_button.h"
 #include "panel/send_hint.h"
+#include "text/age_text.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
@@ -30,7 +32,7 @@ TerminalPanel::TerminalPanel(QWidget* parent)
       m_text(new PipeView(this)),
       m_file(new FileSendBar(this)),
       m_input(new PipeInput(this)),
-      m_sendFile(new SendFileButton(this)) {
+      m_sendFile(new SendFileButton(*m_input, this)) {
   setObjectName(QStringLiteral("terminalPanel"));
   setAccessibleName(tr("Data pipe terminal"));
   auto* layout = new QVBoxLayout(this);
@@ -105,13 +107,23 @@ QWidget* TerminalPanel::makeStallBar() {
   m_stall->setWordWrap(true);
   auto* row = new QHBoxLayout(m_stallBar);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_stall, 1);
+  m_forTheRest = new QCheckBox(m_stallBar);
+  m_forTheRest->setObjectName(QStringLiteral("pipeForTheRest"));
+  m_forTheRest->setToolTip(tr("Resend or Skip at every further missing ack of this file or text, "
+                              "up to %1 in a row")
+                               .arg(kMostMissingAcks));
+  auto* words = new QVBoxLayout;
+  words->setSpacing(2);
+  words->addWidget(m_stall);
+  words->addWidget(m_forTheRest);
+  row->addLayout(words, 1);
+  connect(m_forTheRest, &QCheckBox::toggled, this, &TerminalPanel::showState);
   const auto add = [&](const char* name, const QString& text, const QString& tip,
                        wish::PipeAction::What what) {
     QPushButton* button = makeButton(name, text);
     button->setToolTip(tip);
     row->addWidget(button);
-    connect(button, &QPushButton::clicked, this, [this, what] { act(what); });
+    connect(button, &QPushButton::clicked, this, [this, what] { decide(what); });
     return button;
   };
   m_resend =
@@ -139,6 +151,7 @@ void TerminalPanel::setDevice(const DeviceKey& device, const QString& name) {
   if (device != m_device) {
     m_input->clear();  // what was typed was meant for the other
     m_trouble.clear();
+    m_forTheRest->setChecked(false);
   }
   m_device = device;
   m_name = name;
@@ -163,12 +176,32 @@ void TerminalPanel::setColours(const Colours& colours) {
   m_text->setColours(colours);
 }
 
-QString TerminalPanel::ownHint(const DeviceServices* device) const {
+// What is said for the rest once is not said the next time.
+void TerminalPanel::decide(wish::PipeAction::What what) {
+  act(what, what != wish::PipeAction::What::Abort && m_forTheRest->isChecked());
+  m_forTheRest->setChecked(false);
+}
+
+Instant TerminalPanel::now() const { return std::max(m_view.cursor.time, m_view.end); }
+
+QString TerminalPanel::restartHint(const PipeStatus& pipe) const {
+  const Instant restarted = m_text->restartedSinceSent();
+  if (restarted == kNotYet) return {};
+  const QString when = agoText(now() - restarted);
+  if (pipe.notTaken == 0) return tr("The device restarted %1, after what was sent to it last.").arg(when);
+  return tr("The device restarted %1: %Ln characters that were typed before were not taken.", nullptr,
+            static_cast<int>(pipe.notTaken))
+      .arg(when);
+}
+
+QString TerminalPanel::ownHint(const DeviceServices* device, const PipeStatus& pipe) const {
   if (device == nullptr) return tr("Choose an Akron device to talk to.");
   if (device->address == kNullAddress) return tr("%1 has no address now.").arg(m_name);
   if (m_services.refusal == Refusal::Busy || m_services.refusal == Refusal::TooMuch)
     return refusalText(m_services.refusal);
-  return {};
+  if (const QString restart = restartHint(pipe); !restart.isEmpty()) return restart;
+  if (pipe.isSendingFile() || pipe.progress == PipeStatus::Progress::Stalled) return {};  // said beside it
+  return pipe.rest != PipeStatus::Rest::Ask ? restText(pipe) : typedDoubtText(pipe);
 }
 
 void TerminalPanel::showState() {
@@ -177,12 +210,12 @@ void TerminalPanel::showState() {
   m_title->setVisible(!m_name.isEmpty());
   const DeviceServices* device = m_services.find(m_device);
   const PipeStatus pipe = device != nullptr && device->pipe ? *device->pipe : PipeStatus{};
-  m_hint->setStatus(m_services, m_isLive, ownHint(device), m_trouble);
+  m_hint->setStatus(m_services, m_isLive, ownHint(device, pipe), m_trouble);
   showStall(pipe);
-  m_file->setStatus(pipe, std::max(m_view.cursor.time, m_view.end), m_isLive);
+  m_file->setStatus(pipe, now(), m_isLive);
   const bool mayType = m_isLive && m_services.canAsk() && device != nullptr &&
                        device->address != kNullAddress && !pipe.isSendingFile();
-  m_input->setOffered(mayType, m_name);
+  m_input->setOffered(mayType, m_name, m_text->restartedSinceSent() != kNotYet);
   m_sendFile->setEnabled(mayType && pipe.progress != PipeStatus::Progress::Stalled);
 }
 
@@ -192,7 +225,22 @@ void TerminalPanel::showStall(const PipeStatus& pipe) {
   m_caution->setVisible(!isStalled);  // a small screen has room for one of them
   m_resend->setEnabled(m_isLive);
   m_skip->setEnabled(m_isLive);
-  if (isStalled) setText(*m_stall, stallText(pipe));
+  // There may be no rest, and what is not for want of an ack is asked each time.
+  const bool hasRest =
+      pipe.waiting > 0 || (pipe.isSendingFile() && pipe.fileSize - pipe.fileSent > kPipePacket);
+  m_forTheRest->setVisible(pipe.stall == PipeStatus::Stall::NoAck && hasRest);
+  m_forTheRest->setEnabled(m_isLive);
+  if (!isStalled || m_forTheRest->isHidden()) m_forTheRest->setChecked(false);
+  m_forTheRest->setText(pipe.isSendingFile() ? tr("For the rest of this file too")
+                                             : tr("For the rest of this text too"));
+  if (isStalled) setText(*m_stall, stallWords(pipe));
+  m_stall->setToolTip(m_stall->text());
+}
+
+QString TerminalPanel::stallWords(const PipeStatus& pipe) const {
+  if (!m_forTheRest->isChecked()) return stallText(pipe);
+  return tr("Resend may deliver pieces twice, Skip may leave gaps. It stops after %1 missing acks in a row.")
+      .arg(kMostMissingAcks);
 }
 
 void TerminalPanel::say(const QString& trouble) {

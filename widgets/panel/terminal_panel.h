@@ -4,7 +4,8 @@
 // it emits wishes and sends nothing. It puts together PipeView, PipeInput, SendFileButton and FileSendBar.
 //
 //   1. The device it talks to stands there always, whatever was typed.
-//   2. A missing ack is the person's to decide: the bar with resend, skip and abort stays until then.
+//   2. A missing ack is the person's to decide: the bar with resend, skip and abort stays until then. Whether
+//      that is for the rest of the file or text too is asked anew each time.
 //   3. Off the live edge what goes on can be stopped; nothing can be begun.
 #pragma once
 
@@ -15,6 +16,7 @@
 #include "paint/palette.h"
 #include "state/conversations.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 
@@ -50,8 +52,14 @@ class TerminalPanel : public QWidget {
   QPushButton* makeButton(const char* name, const QString& text);
   void showState();
   void showStall(const PipeStatus& pipe);
-  QString ownHint(const DeviceServices* device) const;
-  void act(wish::PipeAction::What what) { Q_EMIT wished(wish::PipeAction{m_device, what}); }
+  QString stallWords(const PipeStatus& pipe) const;
+  QString ownHint(const DeviceServices* device, const PipeStatus& pipe) const;
+  QString restartHint(const PipeStatus& pipe) const;
+  Instant now() const;
+  void act(wish::PipeAction::What what, bool forTheRest = false) {
+    Q_EMIT wished(wish::PipeAction{m_device, what, forTheRest});
+  }
+  void decide(wish::PipeAction::What what);
   void say(const QString& trouble);
 
   DeviceKey m_device;
@@ -65,6 +73,7 @@ class TerminalPanel : public QWidget {
   QLabel* m_caution = nullptr;
   QWidget* m_stallBar = nullptr;
   QLabel* m_stall = nullptr;
+  QCheckBox* m_forTheRest = nullptr;
   QPushButton* m_resend = nullptr;
   QPushButton* m_skip = nullptr;
   SendHint* m_hint;

@@ -112,8 +112,32 @@ QString pipeEventText(PipeEvent event) {
     case PipeEvent::Resent: return ServiceText::tr("packet sent again");
     case PipeEvent::Skipped: return ServiceText::tr("packet skipped");
     case PipeEvent::Dropped: return ServiceText::tr("what waited was dropped");
+    case PipeEvent::DeviceRestarted: return ServiceText::tr("the device restarted meanwhile");
   }
   return {};
+}
+
+QString restText(const PipeStatus& pipe) {
+  const bool isFile = pipe.isSendingFile();
+  switch (pipe.rest) {
+    case PipeStatus::Rest::Ask: return {};
+    case PipeStatus::Rest::Resend:
+      return ServiceText::tr("Packets without an ack are sent again, so far %1")
+          .arg(isFile ? pipe.fileResent : pipe.textResent);
+    case PipeStatus::Rest::Skip:
+      return ServiceText::tr("Packets without an ack are skipped, so far %1")
+          .arg(isFile ? pipe.fileSkipped : pipe.textSkipped);
+  }
+  return {};
+}
+
+QString typedDoubtText(const PipeStatus& pipe) {
+  if (pipe.textSkipped == 0 && pipe.textResent == 0) return {};
+  return ServiceText::tr(
+             "Of what was typed last, %1 packets were skipped and %2 sent again: what arrived is "
+             "not known.")
+      .arg(pipe.textSkipped)
+      .arg(pipe.textResent);
 }
 
 QString stallText(const PipeStatus& pipe) {

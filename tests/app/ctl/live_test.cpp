@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The subcommands on a live interface, against the bench twin on a virtual bus of this process.
 #include <QFile>
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -69,6 +70,15 @@ class Live : public testing::Test {
       return (frame.identifier() & 0xFF'FF'FF) == (0xEF'00F9u | to << 8) && frame.data[0] == type;
     });
   }
+  // What the tool sent to the monitor at 80 over its data pipe.
+  QByteArray piped() const {
+    QByteArray sent;
+    for (const Frame& frame : m_witness.frames) {
+      if ((frame.identifier() & 0xFF'FF'FF) != 0xEF'80F9u || frame.data[0] != 0xFE) continue;
+      for (std::size_t i = 1; i < frame.length; ++i) sent += static_cast<char>(frame.data[i]);
+    }
+    return sent;
+  }
   bool anyFrom(std::uint8_t address) const {
     return std::ranges::any_of(m_witness.frames, [&](const Frame& frame) {
       return frame.isExtended() && (frame.identifier() & 0xFF) == address;
@@ -105,6 +115,50 @@ TEST_F(Live, NodesUnlockedNamesEveryoneAndOurselves) {
   EXPECT_EQ(monitor[QLatin1String("manufacturer_code")].toInt(), 326);
   EXPECT_EQ(text(at[0xF9], "what"), QStringLiteral("own"));
   EXPECT_EQ(at[0xF9][QLatin1String("identity_number")].toInt(), 77);
+}
+
+// Devices at 91 and up, which say who they are and that they are disabled, again and again.
+class NodesOf : public Live {
+ protected:
+  Outcome nodesBesides(unsigned devices, const char* command) {
+    QTimer speak;
+    QObject::connect(&speak, &QTimer::timeout, &speak, [this, devices] {
+      for (unsigned i = 1; i <= devices; ++i) {
+        Frame frame = test::frame("18EFFF90", "FF83150206021A00");
+        frame.id += i;
+        frame.data[7] = static_cast<std::uint8_t>(0x20 + i);
+        m_witnessLink->write(frame);
+        Frame disabled = test::frame("18EFFF90", "834000");
+        disabled.id += i;
+        m_witnessLink->write(disabled);
+      }
+    });
+    speak.start(200);
+    return run(command);
+  }
+};
+
+TEST_F(NodesOf, ADeviceWithAllThatKeepsItFromBeingFine) {
+  const Outcome r = nodesBesides(1, "nodes --seconds 1");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  const QList<QJsonObject> all = r.objects();
+  const auto device = std::ranges::find_if(
+      all, [](const QJsonObject& node) { return node[QLatin1String("address")].toInt() == 0x91; });
+  ASSERT_NE(device, all.end()) << r.out.constData();
+  EXPECT_EQ(text(*device, "health"), QStringLiteral("disabled"));
+  EXPECT_EQ((*device)[QLatin1String("causes")].toArray().toVariantList(),
+            QVariantList({QStringLiteral("disabled"), QStringLiteral("faults_never_asked"),
+                          QStringLiteral("status_never_heard")}));
+  EXPECT_FALSE(r.err.contains("not followed")) << r.err.constData();
+  EXPECT_TRUE(nodesBesides(1, "nodes --seconds 1 --format text")
+                  .out.contains("disabled, faults_never_asked, status_never_heard\n"));
+}
+
+TEST_F(NodesOf, MoreDevicesThanAreFollowedIsSaid) {
+  const Outcome r = nodesBesides(85, "nodes --seconds 1.5");
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_TRUE(r.err.contains("frames of devices beyond the first 80, which are not followed"))
+      << r.err.constData();
 }
 
 TEST_F(Live, WhoIsSaidToBeADriveIsNamedSoAndNeverAsked) {
@@ -349,12 +403,18 @@ TEST_F(Live, PipeMakesOneLineEndOfCrLf) {
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --line-end crlf", "ECHO one\r\nECHO two\r\n");
   EXPECT_EQ(r.status, 0) << r.err.constData();
   EXPECT_EQ(r.out, "one\r\ntwo\r\n");
-  QByteArray sent;
-  for (const Frame& frame : m_witness.frames) {
-    if ((frame.identifier() & 0xFF'FF'FF) != 0xEF'80F9u || frame.data[0] != 0xFE) continue;
-    for (std::size_t i = 1; i < frame.length; ++i) sent += static_cast<char>(frame.data[i]);
-  }
-  EXPECT_EQ(sent, "ECHO one\r\nECHO two\r\n");
+  EXPECT_EQ(piped(), "ECHO one\r\nECHO two\r\n");
+}
+
+TEST_F(Live, PipeMakesOneLineEndOfCrLfInTwoReads) {
+  QProcess process;
+  start(process, "pipe --unlock --pin 1032AE100801035");
+  process.write("ECHO one\r");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return piped() == "ECHO one"; }, kPatience));
+  process.write("\nECHO two\r\n");
+  process.closeWriteChannel();
+  EXPECT_EQ(end(process).status, 0);
+  EXPECT_EQ(piped(), "ECHO one\rECHO two\r");
 }
 
 TEST_F(Live, PipeSaysWhatWasExpectedOnAClosedStandardInput) {
@@ -414,6 +474,24 @@ TEST_F(Live, PipeSendsAgainOnlyWhenToldTo) {
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack resend", kLong);
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.err.contains("it may arrive twice")) << r.err.constData();
+}
+
+TEST_F(Live, PipeEndsWhereTheDeviceRestartsInTheMiddle) {
+  wish(0, TwinFault::AcksLate);
+  QTemporaryDir dir;
+  QFile file(dir.filePath(QStringLiteral("content")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(70'000, 'x')) == 70'000);
+  file.close();
+  QProcess process;
+  start(process, "pipe --unlock --pin 1032AE100801035 --on-missing-ack resend",
+        {QStringLiteral("--file"), file.fileName()});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0xFE); }, kPatience));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return process.readAllStandardError().contains(" bytes/s"); }, kPatience));
+  m_twin.obey({0, TwinButton::Reset});
+  const Outcome r = end(process);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains("the device restarted meanwhile")) << r.err.constData();
 }
 
 TEST_F(Live, PipeEndsPolitelyByCtrlC) {

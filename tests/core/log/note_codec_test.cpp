@@ -93,9 +93,10 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
   for (std::uint8_t n = 0; n < std::size(ends); ++n)
     EXPECT_EQ(last(note::AskEnded{{}, {}, {}, Ask::Fault, ends[n]}), n);
   EXPECT_EQ(test::allOf<RequestEnd>().size(), std::size(ends));
-  const PipeEvent events[] = {PipeEvent::FileBegan,   PipeEvent::FileDone, PipeEvent::FileCancelled,
-                              PipeEvent::FileAborted, PipeEvent::Stalled,  PipeEvent::AckLate,
-                              PipeEvent::Resent,      PipeEvent::Skipped,  PipeEvent::Dropped};
+  const PipeEvent events[] = {PipeEvent::FileBegan,      PipeEvent::FileDone, PipeEvent::FileCancelled,
+                              PipeEvent::FileAborted,    PipeEvent::Stalled,  PipeEvent::AckLate,
+                              PipeEvent::Resent,         PipeEvent::Skipped,  PipeEvent::Dropped,
+                              PipeEvent::DeviceRestarted};
   for (std::uint8_t n = 0; n < std::size(events); ++n) {
     const Bytes bytes = bytesOf(note::Pipe{{}, {}, {}, events[n], {}});
     EXPECT_EQ(bytes[bytes.size() - 2], n);

@@ -6,11 +6,15 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDialog>
+#include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QTemporaryDir>
 #include <QWheelEvent>
 
 #include "model/pipe_transcript.h"
@@ -253,6 +257,135 @@ TEST_F(Terminal, AMissingAckOffersResendSkipAndAbort) {
   ASSERT_EQ(wishes.size(), 3u);
   const What expected[] = {What::Resend, What::Skip, What::Abort};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).what, expected[i]);
+}
+
+TEST_F(Terminal, WhatIsDecidedMayBeForTheRestTooAndIsAskedAnewEachTime) {
+  pipe() = {.progress = PipeStatus::Progress::Stalled,
+            .stall = PipeStatus::Stall::NoAck,
+            .file = "menu.txt",
+            .fileSize = 1000,
+            .fileSent = 250};
+  show();
+  const QString before = child<QLabel>("pipeStallText")->text();
+  auto* rest = child<QCheckBox>("pipeForTheRest");
+  ASSERT_TRUE(rest->isVisible());
+  EXPECT_FALSE(rest->isChecked());
+  EXPECT_TRUE(rest->text().contains(QStringLiteral("rest of this file")));
+  for (const char* name : {"pipeSkip", "pipeResend", "pipeAbort"}) {
+    rest->click();
+    EXPECT_TRUE(child<QLabel>("pipeStallText")->text().contains(QStringLiteral("Skip may leave gaps")));
+    click(name);
+    EXPECT_FALSE(rest->isChecked());
+  }
+  EXPECT_EQ(child<QLabel>("pipeStallText")->text(), before);
+  click("pipeSkip");
+  ASSERT_EQ(wishes.size(), 4u);
+  const bool expected[] = {true, true, false, false};
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).forTheRest, expected[i]) << i;
+  rest->click();
+  pipe().progress = PipeStatus::Progress::Sending;  // the ack came after all
+  show();
+  pipe().progress = PipeStatus::Progress::Stalled;
+  show();
+  EXPECT_FALSE(rest->isChecked()) << "another missing ack";
+}
+
+TEST_F(Terminal, ForTheRestIsOfferedOnlyForAMissingAckAndWhereThereIsARest) {
+  pipe().progress = PipeStatus::Progress::Stalled;
+  pipe().stall = PipeStatus::Stall::NoAck;
+  pipe().waiting = 3;
+  show();
+  EXPECT_TRUE(child<QCheckBox>("pipeForTheRest")->isVisible());
+  pipe().waiting = 0;
+  show();
+  EXPECT_FALSE(child<QCheckBox>("pipeForTheRest")->isVisible()) << "it was the last packet";
+  pipe().waiting = 3;
+  pipe().stall = PipeStatus::Stall::NotTaken;
+  show();
+  EXPECT_FALSE(child<QCheckBox>("pipeForTheRest")->isVisible());
+}
+
+TEST_F(Terminal, SaysWhatIsDoneForTheRestAndWhatBecameOfTheText) {
+  pipe().progress = PipeStatus::Progress::Settling;
+  pipe().rest = PipeStatus::Rest::Skip;
+  pipe().waiting = 30;
+  pipe().textSkipped = 2;
+  show();
+  EXPECT_TRUE(hint().contains(QStringLiteral("are skipped, so far 2"))) << hint().toStdString();
+  pipe() = {};
+  pipe().textSkipped = 3;
+  pipe().textResent = 1;
+  show();
+  EXPECT_TRUE(hint().contains(QStringLiteral("3 packets were skipped and 1 sent again")));
+  EXPECT_TRUE(hint().contains(QStringLiteral("what arrived is not known")));
+  pipe() = {.progress = PipeStatus::Progress::Sending,
+            .rest = PipeStatus::Rest::Resend,
+            .file = "menu.txt",
+            .fileSize = 1000,
+            .fileSent = 250,
+            .fileResent = 4};
+  show();
+  EXPECT_TRUE(child<QLabel>("fileFigures")->text().contains(QStringLiteral("are sent again, so far 4")));
+  pipe().rest = PipeStatus::Rest::Ask;
+  pipe().fileEnd = PipeStatus::FileEnd::Cancelled;
+  show();
+  EXPECT_TRUE(
+      child<QLabel>("fileFigures")->text().contains(QStringLiteral("0 packets skipped, 4 sent again")));
+}
+
+TEST_F(Terminal, SaysThatTheDeviceRestartedAfterWhatWasSentUntilSomethingIsSentAgain) {
+  Frame ours = frame("18EF80F9", "FE4142", 0, 1'000 * kMilli);
+  ours.flags |= Frame::kSent;
+  add({ours});
+  EXPECT_FALSE(child<QLabel>("pipeHint")->isVisible());
+  add({frame("18EFFF80", "FF83150206021A0B", 0, 9'000 * kMilli)});
+  EXPECT_EQ(text(), QStringLiteral("› AB\n— the device restarted —\n"));
+  EXPECT_TRUE(hint().startsWith(QStringLiteral("The device restarted"))) << hint().toStdString();
+  EXPECT_TRUE(child<QLineEdit>("pipeInput")->placeholderText().contains(QStringLiteral("has restarted")));
+  pipe().notTaken = 12;
+  show();
+  EXPECT_TRUE(hint().contains(QStringLiteral("12 characters"))) << hint().toStdString();
+  EXPECT_TRUE(hint().contains(QStringLiteral("were not taken")));
+  ours.stamp = 10'000 * kMilli;
+  pipe().notTaken = 0;
+  add({frame("18EFF980", "FE4F", 0, 9'500 * kMilli), ours});
+  EXPECT_EQ(text(), QStringLiteral("› AB\n— the device restarted —\n  O\n› AB"));
+  EXPECT_FALSE(child<QLabel>("pipeHint")->isVisible());
+  EXPECT_FALSE(child<QLineEdit>("pipeInput")->placeholderText().contains(QStringLiteral("has restarted")));
+}
+
+TEST_F(Terminal, AFileThatARestartEndedSaysSo) {
+  pipe() = {.file = "menu.txt", .fileSize = 1000, .fileSent = 250, .fileEnd = PipeStatus::FileEnd::Restarted};
+  show();
+  EXPECT_TRUE(
+      child<QLabel>("fileFigures")->text().startsWith(QStringLiteral("Stopped: the device restarted")));
+}
+
+TEST_F(Terminal, TheLinesOfATextFileGoWithTheChosenEndUnlessTheyAreToGoAsTheyAre) {
+  QTemporaryDir dir;
+  const auto send = [&](const QByteArray& content, bool unticks) {
+    QFile file(dir.filePath(QStringLiteral("text")));
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) return std::string("?");
+    file.close();
+    click("pipeSendFile");
+    auto* chooser = child<QFileDialog>("pipeFileDialog");
+    Q_EMIT chooser->fileSelected(file.fileName());
+    chooser->close();
+    auto* asked = panel.findChild<QDialog*>(QStringLiteral("dangerDialog"));
+    if (auto* option = asked->findChild<QCheckBox*>(QStringLiteral("dangerOption"))) {
+      if (unticks) option->click();
+    }
+    test::child<QAbstractButton>(*asked, "dangerVerb")->click();
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return *std::get<wish::PipeFile>(wishes.back()).content;
+  };
+  child<QComboBox>("pipeLineEnd")->setCurrentIndex(1);
+  EXPECT_EQ(send("VER\r\nA?\r\n\nB", false), "VER\rA?\r\rB");
+  EXPECT_EQ(send("VER\r\nA?\r\n", true), "VER\r\nA?\r\n");
+  EXPECT_EQ(send(QByteArray("\x01\r\n", 3), false), "\x01\r\n") << "no text";
+  child<QComboBox>("pipeLineEnd")->setCurrentIndex(0);
+  EXPECT_EQ(send("VER\r\nA?\n", false), "VER\r\nA?\r\n");
 }
 
 TEST_F(Terminal, AFileShowsItsProgressAndCanBePausedAndCancelled) {
