@@ -125,11 +125,11 @@ void AddressBook::noteTurn(const Turn& turn) {
 
 template <typename IsMeant>
 bool AddressBook::forgetTurns(IsMeant isMeant, Address except) {
-  const auto kept = std::ranges::remove_if(m_turns, [&](const Turn& turn) {
+  const auto kept = std::remove_if(m_turns.begin(), m_turns.end(), [&](const Turn& turn) {
     return turn.time != kNotYet && turn.address != except && isMeant(turn);
   });
-  std::ranges::fill(kept, Turn{});
-  return !kept.empty();
+  std::fill(kept, m_turns.end(), Turn{});
+  return kept != m_turns.end();
 }
 
 bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lost& lost) {

@@ -371,7 +371,7 @@ TEST_F(Live, CommandIsDoneOnceItIsAcknowledged) {
 TEST_F(Live, ResetIsDoneOnceTheDeviceAnnouncesItselfAnew) {
   const Outcome r = run("command reset --unlock --yes --address 80");
   EXPECT_EQ(r.status, 0) << r.err.constData();
-  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("answered"));
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("restarted"));
 }
 
 TEST_F(Live, ResetOfADeviceThatNeverReturnsIsNotDone) {
