@@ -28,7 +28,7 @@ struct Writer {
     char* const first = p;
     if (n.empty()) n = kUnnamedInterface;
     for (const char c : n.substr(0, kLongestName)) *p++ = c > ' ' && c <= '~' ? c : '_';
-    if (*first == '(' || *first == '#' || *first == '<') *first = '_';
+    if (n.front() == '(' || n.front() == '#' || n.front() == '<') *first = '_';
   }
   void identifier(const Frame& frame) {
     if (frame.isError()) {
