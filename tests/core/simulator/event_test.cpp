@@ -67,7 +67,7 @@ std::vector<std::string> keysOfMonitor(const std::vector<Event>& events) {
 
 TEST(EventsOfATruck, AreNoneWhileItIsWell) {
   const auto events = eventsOfTruck([](StandardBench&, Instant) {});
-  EXPECT_EQ(test::linesOf(events), std::vector<std::string>{});
+  EXPECT_EQ(deckpipe::test::linesOf(events), std::vector<std::string>{});
 }
 
 struct WrongCase {
@@ -103,7 +103,7 @@ TEST(EventsOfATruck, SayThatADeviceWasReset) {
       [](StandardBench& truck, Instant when) { truck.bench.press(when, 0, Bench::Button::Reset); });
   const auto keys = keysOfMonitor(events);
   EXPECT_NE(std::ranges::find(keys, "restarted"), keys.end())
-      << testing::PrintToString(test::linesOf(events));
+      << testing::PrintToString(deckpipe::test::linesOf(events));
 }
 
 TEST(EventsOfATruck, SayThatAnAddressWasTaken) {
@@ -111,9 +111,9 @@ TEST(EventsOfATruck, SayThatAnAddressWasTaken) {
       [](StandardBench& truck, Instant when) { truck.bench.misbehave(when, 0, {.addressTaken = true}); });
   const auto keys = keysOfMonitor(events);
   EXPECT_NE(std::ranges::find(keys, "address_lost"), keys.end())
-      << testing::PrintToString(test::linesOf(events));
+      << testing::PrintToString(deckpipe::test::linesOf(events));
   EXPECT_NE(std::ranges::find(keys, "moved_address"), keys.end())
-      << testing::PrintToString(test::linesOf(events));
+      << testing::PrintToString(deckpipe::test::linesOf(events));
 }
 
 }  // namespace
