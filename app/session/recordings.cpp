@@ -64,11 +64,12 @@ void takeNames(Recording& recording, const FrameStore& frames, const NoteStore& 
 // The log time of a frame of the end, by the clock of its channel as the beginning or the end tells it.
 std::optional<Instant> timeOf(const JournalTail& tail, const FrameStore& begin) {
   if (!tail.last) return {};
+  const Frame last = tail.last.value_or(Frame{});
   std::int64_t offset = tail.offset.value_or(0);
-  const auto* offsets = begin.offsets(tail.last->channel);
+  const auto* offsets = begin.offsets(last.channel);
   if (!tail.offset && offsets != nullptr && offsets->size() > 0)
     offset = (*offsets)[offsets->size() - 1].offset;
-  return Instant{saturatedPlus(tail.last->stamp, offset)};
+  return Instant{saturatedPlus(last.stamp, offset)};
 }
 
 }  // namespace
