@@ -34,6 +34,9 @@ QString countsText(const PipeStatus& pipe) {
   return FileSendBar::tr("%1 packets skipped, %2 sent again").arg(pipe.fileSkipped).arg(pipe.fileResent);
 }
 
+// A longer time says only that hardly anything has gone out yet.
+constexpr double kLongestTold = 7 * 24 * 3600;  // s
+
 // What was skipped or sent again may be missing, or be there twice.
 QString doneText(const PipeStatus& pipe) {
   if (!hasDoubts(pipe)) return FileSendBar::tr("Sent");
@@ -55,6 +58,7 @@ QString timeLeftText(const PipeStatus& pipe, Instant now) {
   const double rate = bytesPerSecond(pipe, now);
   if (rate <= 0 || !pipe.isSendingFile()) return {};
   const double seconds = static_cast<double>(pipe.fileSize - pipe.fileSent) / rate;
+  if (seconds > kLongestTold) return {};
   return FileSendBar::tr("about %1 left")
       .arg(briefAge(Duration(static_cast<std::int64_t>(seconds) * 1'000'000'000)));
 }
