@@ -43,6 +43,7 @@ std::optional<Refusal> PipeService::wants(Instant now, const Live& live, const W
     Pipe* at = find(live.canonical(action->device));
     return at != nullptr ? at->act(turn, *action) : Refusal::NoDevice;
   }
+  if (m_own.isDisputed()) return Refusal::Disputed;
   const DeviceKey& to = write != nullptr ? write->device : file->device;
   if (const Refusal why = live.whyNotTo(now, to); why != Refusal::None) return why;
   Pipe& at = pipe(live.canonical(to));
@@ -66,7 +67,8 @@ void PipeService::received(Instant now, const Live& live, const Frame& frame, Ou
     Encoded ack{.length = 1};
     ack.data[0] = typeOf(MessageId::PipeAck);
     out.send(live, source(), MessageId::PipeAck, id.source, ack, true);
-  } else if (Pipe* at = find(device)) {
+  } else if (Pipe* at = find(device); at != nullptr && !m_own.isDisputed()) {
+    // An ack to a disputed address may be the other node's.
     at->ackHeard(turn, id.source);
   }
 }

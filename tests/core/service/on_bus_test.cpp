@@ -144,6 +144,7 @@ TEST_F(OnBus, NoCommandGoesFromAnAddressThatAnotherSendsFromAndNoAckIsBelievedTh
   pair.run(1s);
   EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell) << "the ack may be for the other node";
   EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Disputed);
+  EXPECT_EQ(type("A?"), Refusal::Disputed);
   EXPECT_EQ(ask(Ask::Fault), Refusal::None) << "an answer to a poll is true, whoever asked";
   pair.run(ClaimService::kConflictOver);
   EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None);
