@@ -230,7 +230,7 @@ QFileDialog* MainWindow::saveDialog(const QString& title) {
   const QStringList filters = filtersForSaving();
   QFileDialog* dialog = fileDialog(title, filters);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  // Of the name that stands there too: the suffix says the format.
+  // The name that stands in the dialog takes the suffix too: the suffix says the format.
   const auto takeSuffix = [dialog](const QString& filter) {
     const QString before = dialog->defaultSuffix(), suffix = suffixOf(filter);
     if (suffix.isEmpty()) return;

@@ -112,7 +112,7 @@ QString readErrorWords(const ReadError& error) {
   return {};
 }
 
-// Of BusRates that are not known.
+// Says why BusRates are not known.
 QString whyNoRates(const BusRates& rates) {
   return rates.basis == BusRates::Basis::NoTimes
              ? StatusText::tr("Without times neither load nor rate is known.")
@@ -145,7 +145,7 @@ struct LinkOutages {
   Duration length{};    // of all that are over
 };
 
-// What a file ends with is its end, no hole in it.
+// A link that goes down at the end of a file is the file's end, no hole in it.
 LinkOutages outagesOf(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   LinkOutages outages{.isDown = source.kind == From::Link && source.progress == Progress::Lost};

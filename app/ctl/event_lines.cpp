@@ -65,7 +65,7 @@ constexpr EnumTable<EventKind, const char*> kMeanings{{
     {EventKind::ClockJump, "the clock of the log jumps"},
 }};
 
-// Of the notes, whose keys `deckpipectl watch` has too.
+// The keys of notes. `deckpipectl watch` has the same ones.
 constexpr const char* kNotesHelp =
     "mark (text), link_up (adapter), link_down (reason, words), dropped (frames), locked, unlocked, "
     "own_address "

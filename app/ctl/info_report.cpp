@@ -33,7 +33,7 @@ std::string_view ageWord(AnswerAge age) {
   return {};
 }
 
-// What it answered of faults, how long ago, and why that is old: "no faults, asked 93.0 s ago, silent since".
+// The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93.0 s ago, silent since".
 std::string faultsText(const State& state, const Device& device, bool hasTimes) {
   if (!device.faults().isKnown()) return {};
   const FaultStatus faults = device.faults().value();

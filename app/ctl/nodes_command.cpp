@@ -74,7 +74,7 @@ ExitStatus nodesCommand(const QStringList& arguments) {
                        [&] { run.finish(tell()); });
   };
   const ExitStatus status = run.run();
-  // Who was heard before the interface was lost.
+  // The interface was lost: the lines of whoever was heard before still go out.
   if (!isTold) {
     tellFollowed();
     run.output().flush();
