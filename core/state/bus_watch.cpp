@@ -54,6 +54,10 @@ void BusWatch::errorCame(const State& state, std::vector<Event>& out) {
   compareController(state, out);
 }
 
+void BusWatch::linkChanged(const State& state) {
+  m_controller.set(static_cast<std::uint64_t>(kindOf(state.channel(m_channel).controller)));
+}
+
 void BusWatch::compareErrors(const State& state, std::vector<Event>& out) {
   const bool isBurst = m_burstEnd != kNever;
   if (!m_burst.moves(isBurst ? 1 : 0, state.cursor().time, m_retry)) return;
@@ -74,6 +78,7 @@ void BusWatch::compareController(const State& state, std::vector<Event>& out) {
 void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out) {
   const AddressBook& book = state.channel(m_channel).book;
   m_contestsDue = book.nextDecision();
+  m_sharedDue = std::min(m_sharedDue, state.cursor().time + kClaimTime);
   for (std::size_t a = 0; a < kNullAddress.value; ++a) {
     const Address address{static_cast<std::uint8_t>(a)};
     const Name holder = book.holder(address);
@@ -123,10 +128,12 @@ void BusWatch::lookAtShared(const State& state, std::vector<Event>& out) {
   std::bitset<256> shared;
   for (const Device& device : state.devices().all()) {
     if (device.kind == Device::Kind::Free || device.channel != m_channel) continue;
-    const Address address = healthOf(state, device).sharedAddress;
+    const Address address = sharedAddressOf(state, device);
     if (address != kNullAddress) shared.set(address.value);
   }
-  m_sharedDue = shared.any() ? state.cursor().time + kSharedAgain : kNever;
+  const Instant now = state.cursor().time;
+  if (m_sharedDue <= now) m_sharedDue = kNever;
+  if (shared.any()) m_sharedDue = std::min(m_sharedDue, now + kSharedAgain);
   for (std::size_t a = 0; a < shared.size(); ++a) {
     if (shared[a] == m_shared[a]) continue;
     const Address address{static_cast<std::uint8_t>(a)};
@@ -161,7 +168,7 @@ void BusWatch::judgeLoad(const State& state, std::vector<Event>& out) {
   m_secondEnd = carried > 0 ? state.cursor().time + 1s : kNever;
   m_percentBefore = m_percent;
   m_percent = static_cast<std::int64_t>(carried * 100 / kBitRate);
-  m_isFaster = m_isFaster || m_percent > 100;
+  if (m_percent > kFaster) m_isFaster = true;
   compareLoad(state, out);
 }
 
@@ -169,8 +176,9 @@ void BusWatch::compareLoad(const State& state, std::vector<Event>& out) {
   const bool isAkron = std::ranges::any_of(state.devices().all(), [this](const Device& d) {
     return (d.kind == Device::Kind::Pin || d.kind == Device::Kind::Address) && d.channel == m_channel;
   });
+  if (m_isFaster) return m_load.set(0);
   const bool wasHigh = m_load.shown() != 0;
-  const bool isHigh = isAkron && !m_isFaster && m_percent >= (wasHigh ? kNormal : kHigh);
+  const bool isHigh = isAkron && m_percent >= (wasHigh ? kNormal : kHigh);
   if (!m_load.moves(isHigh ? 1 : 0, state.cursor().time, m_retry)) return;
   Event event = eventOf(state, isHigh ? EventKind::LoadHigh : EventKind::LoadNormal);
   event.was = m_percentBefore;

@@ -101,6 +101,7 @@ void DeviceWatch::heard(const State& state, const Device& device, std::vector<Ev
   if (m_isSilent) {
     if (lastBeat(state, device) == m_silentSince || healthOf(state, device).has(HealthCause::Silent)) return;
     m_isSilent = false;
+    m_silentFor = state.cursor().time - m_silentSince;
     compareSilence(state, out);
   }
   if (m_silenceDue == kNever) m_silenceDue = state.cursor().time + kSilentAfter;
@@ -115,7 +116,7 @@ void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::v
   const Health health = healthOf(state, device);
   if (!health.has(HealthCause::Silent)) return;
   m_isSilent = true;
-  m_silentSince = health.since;
+  m_silentSince = lastBeat(state, device);
   compareSilence(state, out);
 }
 
@@ -126,7 +127,7 @@ void DeviceWatch::compareSilence(const State& state, std::vector<Event>& out) {
   if (m_isSilent) {
     event.since = m_silentSince;
   } else {
-    event.now = (event.time - m_silentSince).count();
+    event.now = m_silentFor.count();
   }
   m_silence.settle(event);
   out.push_back(event);
@@ -143,6 +144,7 @@ void DeviceWatch::timeCame(const State& state, const Device& device, std::vector
   for (const MessageId id : kReports) {
     if (device.report(id).isKnown()) compare(state, device, id, out);
   }
+  if (device.operationalErrorCode.isKnown()) compareFaults(state, device, out);
 }
 
 void DeviceWatch::lookAtIdentity(const State& state, const Device& device, std::vector<Event>& out) {
@@ -179,12 +181,12 @@ void DeviceWatch::lookAtIdentity(const State& state, const Device& device, std::
   }
 }
 
-// Nearly every report says what the one before it said.
+// Nearly every report says what the one before it said. A node that boots again and again says nothing else.
 bool DeviceWatch::isAsCompared(const Device& device, MessageId id) {
   if (!kIsRepeated[id]) return false;
   const Payload data = device.report(id).frame().data;
   const std::uint64_t bits = id == MessageId::PositionLimitStatus ? statusBitsOf(data) : loadLittle(data);
-  return std::exchange(m_compared[kReportPlaces[id]], bits) == bits;
+  return std::exchange(m_compared[kReportPlaces[id]], bits) == bits && device.restarted == m_restarted;
 }
 
 void DeviceWatch::compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out) {

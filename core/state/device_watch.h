@@ -72,6 +72,7 @@ class DeviceWatch {
   bool m_hasAddress = false;
   bool m_isSilent = false;
   Instant m_silentSince = kNotYet;  // while it is silent: when it was heard last
+  Duration m_silentFor{0};          // after that
   Instant m_linkChanged = kNotYet;
   Instant m_restarted = kNotYet;
   Instant m_silenceDue = kNever;     // it may be silent then; never: once it is heard again

@@ -46,7 +46,10 @@ bool isReportedNow(const Device& device, MessageId id, Instant now) {
 }  // namespace
 
 EventWalk::EventWalk() : m_state(std::make_unique<State>()), m_devices(kMaxDevices) {
-  for (std::size_t c = 0; c < kMaxChannels; ++c) m_buses.emplace_back(Channel{static_cast<std::uint8_t>(c)});
+  for (std::size_t c = 0; c < kMaxChannels; ++c) {
+    m_buses.emplace_back(Channel{static_cast<std::uint8_t>(c)});
+    m_nodes.emplace_back(Channel{static_cast<std::uint8_t>(c)});
+  }
 }
 
 void EventWalk::advance(const FrameStore& frames, const NoteStore& notes, Cursor to,
@@ -63,7 +66,8 @@ std::size_t EventWalk::placeOf(const Device& device) const {
 void EventWalk::plan() {
   m_due = kNever;
   for (std::size_t i = 0; i < m_used; ++i) m_due = std::min(m_due, m_devices[i].due());
-  for (std::size_t c = 0; c < m_state->channelCount(); ++c) m_due = std::min(m_due, m_buses[c].due());
+  for (std::size_t c = 0; c < m_state->channelCount(); ++c)
+    m_due = std::min({m_due, m_buses[c].due(), m_nodes[c].due()});
 }
 
 void EventWalk::catchUp(Instant time) {
@@ -74,6 +78,7 @@ void EventWalk::catchUp(Instant time) {
       BusWatch& bus = m_buses[c];
       if (bus.contestsDue() <= now) lookAtIdentities({static_cast<std::uint8_t>(c)}, bus);
       if (bus.due() <= now) bus.timeCame(*m_state, m_found);
+      if (m_nodes[c].due() <= now) m_nodes[c].timeCame(*m_state, m_found);
     }
     const auto devices = m_state->devices().all();
     for (std::size_t i = 0; i < m_used; ++i) {
@@ -94,10 +99,13 @@ void EventWalk::apply(const Note& note) {
   m_state->apply(note);
   const bool isLink =
       std::holds_alternative<note::LinkUp>(note.value) || std::holds_alternative<note::LinkDown>(note.value);
-  if (!isLink) return;
+  const auto channel = channelOf(note.value);
+  if (!isLink || channel->value >= kMaxChannels) return;
   for (DeviceWatch& device : m_devices) {
-    if (device.isUsed() && device.channel() == channelOf(note.value)) device.linkChanged(cursor().time);
+    if (device.isUsed() && device.channel() == channel) device.linkChanged(cursor().time);
   }
+  m_nodes[channel->value].linkChanged(cursor().time);
+  m_buses[channel->value].linkChanged(*m_state);
   plan();
 }
 
@@ -129,6 +137,9 @@ void EventWalk::apply(const Frame& frame, Instant time) {
 void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {
   const J1939Id id = J1939Id::of(frame.identifier());
   const Channel channel{frame.channel};
+  NodeWatch& nodes = m_nodes[frame.channel];
+  nodes.heard(*m_state, id.source, m_found);
+  m_due = std::min(m_due, nodes.due());
   MessageId message = MessageId::Count;
   if (id.pgn == pgn::kProprietaryA) {
     if (frame.length > 0) message = kByType[frame.data[0]];
@@ -136,7 +147,7 @@ void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {
     const bool isBack = bus.stickCame(*m_state, id.source, m_found);
     m_due = std::min(m_due, bus.due());
     if (!isBack) return;
-  } else if (id.pgn != pgn::kAddressClaimed) {
+  } else if (id.pgn != pgn::kAddressClaimed && id.pgn != pgn::kExtendedJoystick) {
     return;  // none of what a device of Akron's sends
   }
   if (id.pgn == pgn::kAddressClaimed && id.source == kNullAddress && frame.length == 8)

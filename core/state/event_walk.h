@@ -18,6 +18,7 @@
 #include "log/note_store.h"
 #include "state/bus_watch.h"
 #include "state/device_watch.h"
+#include "state/node_watch.h"
 
 namespace deckpipe {
 
@@ -50,6 +51,7 @@ class EventWalk {
   std::vector<DeviceWatch> m_devices;  // by place in Devices
   std::size_t m_used = 0;              // no device was ever seen behind these
   std::vector<BusWatch> m_buses;       // by channel
+  std::vector<NodeWatch> m_nodes;      // by channel
   Instant m_due = kNever;              // nothing falls due before then
   std::vector<Event> m_found;
 };

@@ -34,6 +34,11 @@ struct Subject {
   }
 };
 
+Subject subjectOf(const State& state, const Device& device) {
+  const bool isNode = device.kind == Device::Kind::Node;
+  return {state, state.channel(device.channel), isNode ? kNullAddress : device.address, &device};
+}
+
 // A device of Akron's, or one that speaks as they do; a node if it has shown that it is a monitor.
 bool canBeAsked(const Subject& s) {
   if (s.device == nullptr) return false;
@@ -285,19 +290,20 @@ HealthSeverity Health::severity() const {
   return isFine() ? HealthSeverity::Fine : kHealthCauses[worst()].severity;
 }
 
-Health healthOf(const State& state, const Device& device) {
-  const bool isNode = device.kind == Device::Kind::Node;
-  return judge({state, state.channel(device.channel), isNode ? kNullAddress : device.address, &device});
-}
+Health healthOf(const State& state, const Device& device) { return judge(subjectOf(state, device)); }
 
 Health healthOf(const State& state, Channel channel, Address address) {
   return judge({state, state.channel(channel), address, nullptr});
 }
 
 AnswerAge ageOfAnswer(const State& state, const Device& device, Instant answered) {
-  const bool isNode = device.kind == Device::Kind::Node;
-  return ageOf({state, state.channel(device.channel), isNode ? kNullAddress : device.address, &device},
-               answered);
+  return ageOf(subjectOf(state, device), answered);
+}
+
+Address sharedAddressOf(const State& state, const Device& device) {
+  Health health;
+  takeShared(subjectOf(state, device), health);
+  return health.sharedAddress;
 }
 
 bool isUnanswered(const Device& device, Ask ask, Instant now) {

@@ -69,6 +69,9 @@ Health healthOf(const State& state, const Device& device);
 // Of a J1939 address at which there is no device of Akron's.
 Health healthOf(const State& state, Channel channel, Address address);
 
+// Health::sharedAddress alone, for whoever asks often.
+Address sharedAddressOf(const State& state, const Device& device);
+
 // Of an answer that this device gave at `answered`.
 AnswerAge ageOfAnswer(const State& state, const Device& device, Instant answered);
 // An answer is missing if none came within the three tries of a poll.

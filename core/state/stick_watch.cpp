@@ -51,7 +51,8 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
     m_timeout.set(0);
     compareSending(state, channel, out);
   } else if (hadTimedOut) {
-    compareTimeout(state, channel, gap, out);
+    m_timeoutGap = gap;
+    compareTimeout(state, channel, out);
   } else if (gap > (stick.period > kSlowPeriod ? kMostSlowGap : kMostGap) && m_gaps.happens(now)) {
     Event event = eventOf(state, channel, EventKind::JoystickGap);
     event.now = gap.count();
@@ -71,12 +72,12 @@ void StickWatch::compareSending(const State& state, Channel channel, std::vector
   out.push_back(event);
 }
 
-void StickWatch::compareTimeout(const State& state, Channel channel, Duration gap, std::vector<Event>& out) {
+void StickWatch::compareTimeout(const State& state, Channel channel, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
   if (!m_timeout.moves(m_hasTimedOut ? 1 : 0, now, m_due)) return;
   Event event =
       eventOf(state, channel, m_hasTimedOut ? EventKind::JoystickTimedOut : EventKind::JoystickBack);
-  event.now = gap.count();
+  event.now = m_timeoutGap.count();
   m_timeout.settle(event);
   out.push_back(event);
 }
@@ -109,9 +110,12 @@ void StickWatch::timeCame(const State& state, Channel channel, const Joystick& s
   if (m_due > now) return;
   m_due = kNever;
   const Instant timeout = m_last + kInputTimeout, end = m_last + Joystick::kSilence;
-  if (m_isSending) m_hasTimedOut = timeout <= now;
+  if (m_isSending && !m_hasTimedOut && timeout <= now) {
+    m_hasTimedOut = true;
+    m_timeoutGap = now - m_last;
+  }
   if (m_isSending) m_isSending = now < end;
-  compareTimeout(state, channel, now - m_last, out);
+  compareTimeout(state, channel, out);
   compareSending(state, channel, out);
   if (stick.priority()) lookAtRank(state, channel, stick, out);
   if (m_isSending) m_due = std::min(m_due, m_hasTimedOut ? end : timeout);

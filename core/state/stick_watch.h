@@ -26,13 +26,14 @@ class StickWatch {
  private:
   Event eventOf(const State& state, Channel channel, EventKind kind) const;
   void compareSending(const State& state, Channel channel, std::vector<Event>& out);
-  void compareTimeout(const State& state, Channel channel, Duration gap, std::vector<Event>& out);
+  void compareTimeout(const State& state, Channel channel, std::vector<Event>& out);
   void lookAtRank(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
 
   Address m_source;  // null: none yet
   Instant m_last = kNotYet;
   bool m_isSending = false;  // false from Joystick::kSilence after its last message on
   bool m_hasTimedOut = false;
+  Duration m_timeoutGap{0};  // how long it had not sent when the latter changed last
   Instant m_due = kNever;
   EventSlot m_sending, m_timeout{0};
   TellCount m_gaps;

@@ -47,6 +47,20 @@ const std::vector<EventCase> kCases{
     {"ASilenceAfterTheLinkIsUpAgain",
      [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
      {"49.000 silent" MONITOR " since 5.900"}},
+    {"ADeviceThatNeverSendsWhatItsTypeRepeats",
+     [](Story& s) {
+       s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA).pass(5s).goOn(100ms);
+     },
+     {"4.000 silent" MONITOR " since 1.000", "6.000 back" MONITOR " 5000 ms"}},
+    {"SilencesThatComeTooFastForAReader",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 4; ++i) s.pass(3s).goOn(100ms);
+       s.goOn(30s);
+     },
+     {"8.900 silent" MONITOR " since 5.900", "9.000 back" MONITOR " 3100 ms",
+      "12.000 silent" MONITOR " since 9.000", "12.100 back" MONITOR " 3100 ms",
+      "18.900 back" MONITOR " 3100 ms since 18.300 (3)"}},
     {"ADeviceThatAppearsLater",
      [](Story& s) {
        s.monitor().hear("18EEFF81", Story::kNameOfB).hear("18EFFF81", Story::kAnnouncesB).goOn(1s);
@@ -66,9 +80,38 @@ const std::vector<EventCase> kCases{
        for (const char* state : {"05", "05", "00", "7F", "05"}) s.hear("724", state).pass(1s);
      },
      {"3.000 restarted node 24", "3.000 not_operational node 24", "5.000 operational node 24"}},
+    {"ANodeThatBootsAgainAndAgain",
+     [](Story& s) {
+       for (const char* state : {"05", "00", "00", "00"}) s.hear("724", state).pass(1s);
+     },
+     {"2.000 restarted node 24", "2.000 not_operational node 24", "3.000 restarted node 24",
+      "4.000 restarted node 24"}},
     {"ANodeThatIsSilent",
      [](Story& s) { s.hear("724", "05").pass(1s).hear("724", "05").pass(9s).hear("724", "05"); },
      {"5.000 silent node 24 since 2.000", "11.000 back node 24 9000 ms"}},
+    {"ANodeOfAnotherMakerThatIsSilent",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
+       s.pass(9s).hear("18FF1028", "00");
+     },
+     {"9.000 silent 28 since 6.000", "16.000 back 28 10000 ms"}},
+    {"ANodeOfAnotherMakerThatSendsNowAndThen",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(9s);
+     },
+     {}},
+    {"ANodeOfAnotherMakerBehindALinkThatIsDown",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
+       s.note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(1s).hear("18FF1028", "00");
+     },
+     {}},
+    {"ANodeOfAnotherMakerThatIsSilentAfterTheLinkIsUpAgain",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
+       s.note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s);
+     },
+     {"50.000 silent 28 since 6.000"}},
     // Addresses.
     {"AMove",
      [](Story& s) {
@@ -105,6 +148,14 @@ const std::vector<EventCase> kCases{
        s.goOn(15s);
      },
      {"6.250 two_at_one_address" MONITOR, "17.250 two_at_one_address_over" MONITOR}},
+    {"TwoAtOneAddressByTheirPinsAlone",
+     [](Story& s) {
+       for (const char* pin : {Story::kAnnouncesA, Story::kAnnouncesB, Story::kAnnouncesA})
+         s.hear("18EFFF80", pin).pass(2s);
+     },
+     {"3.000 address_lost" MONITOR, "4.000 silent" MONITOR " since 1.000",
+      "5.000 address_lost 1032AE100801036", "5.000 back" MONITOR " 4000 ms",
+      "5.250 two_at_one_address" MONITOR, "6.000 silent 1032AE100801036 since 3.000"}},
     // Faults.
     {"FaultsRaisedAndCleared",
      [](Story& s) {
@@ -136,6 +187,15 @@ const std::vector<EventCase> kCases{
      },
      {"1.000 fault node 24 13>13", "2.000 fault_cleared node 24 13>13", "2.000 error_code node 24 0>11",
       "3.000 error_code_cleared node 24 11>0"}},
+    {"AnErrorCodeOfANodeThatSettles",
+     [](Story& s) {
+       s.hear("724", "05");
+       for (const char* code : {"0B", "0C", "0B", "0C", "0B", "0C"})
+         s.hear("5A4", std::string("4B015002") + code + "00").hear("724", "05").pass(900ms);
+       for (int i = 0; i < 20; ++i) s.hear("724", "05").pass(1s);
+     },
+     {"1.000 error_code node 24 0>11", "1.900 error_code node 24 11>12", "2.800 error_code node 24 12>11",
+      "3.700 error_code node 24 11>12", "11.000 error_code node 24 12>12 since 5.500 (1)"}},
     {"AnOperationalError",
      [](Story& s) { s.monitor().goOn(1s, "011D940371000045").goOn(1s); },
      {"6.000 operational_error" MONITOR " 0>0", "7.000 operational_error_over" MONITOR " 0>0"}},
@@ -222,6 +282,25 @@ const std::vector<EventCase> kCases{
     {"ATimeOutOfAJoystick",
      [](Story& s) { s.stick(1s).pass(480ms).stick(1s); },
      {"2.180 joystick_timed_out 33", "2.480 joystick_back 33 500 ms"}},
+    {"ATimeOutOfAJoystickThatIsToldLate",
+     [](Story& s) {
+       s.stick(1s);
+       for (int i = 0; i < 3; ++i) s.pass(480ms).stick(1s);
+       s.stick(20s);
+     },
+     {"2.180 joystick_timed_out 33", "2.480 joystick_back 33 500 ms", "3.660 joystick_timed_out 33",
+      "3.960 joystick_back 33 500 ms", "12.180 joystick_back 33 500 ms since 5.440 (1)"}},
+    {"ADeviceThatSendsExtendedJoystickMessagesAlone",
+     [](Story& s) {
+       const auto stick = [&] {
+         for (int i = 0; i < 50; ++i) s.hear("0CFDD780", "0100010000000000").pass(100ms);
+       };
+       s.hear("18EFFF80", Story::kAnnouncesA);
+       stick();
+       s.pass(5s);
+       stick();
+     },
+     {"8.900 silent" MONITOR " since 5.900", "11.000 back" MONITOR " 5100 ms"}},
     {"AJoystickThatIsOutranked",
      [](Story& s) {
        s.stick(1s, "0CFDD634", Story::kRight);
@@ -242,6 +321,20 @@ const std::vector<EventCase> kCases{
      },
      {"1.000 error_frames", "1.000 error_passive", "1.010 bus_off", "1.020 error_active",
       "2.020 error_frames_over 0>3"}},
+    {"AControllerThatIsBusOffAgainAfterItsLinkWasUpAgain",
+     [](Story& s) {
+       s.errorFrame(0x40).pass(2s).note(note::LinkDown{}).pass(1s).note(note::LinkUp{}).pass(1s);
+       s.errorFrame(0x40).pass(2s);
+     },
+     {"1.000 error_frames", "1.000 bus_off", "2.000 error_frames_over 0>1", "5.000 error_frames",
+      "5.000 bus_off", "6.000 error_frames_over 0>1"}},
+    {"ABusThatIsFullerThanItsEstimateAllows",
+     [](Story& s) {
+       s.monitor();
+       for (Duration t = 0s; t < 2700ms; t += 540us) s.hear("18FEF100", "1122334455667788").pass(540us);
+       s.goOn(3s);
+     },
+     {"7.000 load_high 0>107", "10.000 load_normal 75>0"}},
     {"AFullBus",
      [](Story& s) {
        s.monitor();

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was last told of the nodes of one channel that are no devices of Akron's: drives, other makers' nodes. They are
+// known by their address alone. Whether they are heard is all that is told of them. EventWalk owns one for each
+// channel.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <vector>
+
+#include "state/event.h"
+#include "state/event_slot.h"
+#include "state/state.h"
+
+namespace deckpipe {
+
+class NodeWatch {
+ public:
+  explicit NodeWatch(Channel channel) : m_channel(channel) { m_silence.fill(EventSlot(0)); }
+
+  // A J1939 frame came from `source`.
+  void heard(const State& state, Address source, std::vector<Event>& out) {
+    if (m_silent[source.value]) spoke(state, source, out);
+    if (m_due == kNever) m_due = state.cursor().time + kSilentAfter;
+  }
+  // The link of its channel went up or down: nothing can be heard while it is down, which is told by itself.
+  void linkChanged(Instant time) {
+    m_linkChanged = time;
+    m_due = time + kSilentAfter;
+  }
+  // Whatever is due by the state's time.
+  void timeCame(const State& state, std::vector<Event>& out);
+
+  // Nothing changes before then unless a frame comes.
+  Instant due() const { return m_due; }
+
+ private:
+  void spoke(const State& state, Address source, std::vector<Event>& out);
+  void compare(const State& state, Address address, std::vector<Event>& out);
+
+  Channel m_channel;
+  Instant m_linkChanged = kNotYet;
+  Instant m_due = kNever;
+  std::bitset<256> m_silent;
+  std::array<Instant, 256> m_since{};       // of those that are silent: when they were heard last
+  std::array<Duration, 256> m_silentFor{};  // of those that are not any more
+  std::array<EventSlot, 256> m_silence;
+};
+
+}  // namespace deckpipe
