@@ -8,9 +8,9 @@ namespace deckpipe {
 
 void NoteStore::append(Note note) {
   const std::lock_guard lock(m_lock);
-  const auto place =
-      std::upper_bound(m_places.begin(), m_places.end(), note.frame,
-                       [this](std::uint64_t frame, std::size_t n) { return frame < m_notes[n].frame; });
+  const auto place = std::upper_bound(
+      m_places.begin(), m_places.end(), std::pair(note.frame, note.time),
+      [this](const auto& at, std::size_t n) { return at < std::pair(m_notes[n].frame, m_notes[n].time); });
   m_places.insert(place, m_notes.size());
   m_notes.push_back(std::move(note));
 }
@@ -37,6 +37,11 @@ std::vector<Note> NoteStore::all() const {
   notes.reserve(m_places.size());
   for (const std::size_t n : m_places) notes.push_back(m_notes[n]);
   return notes;
+}
+
+Instant NoteStore::lastTime() const {
+  const std::lock_guard lock(m_lock);
+  return m_places.empty() ? kNotYet : m_notes[m_places.back()].time;
 }
 
 std::uint64_t NoteStore::missedFrames() const {

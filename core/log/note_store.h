@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NoteStore: the notes of a log (note.h), ordered by the frame they stand before. What a person sees is a
+// NoteStore: the notes of a log (note.h), ordered by the frame they stand before, and then by time. What a person sees is a
 // function of frames, notes and cursor, so whatever else changes the picture is written down here. One writer
 // at a time, readers on any thread; notes are few, so a lock is all it takes.
 #pragma once
@@ -14,12 +14,14 @@ namespace deckpipe {
 
 class NoteStore {
  public:
-  // At the end of the notes that stand before the same frame; earlier frames are allowed (marks in a replay).
+  // Behind the notes of the same place; earlier places are allowed (marks in a replay).
   void append(Note note);
   std::size_t count() const;
   // The notes that stand before a frame in [from, to), in order.
   std::vector<Note> between(std::uint64_t from, std::uint64_t to) const;
   std::vector<Note> all() const;
+  // Of the last note in order; kNotYet if there is none.
+  Instant lastTime() const;
   // All that framesMissed() says of them.
   std::uint64_t missedFrames() const;
   // The notes that were appended after the first `count` ones, as they were appended.

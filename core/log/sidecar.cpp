@@ -88,9 +88,9 @@ class SidecarParser {
   }
 
   bool takeLine(std::string_view line) {
-    if (takeWord(line, "frames ")) return takeNumber(line, m_sidecar.frames) && line.empty();
-    if (takeWord(line, "first ")) return m_sidecar.first = line, true;
-    if (takeWord(line, "last ")) return m_sidecar.last = line, true;
+    if (takeWord(line, "frames ")) return m_line == 2 && takeNumber(line, m_sidecar.frames) && line.empty();
+    if (takeWord(line, "first ")) return m_sidecar.first = line, m_line == 3;
+    if (takeWord(line, "last ")) return m_sidecar.last = line, m_line == 4;
     if (takeWord(line, "channel ")) return m_sidecar.channels.emplace_back(line), true;
     return takeWord(line, "note ") && takeNote(line);
   }
@@ -186,15 +186,19 @@ std::optional<SidecarFault> applySidecar(const Sidecar& sidecar, FrameStore& fra
   if (count > 0 && !isAt(count - 1, sidecar.last)) return SidecarFault{Kind::OtherFrame, 4, {}, sidecar.last};
   std::vector<Channel> channels;
   for (const std::string& name : sidecar.channels) channels.push_back({frames.channel(name)});
-  for (const Sidecar::PlacedNote& placed : sidecar.notes) {
-    Note note{.frame = placed.frame, .time = {}, .value = placed.value};
+  std::vector<const Sidecar::PlacedNote*> inOrder;
+  for (const Sidecar::PlacedNote& placed : sidecar.notes) inOrder.push_back(&placed);
+  std::ranges::stable_sort(inOrder, {},
+                           [](const auto* placed) { return std::pair(placed->frame, placed->after); });
+  for (const Sidecar::PlacedNote* const placed : inOrder) {
+    Note note{.frame = placed->frame, .time = {}, .value = placed->value};
     if (const auto channel = channelOf(note.value)) setChannel(note.value, channels[channel->value]);
     // The log's stamps may be coarser than its times were: a note keeps its place between two frames.
     if (note.frame > 0) {
       const Instant before = frames.timeAt(note.frame - 1);
-      note.time = std::max(before, before + placed.after);
+      note.time = std::max(before, before + placed->after);
     } else {
-      note.time = (count > 0 ? frames.timeAt(0) : Instant{}) + placed.after;
+      note.time = (count > 0 ? frames.timeAt(0) : Instant{}) + placed->after;
     }
     if (note.frame < count) note.time = std::min(note.time, frames.timeAt(note.frame));
     notes.append(std::move(note));

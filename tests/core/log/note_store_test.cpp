@@ -23,7 +23,7 @@ std::vector<std::string> texts(const std::vector<Note>& notes) {
   return all;
 }
 
-TEST(NoteStore, KeepsNotesInTheOrderOfTheirFramesAndOfArrivalAtOneFrame) {
+TEST(NoteStore, KeepsNotesInTheOrderOfTheirFramesAndOfTimeAtOneFrame) {
   NoteStore notes;
   for (const auto& [frame, text] : {std::pair{5, "a"}, {9, "b"}, {5, "c"}, {0, "d"}, {9, "e"}}) {
     notes.append(mark(static_cast<std::uint64_t>(frame), text));
@@ -33,6 +33,15 @@ TEST(NoteStore, KeepsNotesInTheOrderOfTheirFramesAndOfArrivalAtOneFrame) {
   EXPECT_EQ(texts(notes.between(6, 9)), (std::vector<std::string>{}));
   EXPECT_EQ(texts(notes.between(9, 2)), (std::vector<std::string>{}));
   EXPECT_EQ(notes.count(), 5u);
+}
+
+TEST(NoteStore, PutsANoteWhereItsTimeIs) {
+  NoteStore notes;
+  for (const std::int64_t at : {100, 160, 130}) {
+    notes.append({.frame = 5, .time = {at}, .value = note::Mark{std::to_string(at)}});
+  }
+  EXPECT_EQ(texts(notes.all()), (std::vector<std::string>{"100", "130", "160"}));
+  EXPECT_EQ(notes.lastTime(), Instant{160});
 }
 
 TEST(NoteStore, TellsNotesAsTheyWereAppended) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -170,6 +171,44 @@ TEST_F(SidecarTest, OfAnotherLogIsToldWithTheLineThatDoesNotFit) {
   other = files;
   other.log[other.log.rfind("18EFFF80")] = '0';
   EXPECT_EQ(faultOf(other).value().line, 4u);
+}
+
+// Its checksum is right, so that nothing but what it says is wrong.
+std::string sealed(std::string text) {
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  char end[64];
+  std::snprintf(end, sizeof end, "end %ld %08lX\n", static_cast<long>(lines) + 1,
+                crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
+  return text + end;
+}
+
+TEST_F(SidecarTest, ThatSaysSomethingTwiceIsBad) {
+  Saved files = savedAs(kCandumpFormat, written);
+  const std::string head = files.sidecar.substr(0, files.sidecar.find("note "));
+  const std::string mark = "note 900000 0 6 mark text=\"far\"\n";
+  std::string many = head;
+  many.replace(many.find("frames 20"), 9, "frames 1000000");
+  for (const char* line : {"frames 20\n", "first x\n", "last x\n"}) {
+    files.sidecar = sealed(many + mark + line);
+    const auto fault = faultOf(files);
+    ASSERT_TRUE(fault) << line;
+    EXPECT_EQ(fault->kind, Kind::BadLine) << line;
+    EXPECT_EQ(fault->line, static_cast<std::uint64_t>(std::count(many.begin(), many.end(), '\n')) + 2)
+        << line;
+  }
+  files.sidecar = sealed(head);
+  EXPECT_FALSE(faultOf(files));
+}
+
+TEST_F(SidecarTest, WhoseNotesAreInDisorderIsReadInOrder) {
+  Saved files = savedAs(kCandumpFormat, written);
+  const std::string head = files.sidecar.substr(0, files.sidecar.find("note "));
+  files.sidecar = sealed(head + "note 9 0 6 mark text=\"b\"\nnote 2 0 6 mark text=\"a\"\n");
+  put(files);
+  Recording read;
+  open(read);
+  ASSERT_EQ(read.notes.count(), 2u);
+  EXPECT_EQ(read.notes.all()[0].frame, 2u);
 }
 
 TEST_F(SidecarTest, OfANewerVersionIsTold) {
