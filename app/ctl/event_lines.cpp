@@ -7,6 +7,7 @@
 #include "ask_words.h"
 #include "base/overload.h"
 #include "json_line.h"
+#include "output.h"
 #include "protocol/akron.h"
 #include "protocol/field.h"
 #include "protocol/name.h"
@@ -254,7 +255,7 @@ void EventLines::append(std::string& out, const Note& note) const {
                       [](const auto&) {}},
              note.value);
   out += begin(who, noteWeight(note.value), note.time, channel ? m_frames.channelName(channel->value) : "-") +
-         what + "\n";
+         printable(what) + "\n";
 }
 
 // "      12.300  can0   1032AE100801035  warning  "

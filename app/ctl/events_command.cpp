@@ -22,12 +22,21 @@ class EventTeller {
   // Everything that has come since the last call. False where standard output takes no more.
   bool tellNew() {
     const std::uint64_t count = m_frames.count();
-    if (count == 0) return true;
-    const Cursor end = cursorAfter(m_frames, count);
+    return count == 0 || tellUntil(cursorAfter(m_frames, count), count);
+  }
+  // What falls due behind the last frame, and the notes there.
+  bool tellRest() {
+    const std::uint64_t count = m_frames.count();
+    return count == 0 || tellUntil(endOf(m_frames, m_notes), count + 1);
+  }
+
+ private:
+  // Events up to `end`, and notes before frame `noteEnd`.
+  bool tellUntil(Cursor end, std::uint64_t noteEnd) {
     m_found.clear();
     m_walk.advance(m_frames, m_notes, end, m_found);
-    const std::vector<Note> notes = m_notes.between(m_told, count);
-    m_told = count;
+    const std::vector<Note> notes = m_notes.between(m_told, noteEnd);
+    m_told = noteEnd;
     auto note = notes.begin();
     for (const Event& event : m_found) {
       for (; note != notes.end() && std::pair(note->time, note->frame) < std::pair(event.time, event.frame);
@@ -38,15 +47,7 @@ class EventTeller {
     for (; note != notes.end(); ++note) m_lines.append(m_output.text(), *note);
     return m_output.flush();
   }
-  // The notes behind the last frame.
-  bool tellRest() {
-    if (m_frames.count() == 0) return true;
-    for (const Note& note : m_notes.between(m_told, m_frames.count() + 1))
-      m_lines.append(m_output.text(), note);
-    return m_output.flush();
-  }
 
- private:
   const FrameStore& m_frames;
   const NoteStore& m_notes;
   EventLines m_lines;

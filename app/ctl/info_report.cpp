@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "node_lines.h"
+#include "output.h"
 #include "protocol/device_types.h"
 #include "report/json.h"
 #include "report/trace_text.h"
+#include "state/advance.h"
 #include "state/health.h"
 
 namespace deckpipe::ctl {
@@ -159,7 +161,7 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
     const std::string_view type = deviceTypeName(device.pin.deviceType());
     out += "  ";
     out += type.empty() ? std::string_view("type not known") : type;
-    if (!label.empty()) out.append(", ").append(label);
+    if (!label.empty()) out.append(", ").append(printable(label));
   } else {
     out += "no PIN         ";
   }
@@ -188,22 +190,20 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
 
 void InfoReport::countNew() {
   const std::uint64_t count = m_frames.count();
-  const std::vector<Note> notes = m_notes.between(m_next, count);
-  auto note = notes.begin();
+  if (m_withDevices) advance(m_state, m_frames, m_notes, cursorAfter(m_frames, count));
   while (m_next < count) {
     for (const Frame& frame : m_frames.run(m_next)) {
       if (m_next == count) break;
-      for (; m_withDevices && note != notes.end() && note->frame == m_next; ++note) m_state.apply(*note);
       ++m_byId[{frame.channel, frame.id}];
       if ((frame.flags & Frame::kTimeJump) != 0) ++m_timeJumps;
-      const Instant time = m_times.at(m_next++);
-      if (m_withDevices) m_state.apply(frame, time);
+      ++m_next;
     }
   }
 }
 
 // Notes at the end too, which stand before no frame.
 void InfoReport::takeNotes() {
+  if (m_withDevices) advance(m_state, m_frames, m_notes, endOf(m_frames, m_notes));
   for (const Note& note : m_notes.all()) {
     m_missed += framesMissed(note.value);
     if (std::holds_alternative<note::Mark>(note.value)) ++m_marks;
@@ -221,7 +221,7 @@ std::string_view InfoReport::labelOf(const Device& device) const {
 
 void InfoReport::appendNotes(std::string& out) const {
   for (const auto& [channel, adapter] : m_adapters)
-    out += "  " + std::string(m_frames.channelName(channel)) + " was " + adapter + "\n";
+    out += "  " + std::string(m_frames.channelName(channel)) + " was " + printable(adapter) + "\n";
   if (m_added != 0)
     out += "  " + std::to_string(m_added) + " frames were added when it was saved: who held which address\n";
   if (m_missed != 0) out += "  " + std::to_string(m_missed) + " frames came and are not in it\n";

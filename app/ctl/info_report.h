@@ -17,7 +17,7 @@ namespace deckpipe::ctl {
 class InfoReport {
  public:
   InfoReport(const FrameStore& frames, const NoteStore& notes, bool withDevices)
-      : m_frames(frames), m_notes(notes), m_times(frames), m_withDevices(withDevices) {}
+      : m_frames(frames), m_notes(notes), m_withDevices(withDevices) {}
 
   // Counts what has come since the last call.
   void countNew();
@@ -41,7 +41,6 @@ class InfoReport {
 
   const FrameStore& m_frames;
   const NoteStore& m_notes;
-  LogTimes m_times;
   bool m_withDevices;
   std::uint64_t m_next = 0;
   std::map<Key, std::uint64_t> m_byId;

@@ -4,8 +4,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace deckpipe::ctl {
+
+// Text of a log for a terminal: control characters as "\\x1B", so that they forge no line and do nothing to it.
+std::string printable(std::string_view text);
 
 class Output {
  public:

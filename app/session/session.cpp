@@ -320,7 +320,7 @@ void Session::wantOfTwin(const TwinWish& wish) {
 
 Cursor Session::endCursor() const {
   if (grows()) return m_board->latest().state->cursor();
-  return m_document == nullptr ? Cursor{} : cursorAfter(m_document->frames, m_document->frames.count());
+  return m_document == nullptr ? Cursor{} : endOf(m_document->frames, m_document->notes);
 }
 
 void Session::setCursor(Cursor cursor) {

@@ -11,6 +11,13 @@ Cursor cursorAfter(const FrameStore& frames, std::uint64_t count) {
   return {count, count == 0 ? kNotYet : frames.timeAt(count - 1)};
 }
 
+Cursor endOf(const FrameStore& frames, const NoteStore& notes) {
+  Cursor end = cursorAfter(frames, frames.count());
+  if (end.frames > 0 && notes.lastTime() > end.time)
+    end.time = std::min(notes.lastTime(), end.time + kMostBehind);
+  return end;
+}
+
 Cursor cursorAt(const FrameStore& frames, Instant time) { return {frames.firstAfter(time), time}; }
 
 }  // namespace deckpipe

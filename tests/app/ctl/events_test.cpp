@@ -2,10 +2,13 @@
 // `deckpipectl events` as a script meets it: of a log, of a pipe, of a recording.
 #include <QFile>
 #include <QTemporaryDir>
+#include <fstream>
 #include <memory>
 
 #include "base/event_kind.h"
+#include "log/candump.h"
 #include "log/journal_writer.h"
+#include "log/sidecar.h"
 #include "run_ctl.h"
 #include "support/frames.h"
 
@@ -99,6 +102,37 @@ TEST(EventsOfTheTool, AreAllNamedByHelp) {
   for (const EventFacts& facts : kEvents)
     EXPECT_TRUE(help.contains("  " + QByteArray(facts.key.data(), static_cast<int>(facts.key.size())) + " "))
         << facts.key;
+}
+
+// The silence falls due between the last frame and the last note.
+TEST(EventsOfTheTool, GoOnBehindTheLastFrameAndHaveTheNotesOfASidecarAmongThem) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("one.log"));
+  std::string log;
+  FrameStore frames;
+  const std::uint8_t channel = frames.channel("can0");
+  SidecarMaker sidecar;
+  sidecar.channel("can0");
+  for (int i = 0; i < 20; ++i) {
+    const Frame frame =
+        test::frame("18EFFF80", "83C051", channel, (1000 + 100 * i) * std::int64_t{1'000'000});
+    ASSERT_TRUE(frames.append({&frame, 1}));
+    writeCandump(frame, "can0", log);
+    sidecar.frame(frame, frames.timeAt(frames.count() - 1));
+  }
+  sidecar.note({.frame = 20, .time = frames.timeAt(19) + 1s, .value = note::Mark{"valve\n\x1B[2J"}});
+  sidecar.note({.frame = 20, .time = frames.timeAt(19) + 60s, .value = note::LinkDown{}});
+  std::ofstream(path.toStdString()) << log;
+  std::ofstream(sidecarPath(path.toStdString())) << sidecar.text();
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), {QStringLiteral("events"), path});
+  ASSERT_TRUE(process.waitForFinished(60'000));
+  const Outcome r = test::outcomeOf(process);
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_EQ(r.out.toStdString(),
+            "       2.900  -      -                info     mark: valve\\x0A\\x1B[2J\n"
+            "       4.900  can0   80               fault    silent, since 1.900\n"
+            "      61.900  can0   -                info     link down\n");
 }
 
 TEST(EventsOfTheTool, HaveTheNotesOfARecordingAmongThem) {
