@@ -90,8 +90,12 @@ bool LogSaving::writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_
                        std::memory_order_relaxed);
     }
     const bool passes = !m_part.passes || m_part.passes(i);
-    if (i < m_part.begin || !passes) continue;
-    if (!part.frame(i, stop)) return false;
+    if (i < m_part.begin) continue;
+    if (!passes) {
+      part.heldBack(i);
+    } else if (!part.frame(i, stop)) {
+      return false;
+    }
     if (text.size() < kBlock) continue;
     file.write(text.data(), static_cast<qint64>(text.size()));
     text.clear();

@@ -32,6 +32,17 @@ bool PartWriter::frame(std::uint64_t i, const std::stop_token& stop) {
   return true;
 }
 
+// What comes before the first frame of the part is in force there.
+void PartWriter::heldBack(std::uint64_t i) {
+  const Frame& frame = m_log.frames[i];
+  if (m_written == 0 || !tellsWhoIsWho(frame)) return;
+  passNotes(i);
+  const Instant time = m_times.at(i);
+  write(note::Added{1}, time);
+  write(frame, time);
+  ++m_added;
+}
+
 bool PartWriter::beginAt(std::uint64_t i, const std::stop_token& stop) {
   const FrameStore& frames = m_log.frames;
   if (m_span.begin > 0) {
@@ -79,7 +90,21 @@ void PartWriter::end() {
         std::holds_alternative<note::Added>(note.value) || std::holds_alternative<note::Label>(note.value);
     if (isOfPart && !isAnew) write(note.value, note.time);
   }
+  if (m_span.begin == 0 && m_span.isToEnd && !m_span.isFiltered) noteLeftOut();
   m_writer.end(m_out);
+}
+
+// The frames that the log's own file had and the store cannot hold; what a live log left out is noted where it came.
+// The lines of a file are no places in the log, so a part of it cannot say which of them are missing there.
+void PartWriter::noteLeftOut() {
+  std::uint64_t leftOut = m_log.unkept.content().skipped();
+  for (const Note& note : m_notes) {
+    const auto* noted = std::get_if<note::LeftOut>(&note.value);
+    if (noted != nullptr) leftOut -= std::min(leftOut, noted->count);
+  }
+  if (leftOut == 0 || m_channels.empty()) return;
+  const Instant time = m_log.frames.count() > 0 ? m_log.frames.timeAt(m_log.frames.count() - 1) : Instant{};
+  write(note::LeftOut{{m_channels.begin()->first}, note::LeftOut::Why::CanFd, leftOut}, time);
 }
 
 void PartWriter::write(const Frame& frame, Instant time) {

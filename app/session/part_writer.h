@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a part of a log, with the notes that belong to it, through the writer of a format (log_writer.h). A
 // part that does not begin at the log's first frame begins with the frames that tell who is who then
-// (in_force.h), and with a note that they were added. Its channels are numbered in the order in which it names
-// them.
+// (in_force.h), and with a note that they were added. So are those that a filter holds back later in the part:
+// without them it would show a device under the address or the PIN of another one. Its channels are numbered in
+// the order in which it names them.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,8 @@ class PartWriter {
 
   // The next frame of the part; false if it was stopped meanwhile.
   bool frame(std::uint64_t i, const std::stop_token& stop);
+  // The next frame of the part does not pass its filter.
+  void heldBack(std::uint64_t i);
   void end();
 
   std::uint64_t written() const { return m_written; }  // frames of the part
@@ -44,6 +47,7 @@ class PartWriter {
   bool beginAt(std::uint64_t i, const std::stop_token& stop);
   void passNotes(std::uint64_t before);
   void addedUntil(std::uint64_t i);
+  void noteLeftOut();
   void write(const Frame& frame, Instant time);
   void write(NoteValue value, Instant time);
   std::uint8_t channel(std::uint8_t of);

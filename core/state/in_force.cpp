@@ -74,6 +74,13 @@ std::optional<NoteSubject> subjectOf(const NoteValue& value) {
 
 }  // namespace
 
+bool tellsWhoIsWho(const Frame& frame) {
+  if (frame.isError() || frame.isRemote() || !frame.isExtended()) return false;
+  const auto sent = J1939Id::of(frame.identifier()).pgn;
+  return sent == pgn::kAddressClaimed ||
+         (sent == pgn::kProprietaryA && hasTypeOf(frame, MessageId::AddressAnnouncement));
+}
+
 std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& notes, std::uint64_t at,
                                  const std::stop_token& stop) {
   const std::vector<Note> before = notes.between(0, at);

@@ -11,6 +11,9 @@
 
 namespace deckpipe {
 
+// Whether a frame tells who holds an address, or gives it up: a NAME or an address announcement.
+bool tellsWhoIsWho(const Frame& frame);
+
 // The last of each message of kIdentityMessages that holds when frame `at` comes, of each address, in their
 // order; each with the stamp that its channel's clock shows when that frame comes. Walks the log up to there;
 // may be stopped, with nothing.

@@ -185,12 +185,43 @@ TEST_F(SavedPartTest, WhatPassesAFilterBeginsSoTooAndIsMarkedFrameByFrameWhenSav
   EXPECT_EQ(first.written, 3u);
   EXPECT_EQ(first.added, 3u);
   log = reopened();
-  const Outcome again = save({.passes = [](std::uint64_t frame) { return frame != 1; }});
+  const Outcome again = save({.passes = [](std::uint64_t frame) { return frame != 3; }});
   EXPECT_EQ(again.written, 5u);
   EXPECT_EQ(again.added, 0u);
   const auto read = reopened();
-  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "1 added"}));
+  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "1 added", "2 added"}));
   EXPECT_EQ(read->notes.all()[0].value, NoteValue(note::Added{1}));
+}
+
+// Without the claim the second monitor's status would be the first one's.
+TEST_F(SavedPartTest, WhoComesLaterIsAddedThoughAFilterHoldsItBack) {
+  log = test::logOfText(
+      "(100.000000) can0 18EFFF80#FF83150206021A0B\n"
+      "(100.100000) can0 18EFFF80#011D940371000041\n"
+      "(100.200000) can0 18EEFF80#0100200000000000\n"  // another NAME takes the address
+      "(100.300000) can0 18EF80F9#02\n"
+      "(100.800000) can0 18EFFF80#01000C0371000041\n");
+  const Outcome outcome = save({.passes = [](std::uint64_t frame) { return frame == 1 || frame == 4; }});
+  EXPECT_EQ(outcome.written, 2u);
+  EXPECT_EQ(outcome.added, 2u);
+  const auto read = reopened();
+  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "2 added"}));
+  EXPECT_EQ(line(*read, 2), line(*log, 2));
+  EXPECT_EQ(stateOf(*read).channel({0}).book.holder({0x80}), stateOf(*log).channel({0}).book.holder({0x80}));
+}
+
+TEST_F(SavedPartTest, FramesThatTheFilesReaderSkippedAreNoted) {
+  const std::string text = std::string(kBench) + "(100.600000) can0 123##1001122\n";
+  log = test::logOfText(text);
+  ASSERT_EQ(log->unkept.content().skipped(), 1u);
+  save({.begin = 3, .end = 5});
+  EXPECT_EQ(reopened()->notes.missedFrames(), 0u) << "nobody knows whether it was one of the part's";
+  save();
+  log = reopened();
+  EXPECT_EQ(told(*log), std::vector<std::string>{"6 left_out"});
+  EXPECT_EQ(log->notes.missedFrames(), 1u);
+  save();
+  EXPECT_EQ(reopened()->notes.missedFrames(), 1u) << "once";
 }
 
 TEST_F(SavedPartTest, WhoLeftItsAddressIsNotAddedThere) {
