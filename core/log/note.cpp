@@ -39,28 +39,28 @@ std::string_view noteKey(const NoteValue& value) {
 EventWeight noteWeight(const NoteValue& value) {
   using How = note::OwnAddress::How;
   using Weight = EventWeight;
-  return std::visit(Overload{[](const note::Mark&) { return Weight::Info; },
-                             [](const note::LinkUp&) { return Weight::Info; },
-                             [](const note::LinkDown&) { return Weight::Fault; },
-                             [](const note::Dropped&) { return Weight::Warning; },
-                             [](const note::Locked&) { return Weight::Info; },
-                             [](const note::Unlocked&) { return Weight::Info; },
-                             [](const note::DriveSaid&) { return Weight::Info; },
-                             [](const note::OwnAddress& n) {
-                               const bool isMeant = n.how == How::Claimed || n.how == How::Locked;
-                               return isMeant ? Weight::Info : Weight::Warning;
-                             },
-                             [](const note::Asked&) { return Weight::Info; },
-                             [](const note::AskEnded& n) {
-                               return n.end == RequestEnd::Answered ? Weight::Info : Weight::Warning;
-                             },
-                             [](const note::AskWaits&) { return Weight::Fault; },
-                             [](const note::StillWaits&) { return Weight::Fault; },
-                             [](const note::Pipe&) { return Weight::Info; },
-                             [](const note::LeftOut&) { return Weight::Warning; },
-                             [](const note::Label&) { return Weight::Info; },
-                             [](const note::Added&) { return Weight::Info; }},
-                    value);
+  return std::visit(
+      Overload{
+          [](const note::Mark&) { return Weight::Info; }, [](const note::LinkUp&) { return Weight::Info; },
+          [](const note::LinkDown& n) { return n.fault == LinkFault::None ? Weight::Info : Weight::Fault; },
+          [](const note::Dropped&) { return Weight::Warning; },
+          [](const note::Locked&) { return Weight::Info; },
+          [](const note::Unlocked&) { return Weight::Info; },
+          [](const note::DriveSaid&) { return Weight::Info; },
+          [](const note::OwnAddress& n) {
+            const bool isMeant = n.how == How::Claimed || n.how == How::Locked;
+            return isMeant ? Weight::Info : Weight::Warning;
+          },
+          [](const note::Asked&) { return Weight::Info; },
+          [](const note::AskEnded& n) {
+            return n.end == RequestEnd::Answered ? Weight::Info : Weight::Warning;
+          },
+          [](const note::AskWaits&) { return Weight::Fault; },
+          [](const note::StillWaits&) { return Weight::Fault; },
+          [](const note::Pipe&) { return Weight::Info; },
+          [](const note::LeftOut&) { return Weight::Warning; },
+          [](const note::Label&) { return Weight::Info; }, [](const note::Added&) { return Weight::Info; }},
+      value);
 }
 
 }  // namespace deckpipe
