@@ -2,6 +2,7 @@
 #include "model/event_model.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "model/field_text.h"
@@ -160,9 +161,10 @@ QString EventModel::deviceText(int row) const { return nameOf(device(row)); }
 
 std::vector<DeviceKey> EventModel::devices() const {
   std::vector<DeviceKey> keys;
+  std::set<DeviceKey> known;
   for (int row = 0; row < rowCount(); ++row) {
     const DeviceKey key = device(row);
-    if (!key.isNull() && std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+    if (!key.isNull() && known.insert(key).second) keys.push_back(key);
   }
   return keys;
 }

@@ -94,11 +94,13 @@ void LogMarks::setLabels(const DeviceLabels& labels) {
 
 // A jump of the clock has its line.
 bool LogMarks::takeEvents() {
-  if (std::exchange(m_generation, m_log->events.generation()) != m_generation) {
+  const bool isAnew = m_log->events.generation() != m_generation;
+  if (isAnew) {
+    m_generation = m_log->events.generation();
     m_eventsTaken = 0;
     m_events.clear();
   }
-  if (m_log->events.count() == m_eventsTaken) return false;
+  if (m_log->events.count() == m_eventsTaken) return isAnew;
   const std::vector<Event> more = m_log->events.after(m_eventsTaken);
   m_eventsTaken += more.size();
   for (const Event& event : more) {
