@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of every program with Qt in the thread sanitizer's build. Debian's Qt is not instrumented and locks
 // with futexes, so the sanitizer does not see that a call that one thread posts happens before the other
-// thread runs it. This file tells it. A queued call is known to the thread that receives it. A signal is
+// thread runs it. This file tells it. A queued call is known to the thread that runs it. A signal is
 // known to every thread that takes a posted call later, since its receivers cannot be told here: a race may
 // hide behind a signal that was emitted between its two sides.
 #include <dlfcn.h>
@@ -19,10 +19,17 @@ extern "C" void __tsan_release(void* mark);
 // our code reads and writes is, also where one of them calls it.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libQt6Core.so.6\n"
+         "called_from_lib:libQt6Gui.so.6\n"
          "called_from_lib:libQt6Network.so.6\n"
+         "called_from_lib:libQt6Widgets.so.6\n"
          "called_from_lib:libproxy.so.1\n"
-         "called_from_lib:libglib-2.0.so.0\n";
+         "called_from_lib:libglib-2.0.so.0\n"
+         "race:tzset_internal\n";  // glibc's own lock
 }
+
+// QProcess starts programs by vfork, whose child shares this memory: the sanitizer takes the parent for the child of
+// a fork.
+extern "C" const char* __tsan_default_options() { return "die_after_fork=0"; }
 
 // Qt's own hook for debuggers (private/qobject_p.h).
 struct QSignalSpyCallbackSet {
@@ -56,6 +63,28 @@ bool received(void**) {
   return QInternal::registerCallback(QInternal::EventNotifyCallback, received);
 }();
 
+// A call on its way to another thread. Whoever lets go of it last, poster or receiver, destroys it, and the count of
+// its holders is Qt's own.
+class Handed : public QtPrivate::QSlotObjectBase {
+ public:
+  explicit Handed(QSlotObjectBase* call) : QSlotObjectBase(run), m_call(call) {}
+
+ private:
+  static void run(int which, QSlotObjectBase* self, QObject* receiver, void** arguments, bool*) {
+    auto* const handed = static_cast<Handed*>(self);
+    __tsan_acquire(self);
+    if (which == Call) {
+      handed->m_call->call(receiver, arguments);
+      __tsan_release(self);
+    } else if (which == Destroy) {
+      handed->m_call->destroyIfLastRef();
+      delete handed;
+    }
+  }
+
+  QSlotObjectBase* m_call;  // one of its references is this one's
+};
+
 template <typename F>
 F original(const char* symbol) {
   return reinterpret_cast<F>(dlsym(RTLD_NEXT, symbol));
@@ -69,8 +98,9 @@ bool QMetaObject::invokeMethodImpl(QObject* object, QtPrivate::QSlotObjectBase* 
   static const auto invoke = original<bool (*)(QObject*, QtPrivate::QSlotObjectBase*, Qt::ConnectionType,
                                                void*)>(
       "_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv");
-  __tsan_release(object->thread());
-  return invoke(object, slot, type, result);
+  auto* const handed = new Handed(slot);
+  __tsan_release(handed);
+  return invoke(object, handed, type, result);
 }
 
 void QObject::deleteLater() {
