@@ -53,6 +53,8 @@ class BusWatch {
   Instant due() const {
     return std::min({m_secondEnd, m_burstEnd, m_sharedDue, m_contestsDue, m_sticksDue, m_retry});
   }
+  // When its joysticks need to be looked at, of that.
+  Instant sticksDue() const { return m_sticksDue; }
   // When the next contest is decided.
   Instant contestsDue() const { return m_contestsDue; }
   // Whether whoever is heard for the first time was not there before.

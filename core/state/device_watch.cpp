@@ -24,6 +24,10 @@ std::uint64_t statusBitsOf(const Payload& data) {
   return bits;
 }
 
+std::uint64_t bitsOf(MessageId id, const Payload& data) {
+  return id == MessageId::PositionLimitStatus ? statusBitsOf(data) : loadLittle(data);
+}
+
 // The messages that say the same until something changes.
 constexpr EnumArray<MessageId, bool> kIsRepeated = [] {
   EnumArray<MessageId, bool> is;
@@ -182,11 +186,19 @@ void DeviceWatch::lookAtIdentity(const State& state, const Device& device, std::
 }
 
 // Nearly every report says what the one before it said. A node that boots again and again says nothing else.
-bool DeviceWatch::isAsCompared(const Device& device, MessageId id) {
-  if (!kIsRepeated[id]) return false;
-  const Payload data = device.report(id).frame().data;
-  const std::uint64_t bits = id == MessageId::PositionLimitStatus ? statusBitsOf(data) : loadLittle(data);
-  return std::exchange(m_compared[kReportPlaces[id]], bits) == bits && device.restarted == m_restarted;
+bool DeviceWatch::isAsCompared(const Device& device, MessageId id, const Payload& data) const {
+  return kIsRepeated[id] && m_compared[kReportPlaces[id]] == bitsOf(id, data) &&
+         device.restarted == m_restarted;
+}
+
+// A frame that the state did not take, as one of a wrong length, says nothing. Answers of nodes are no reports.
+void DeviceWatch::compareNew(const State& state, const Device& device, MessageId id, const Payload& data,
+                             std::vector<Event>& out) {
+  if (id != MessageId::SdoReadResponse) {
+    if (device.report(id).at != state.cursor().time) return;
+    m_compared[kReportPlaces[id]] = bitsOf(id, data);
+  }
+  compare(state, device, id, out);
 }
 
 void DeviceWatch::compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out) {

@@ -23,10 +23,12 @@ class DeviceWatch {
   // That it is heard for the first time.
   Event appeared(const State& state) const;
 
-  // A frame came from the device, or one to it that it reports: the last one of `id`, if that is not Count.
-  void look(const State& state, const Device& device, MessageId id, std::vector<Event>& out) {
+  // A frame came from the device, or one to it that it reports. `id`: what it is if the state took it; Count if nothing
+  // of it is told.
+  void look(const State& state, const Device& device, MessageId id, const Payload& data,
+            std::vector<Event>& out) {
     if (m_isSilent || m_silenceDue == kNever) heard(state, device, out);
-    if (id != MessageId::Count && !isAsCompared(device, id)) compare(state, device, id, out);
+    if (id != MessageId::Count && !isAsCompared(device, id, data)) compareNew(state, device, id, data, out);
   }
   // Whatever is due by the state's time.
   void timeCame(const State& state, const Device& device, std::vector<Event>& out);
@@ -50,7 +52,9 @@ class DeviceWatch {
     none.fill(~0ull);
     return none;
   }
-  bool isAsCompared(const Device& device, MessageId id);
+  bool isAsCompared(const Device& device, MessageId id, const Payload& data) const;
+  void compareNew(const State& state, const Device& device, MessageId id, const Payload& data,
+                  std::vector<Event>& out);
   Event eventOf(const State& state) const;
   void heard(const State& state, const Device& device, std::vector<Event>& out);
   void compareSilence(const State& state, std::vector<Event>& out);

@@ -23,12 +23,6 @@ const Device* Devices::byPin(Channel channel, const Pin& pin) const {
   return found == used().end() ? nullptr : &*found;
 }
 
-const Device* Devices::byAddress(Channel channel, Address address) const {
-  if (channel.value >= kMaxChannels) return nullptr;
-  const Index i = m_byAddress[channel.value][address.value];
-  return i == kNone ? nullptr : &m_devices[i];
-}
-
 const Device* Devices::byNode(Channel channel, NodeId node) const {
   if (channel.value >= kMaxChannels || node.value >= 128) return nullptr;
   const Index i = m_byNode[channel.value][node.value];

@@ -24,7 +24,11 @@ class Devices {
   const Device* byPin(Channel channel, const Pin& pin) const;
   // The first that was heard with this PIN, on whatever channel.
   const Device* byPin(const Pin& pin) const;
-  const Device* byAddress(Channel channel, Address address) const;
+  const Device* byAddress(Channel channel, Address address) const {
+    if (channel.value >= kMaxChannels) return nullptr;
+    const Index i = m_byAddress[channel.value][address.value];
+    return i == kNone ? nullptr : &m_devices[i];
+  }
   const Device* byNode(Channel channel, NodeId node) const;
 
   // The device at an address or node, made where there is none; null where there is no room.

@@ -39,10 +39,6 @@ MessageId messageOfNode(CobFunction function) {
   return MessageId::Count;
 }
 
-bool isReportedNow(const Device& device, MessageId id, Instant now) {
-  return kReportPlaces[id] < kReports.size() && device.report(id).at == now;
-}
-
 }  // namespace
 
 EventWalk::EventWalk() : m_state(std::make_unique<State>()), m_devices(kMaxDevices) {
@@ -145,7 +141,7 @@ void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {
     if (frame.length > 0) message = kByType[frame.data[0]];
   } else if (id.pgn == pgn::kBasicJoystick) {
     const bool isBack = bus.stickCame(*m_state, id.source, m_found);
-    m_due = std::min(m_due, bus.due());
+    m_due = std::min(m_due, bus.sticksDue());
     if (!isBack) return;
   } else if (id.pgn != pgn::kAddressClaimed && id.pgn != pgn::kExtendedJoystick) {
     return;  // none of what a device of Akron's sends
@@ -159,7 +155,7 @@ void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {
   }
   const bool isToDevice = message == MessageId::SoePermissive;
   const Device* device = m_state->devices().byAddress(channel, isToDevice ? id.destination : id.source);
-  if (device != nullptr) look(*device, message, bus);
+  if (device != nullptr) look(*device, message, frame.data, bus);
 }
 
 void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
@@ -171,10 +167,10 @@ void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
   const bool isNode = device->heartbeat().isKnown() || device->faults().isKnown() ||
                       m_state->channel({frame.channel}).book.isAkronNode(cob.node);
   const MessageId message = messageOfNode(CobFunction{cob.function});
-  if (isNode && message != MessageId::Count) look(*device, message, bus);
+  if (isNode && message != MessageId::Count) look(*device, message, frame.data, bus);
 }
 
-void EventWalk::look(const Device& device, MessageId id, BusWatch& bus) {
+void EventWalk::look(const Device& device, MessageId id, const Payload& data, BusWatch& bus) {
   const std::size_t place = placeOf(device);
   const Instant now = cursor().time;
   DeviceWatch& watch = m_devices[place];
@@ -183,8 +179,7 @@ void EventWalk::look(const Device& device, MessageId id, BusWatch& bus) {
     watch.begin(device, now);
     if (bus.isSettled(now)) m_found.push_back(watch.appeared(*m_state));
   }
-  const bool isAnswer = id == MessageId::SdoReadResponse;
-  watch.look(*m_state, device, isAnswer || isReportedNow(device, id, now) ? id : MessageId::Count, m_found);
+  watch.look(*m_state, device, id, data, m_found);
   if (device.doubled == now && !bus.isShared(device.address)) {
     bus.lookAtShared(*m_state, m_found);
     m_due = std::min(m_due, bus.due());

@@ -43,7 +43,7 @@ class EventWalk {
   void plan();
   void lookExtended(const Frame& frame, BusWatch& bus);
   void lookStandard(const Frame& frame, BusWatch& bus);
-  void look(const Device& device, MessageId id, BusWatch& bus);
+  void look(const Device& device, MessageId id, const Payload& data, BusWatch& bus);
   void lookAtIdentities(Channel channel, BusWatch& bus);
   std::size_t placeOf(const Device& device) const;
 

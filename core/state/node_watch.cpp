@@ -17,17 +17,18 @@ void NodeWatch::timeCame(const State& state, std::vector<Event>& out) {
   for (std::size_t a = 0; a < kNullAddress.value; ++a) {
     const Address address{static_cast<std::uint8_t>(a)};
     const Node node = channel.nodes[address];
-    if (!m_silent[a] && node.isSteady && state.devices().byAddress(m_channel, address) == nullptr &&
+    if (node.isSteady && !m_silent[a] && state.devices().byAddress(m_channel, address) == nullptr &&
         channel.joysticks.find(address) == nullptr) {
       const Instant due = std::max(node.lastHeard, m_linkChanged) + kSilentAfter;
       if (due > now) {
         m_due = std::min(m_due, due);
       } else if (healthOf(state, m_channel, address).has(HealthCause::Silent)) {
         m_silent.set(a);
+        m_wereSilent.set(a);
         m_since[a] = node.lastHeard;
       }
     }
-    compare(state, address, out);
+    if (m_wereSilent[a]) compare(state, address, out);
   }
 }
 

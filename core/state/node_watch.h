@@ -42,6 +42,7 @@ class NodeWatch {
   Instant m_linkChanged = kNotYet;
   Instant m_due = kNever;
   std::bitset<256> m_silent;
+  std::bitset<256> m_wereSilent;            // at any time
   std::array<Instant, 256> m_since{};       // of those that are silent: when they were heard last
   std::array<Duration, 256> m_silentFor{};  // of those that are not any more
   std::array<EventSlot, 256> m_silence;
