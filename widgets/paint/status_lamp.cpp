@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paint/app_style.h"
+
 namespace deckpipe {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double kGap = 8;
 
 }  // namespace
 
-StatusLamp::StatusLamp(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+StatusLamp::StatusLamp(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("statusLamp"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   describe();
@@ -49,11 +51,6 @@ void StatusLamp::setState(State state, bool stale) {
   update();
 }
 
-void StatusLamp::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 QString StatusLamp::word() const {
   switch (m_state) {
     case State::Unknown: return tr("unknown");
@@ -70,8 +67,7 @@ void StatusLamp::describe() {
   setAccessibleDescription(m_stale ? tr("%1, stale").arg(word()) : word());
 }
 
-StatusLamp::Look StatusLamp::look() const {
-  const Colours& c = m_colours;
+StatusLamp::Look StatusLamp::lookIn(const Colours& c) const {
   if (m_stale && m_state != State::Unknown)
     return {Glyph::Stale, c.stale.ink, c.stale.fill, c.stale.onFill, true};
   switch (m_state) {
@@ -106,19 +102,20 @@ QSize StatusLamp::sizeHint() const {
 QSize StatusLamp::minimumSizeHint() const { return {static_cast<int>(kLamp + 2 * kGap), kHeight}; }
 
 void StatusLamp::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const Look look = this->look();
+  const Look look = lookIn(c);
   const double middle = height() / 2.0;
   const QRectF lamp(kGap / 2, middle - kLamp / 2, kLamp, kLamp);
-  QPen frame(look.ink, 1.5 * m_colours.stroke, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+  QPen frame(look.ink, 1.5 * c.stroke, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
   if (look.dashed) frame.setDashPattern({2, 1.5});
   p.setPen(frame);
   p.setBrush(look.fill);
   p.drawRoundedRect(lamp, 4, 4);
   const double inset = kLamp * 0.2;
   drawGlyph(p, lamp.adjusted(inset, inset, -inset, -inset), look.glyph, look.glyphInk, Qt::transparent,
-            m_colours.stroke);
+            c.stroke);
 
   const QFontMetricsF metrics(font());
   const double baseline = middle + metrics.capHeight() / 2;
@@ -132,7 +129,7 @@ void StatusLamp::paintEvent(QPaintEvent*) {
     p.setPen(look.ink);
     p.drawText(QPointF(right - wordWidth, baseline), word());
   }
-  p.setPen(m_stale ? m_colours.stale.ink : m_colours.text);
+  p.setPen(m_stale ? c.stale.ink : c.text);
   p.drawText(QPointF(left, baseline), metrics.elidedText(m_label, Qt::ElideRight, right - left));
 }
 

@@ -28,7 +28,6 @@ class StatusLamp : public QWidget {
   void setWhenOn(WhenOn whenOn);
   // Stale: the last state heard, drawn as old; never as a steady one.
   void setState(State state, bool stale = false);
-  void setColours(const Colours& colours);
 
   State state() const { return m_state; }
   bool isStale() const { return m_stale; }
@@ -48,11 +47,10 @@ class StatusLamp : public QWidget {
     QColor glyphInk;  // on the fill
     bool dashed;
   };
-  Look look() const;
+  Look lookIn(const Colours& colours) const;
   QString word() const;
   void describe();
 
-  Colours m_colours;
   QString m_label;
   QString m_spoken;  // empty: the label
   State m_state = State::Unknown;

@@ -6,8 +6,6 @@
 #include <QWidget>
 #include <optional>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 struct StickValues {
@@ -31,7 +29,6 @@ class StickView : public QWidget {
   explicit StickView(QWidget* parent = nullptr);
 
   void setValues(const StickValues& values);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override { return {176, 176}; }
   QSize minimumSizeHint() const override { return {96, 96}; }
@@ -41,7 +38,6 @@ class StickView : public QWidget {
 
  private:
   StickValues m_values;
-  Colours m_colours;
 };
 
 }  // namespace deckpipe

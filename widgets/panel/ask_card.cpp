@@ -5,8 +5,9 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "paint/app_style.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/secondary_font.h"
 #include "text/service_text.h"
 
@@ -20,7 +21,6 @@ constexpr int kButtonWidth = 96;
 AskCard::AskCard(Ask ask, QWidget* parent)
     : QWidget(parent),
       m_ask(ask),
-      m_colours(coloursOf(Theme::Light)),
       m_answer(new QLabel(this)),
       m_sign(new GlyphLabel(this)),
       m_state(new QLabel(this)),
@@ -64,30 +64,23 @@ void AskCard::setValues(const Values& values) {
   showState();
 }
 
-void AskCard::setColours(const Colours& colours) {
-  m_colours = colours;
-  showState();
-}
-
 void AskCard::showState() {
-  const auto look = [this]() -> std::pair<std::optional<Glyph>, QColor> {
+  const auto look = [this]() -> std::pair<std::optional<Glyph>, Ink> {
     switch (m_values.tone) {
       case Tone::Plain: break;
-      case Tone::Waiting: return {Glyph::Stale, m_colours.accent.ink};
-      case Tone::Fine: return {Glyph::Fine, m_colours.fine.ink};
-      case Tone::Attend: return {Glyph::Attend, m_colours.attend.ink};
+      case Tone::Waiting: return {Glyph::Stale, Ink::Accent};
+      case Tone::Fine: return {Glyph::Fine, Ink::Fine};
+      case Tone::Attend: return {Glyph::Attend, Ink::Attend};
     }
-    if (m_values.isOld) return {Glyph::Stale, m_colours.stale.ink};
-    return {std::nullopt, m_colours.textSecondary};
+    if (m_values.isOld) return {Glyph::Stale, Ink::Stale};
+    return {std::nullopt, Ink::Secondary};
   }();
-  m_sign->setGlyph(look.first, look.second, m_colours.stroke);
+  m_sign->setGlyph(look.first, look.second);
   m_sign->setVisible(look.first.has_value());
   setInk(*m_state, look.second);
   setText(*m_state, m_values.state);
   setText(*m_answer, m_values.answer);
-  setInk(*m_answer, m_values.isOld     ? m_colours.stale.ink
-                    : m_values.isFault ? m_colours.fault.ink
-                                       : m_colours.text);
+  setInk(*m_answer, m_values.isOld ? Ink::Stale : m_values.isFault ? Ink::Fault : Ink::Text);
   m_answer->setVisible(!m_values.answer.isEmpty());
   m_button->setEnabled(m_values.isOffered);
 }

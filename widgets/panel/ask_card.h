@@ -40,7 +40,6 @@ class AskCard : public QWidget {
 
   void setValues(const Values& values);
   const Values& values() const { return m_values; }
-  void setColours(const Colours& colours);
   Ask ask() const { return m_ask; }
 
  Q_SIGNALS:
@@ -51,7 +50,6 @@ class AskCard : public QWidget {
 
   Ask m_ask;
   Values m_values;
-  Colours m_colours;
   QLabel* m_answer;
   GlyphLabel* m_sign;
   QLabel* m_state;

@@ -21,15 +21,15 @@ inline Glyph glyphOf(HealthSeverity severity) {
   return Glyph::Unknown;
 }
 
-inline const Tone& toneOf(const Colours& colours, HealthSeverity severity) {
+inline Ink inkOf(HealthSeverity severity) {
   switch (severity) {
-    case HealthSeverity::Fine: return colours.fine;
-    case HealthSeverity::Attend: return colours.attend;
-    case HealthSeverity::Fault: return colours.fault;
+    case HealthSeverity::Fine: return Ink::Fine;
+    case HealthSeverity::Attend: return Ink::Attend;
+    case HealthSeverity::Fault: return Ink::Fault;
     case HealthSeverity::Unknown:
     case HealthSeverity::Silent: break;
   }
-  return colours.stale;
+  return Ink::Stale;
 }
 
 // Of the line under a device's name: this much at most is for the words.

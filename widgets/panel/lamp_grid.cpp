@@ -45,8 +45,7 @@ void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale, const QStri
   lamp.setState(stateOf(values.state), isStale);
 }
 
-LampGrid::LampGrid(QWidget* parent)
-    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_title(new SectionTitle(this)) {
+LampGrid::LampGrid(QWidget* parent) : QWidget(parent), m_title(new SectionTitle(this)) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -65,7 +64,6 @@ void LampGrid::setGroup(const PageLampGroup& group) {
   }
   while (m_lamps.size() < group.lamps.size()) {
     auto* lamp = new StatusLamp(this);
-    lamp->setColours(m_colours);
     lamp->show();
     m_lamps.push_back(lamp);
   }
@@ -80,12 +78,6 @@ void LampGrid::setGroup(const PageLampGroup& group) {
   if (!isOther) return;
   updateGeometry();
   layOut();
-}
-
-void LampGrid::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_title->setColours(colours);
-  for (StatusLamp* lamp : m_lamps) lamp->setColours(colours);
 }
 
 // As wide as the widest label with its word wants, so that columns of one group line up.

@@ -18,11 +18,12 @@
 #include "model/answer_history.h"
 #include "model/device_health.h"
 #include "model/device_rows.h"
+#include "paint/app_style.h"
 #include "panel/ask_card.h"
 #include "panel/calm_combo.h"
 #include "panel/danger_dialog.h"
 #include "panel/flat_header.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/repeat_bar.h"
 #include "panel/secondary_font.h"
 #include "panel/send_hint.h"
@@ -66,8 +67,7 @@ QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) 
 
 }  // namespace
 
-RequestPanel::RequestPanel(QWidget* parent)
-    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_history(new AnswerHistory(this)) {
+RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new AnswerHistory(this)) {
   setObjectName(QStringLiteral("requestPanel"));
   setAccessibleName(tr("Ask the device"));
   m_title = new QLabel(this);
@@ -123,7 +123,6 @@ RequestPanel::RequestPanel(QWidget* parent)
   connect(m_historyView, &QTreeView::activated, this, [this](const QModelIndex& index) {
     Q_EMIT frameRequested(index.data(AnswerHistory::FrameRole).toULongLong());
   });
-  setColours(m_colours);
 }
 
 QWidget* RequestPanel::makeAsks() {
@@ -155,6 +154,7 @@ QWidget* RequestPanel::makeAsks() {
   m_none->setObjectName(QStringLiteral("requestNone"));
   m_none->setAccessibleName(tr("Why there is nothing to ask"));
   m_none->setWordWrap(true);
+  setInk(*m_none, Ink::Secondary);
   m_none->setAlignment(Qt::AlignCenter);
   m_none->setMargin(16);
   column->addWidget(m_none);
@@ -202,16 +202,6 @@ void RequestPanel::setView(const LogView& view, const Conversations& talk, const
   m_history->setView(view, talk, m_device);
   if (isAtEnd && m_history->rowCount() != rows) m_historyView->scrollToBottom();
   showState();
-}
-
-void RequestPanel::setColours(const Colours& colours) {
-  m_colours = colours;
-  setPalette(qtPalette(colours));
-  m_historyHeader->setColours(colours);
-  for (AskCard* card : m_cards) card->setColours(colours);
-  m_hint->setColours(colours);
-  m_repeats->setColours(colours);
-  setInk(*m_none, colours.textSecondary);
 }
 
 void RequestPanel::showState() {

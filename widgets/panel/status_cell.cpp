@@ -7,10 +7,10 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "paint/app_style.h"
 #include "paint/plain_tip.h"
 #include "panel/elided_label.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
 
 namespace deckpipe {
 
@@ -26,23 +26,20 @@ std::optional<Glyph> glyphOf(StatusTone tone) {
   return {};
 }
 
-QColor inkOf(StatusTone tone, const Colours& colours) {
+Ink inkOf(StatusTone tone) {
   switch (tone) {
-    case StatusTone::Plain: return colours.text;
-    case StatusTone::Idle: return colours.stale.ink;
-    case StatusTone::Busy: return colours.accent.ink;
-    case StatusTone::Fine: return colours.fine.ink;
-    case StatusTone::Attend: return colours.attend.ink;
-    case StatusTone::Fault: return colours.fault.ink;
+    case StatusTone::Plain: return Ink::Text;
+    case StatusTone::Idle: return Ink::Stale;
+    case StatusTone::Busy: return Ink::Accent;
+    case StatusTone::Fine: return Ink::Fine;
+    case StatusTone::Attend: return Ink::Attend;
+    case StatusTone::Fault: return Ink::Fault;
   }
-  return colours.text;
+  return Ink::Text;
 }
 
 StatusCell::StatusCell(const char* name, const QString& label, QWidget* parent)
-    : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
-      m_sign(new GlyphLabel(this)),
-      m_words(new ElidedLabel(this)) {
+    : QWidget(parent), m_sign(new GlyphLabel(this)), m_words(new ElidedLabel(this)) {
   setObjectName(QLatin1String(name) + QStringLiteral("Cell"));
   setAccessibleName(label);
   setFocusPolicy(Qt::TabFocus);
@@ -59,11 +56,6 @@ StatusCell::StatusCell(const char* name, const QString& label, QWidget* parent)
 void StatusCell::setWidestText(const QString& text) {
   m_widest = text;
   m_words->setMinimumWidth(m_words->fontMetrics().horizontalAdvance(text) + 2);
-}
-
-void StatusCell::setColours(const Colours& colours) {
-  m_colours = colours;
-  showSign();
 }
 
 void StatusCell::setStatus(StatusTone tone, const QString& text, const QString& story,
@@ -85,9 +77,9 @@ QString StatusCell::text() const { return m_words->text(); }
 void StatusCell::showSign() {
   const auto glyph = m_glyph ? m_glyph : glyphOf(m_tone);
   m_sign->setVisible(glyph.has_value());
-  m_sign->setGlyph(glyph, inkOf(m_tone, m_colours), m_colours.stroke);
+  m_sign->setGlyph(glyph, inkOf(m_tone));
   const bool isLoud = m_tone == StatusTone::Attend || m_tone == StatusTone::Fault;
-  setInk(*m_words, isLoud ? inkOf(m_tone, m_colours) : m_colours.text);
+  setInk(*m_words, isLoud ? inkOf(m_tone) : Ink::Text);
 }
 
 void StatusCell::showStory() { QToolTip::showText(mapToGlobal(QPoint(0, height())), toolTip(), this); }
@@ -119,7 +111,7 @@ void StatusCell::paintEvent(QPaintEvent*) {
   if (!hasFocus()) return;
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(m_colours.accent.ink, 2));
+  p.setPen(QPen(coloursOf(this).accent.ink, 2));
   p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
 }
 

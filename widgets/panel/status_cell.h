@@ -18,7 +18,7 @@ class GlyphLabel;
 // What a sign and its colour mean here.
 enum class StatusTone : std::uint8_t { Plain, Idle, Busy, Fine, Attend, Fault };
 std::optional<Glyph> glyphOf(StatusTone tone);
-QColor inkOf(StatusTone tone, const Colours& colours);
+Ink inkOf(StatusTone tone);
 
 class StatusCell : public QWidget {
   Q_OBJECT
@@ -29,7 +29,6 @@ class StatusCell : public QWidget {
 
   // Words that it may have to show later.
   void setWidestText(const QString& text);
-  void setColours(const Colours& colours);
   // `glyph`: instead of the tone's own.
   void setStatus(StatusTone tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
   QString text() const;
@@ -46,7 +45,6 @@ class StatusCell : public QWidget {
   void showSign();
   void showStory();
 
-  Colours m_colours;
   GlyphLabel* m_sign;
   ElidedLabel* m_words;
   QString m_widest;

@@ -10,6 +10,7 @@
 
 #include "paint/dial_geometry.h"
 #include "support/enums.h"
+#include "support/look.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
@@ -19,8 +20,8 @@ using Reading = DialAxis::Reading;
 
 QImage picture(const DialValues& values, Theme theme = Theme::Light, QSize size = {640, 360},
                double phase = 0) {
+  const test::Look look(theme);
   Dial dial;
-  dial.setColours(coloursOf(theme));
   dial.setValues(values);
   dial.setPhase(phase);
   dial.resize(size);

@@ -5,9 +5,9 @@
 #include <QDir>
 #include <QImage>
 #include <QPainter>
-#include <QStyleFactory>
 #include <cstdio>
 
+#include "paint/app_style.h"
 #include "paint/dial.h"
 #include "paint/status_lamp.h"
 #include "paint/timeline.h"
@@ -36,7 +36,6 @@ QImage picture(QWidget& widget, QSize size, const QColor& ground) {
 
 QImage dialPicture(const DialSample& sample, Theme theme, QSize size) {
   Dial dial;
-  dial.setColours(coloursOf(theme));
   dial.setValues(sample.values);
   dial.setPhase(0.1);
   return picture(dial, size, coloursOf(theme).surface);
@@ -76,8 +75,6 @@ QImage lamps(Theme theme) {
     int row = 0;
     const auto draw = [&](State state, bool stale) {
       StatusLamp lamp;
-      lamp.setColours(colours);
-      lamp.setPalette(qtPalette(colours));
       lamp.setLabel(QStringLiteral("Right"));
       lamp.setWhenOn(whenOn);
       lamp.setState(state, stale);
@@ -162,8 +159,6 @@ QImage timelines(Theme theme, int width) {
   int y = 0;
   for (const TimelineSample& sample : samples) {
     Timeline timeline;
-    timeline.setColours(colours);
-    timeline.setPalette(qtPalette(colours));
     timeline.setValues(sample.values);
     if (sample.shown) timeline.showSpan(*sample.shown);
     timeline.select(sample.selection);
@@ -186,6 +181,7 @@ int run(const QString& folder) {
     saved = image.save(dir.filePath(name + QStringLiteral(".png"))) && saved;
   };
   for (const Theme theme : kThemes) {
+    QApplication::setStyle(new AppStyle(Density::Desk, theme));
     const QString prefix = QString::fromLatin1(nameOf(theme));
     save(sheet(theme, {200, 200}, 7, 0, 100), prefix + QStringLiteral("_200x200"));
     save(sheet(theme, {200, 120}, 7, 0, 100), prefix + QStringLiteral("_200x120"));
@@ -206,7 +202,6 @@ int run(const QString& folder) {
 int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   if (argc != 2) {
     std::fprintf(stderr, "usage: paint_gallery FOLDER\n");
     return 2;

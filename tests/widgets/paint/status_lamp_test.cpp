@@ -7,6 +7,7 @@
 #include <array>
 
 #include "support/enums.h"
+#include "support/look.h"
 
 namespace deckpipe {
 namespace {
@@ -24,6 +25,7 @@ QImage picture(StatusLamp& lamp, QSize size) {
 
 TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
   for (const Theme theme : kThemes) {
+    const test::Look look(theme);
     for (const WhenOn whenOn : test::allOf<WhenOn>()) {
       std::vector<QImage> pictures;
       for (const State state : test::allOf<State>()) {
@@ -31,8 +33,6 @@ TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
           // What was never known cannot have become old; a stale lamp says so, its word says what it was.
           if (stale && state != State::On) continue;
           StatusLamp lamp;
-          lamp.setColours(coloursOf(theme));
-          lamp.setPalette(qtPalette(coloursOf(theme)));
           lamp.setWhenOn(whenOn);
           lamp.setState(state, stale);
           // As wide as the lamp alone: no word helps.
