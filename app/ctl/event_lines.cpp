@@ -101,9 +101,7 @@ std::string secondsText(Duration time) {
   return text;
 }
 
-std::string_view status2Key(std::int64_t status) {
-  return kStatus2Keys[static_cast<std::size_t>(status) & 3];
-}
+std::string_view status2Key(std::int64_t status) { return kStatus2Keys[static_cast<Status2>(status & 3)]; }
 
 const char* sideOf(const Event& event) { return event.isPlus ? "plus" : "minus"; }
 

@@ -19,7 +19,7 @@ PageFact ruleFact(const QString& label, const QString& value, FactTone tone = Fa
   return {label, value, tone, {}};
 }
 
-PageFact axisFact(const QString& label, const std::optional<PageAxis::Command>& command, Address self,
+PageFact axisFact(const QString& label, const std::optional<DialAxis::Command>& command, Address self,
                   bool isRotation) {
   if (!command) return ruleFact(label, Arbitration::tr("nobody commands"));
   const QString what = commandText(*command, isRotation);

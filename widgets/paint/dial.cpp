@@ -70,7 +70,7 @@ void Dial::setPhase(double phase) {
 
 void Dial::updateTimer() {
   const DialAxis& axis = m_values.rotation;
-  const bool moves = axis.oscillating && axis.limitLow && axis.limitHigh && !axis.limitsStale;
+  const bool moves = axis.isOscillating && axis.limitLow && axis.limitHigh && !axis.areLimitsStale;
   const bool run = m_animated && moves && isVisible();
   if (run == m_timer.isActive()) return;
   if (run)

@@ -43,7 +43,7 @@ void StatusLamp::setWhenOn(WhenOn whenOn) {
   update();
 }
 
-void StatusLamp::setState(State state, bool stale) {
+void StatusLamp::setState(std::optional<Status2> state, bool stale) {
   if (state == m_state && stale == m_stale) return;
   m_state = state;
   m_stale = stale;
@@ -52,12 +52,12 @@ void StatusLamp::setState(State state, bool stale) {
 }
 
 QString StatusLamp::word() const {
-  switch (m_state) {
-    case State::Unknown: return tr("unknown");
-    case State::Off: return tr("off");
-    case State::On: return tr("on");
-    case State::Error: return tr("error");
-    case State::NotAvailable: return tr("not available");
+  if (!m_state) return tr("unknown");
+  switch (*m_state) {
+    case Status2::Off: return tr("off");
+    case Status2::On: return tr("on");
+    case Status2::Error: return tr("error");
+    case Status2::NotAvailable: return tr("not available");
   }
   return {};
 }
@@ -68,15 +68,14 @@ void StatusLamp::describe() {
 }
 
 StatusLamp::Look StatusLamp::lookIn(const Colours& c) const {
-  if (m_stale && m_state != State::Unknown)
-    return {Glyph::Stale, c.stale.ink, c.stale.fill, c.stale.onFill, true};
-  switch (m_state) {
-    case State::Unknown: return {Glyph::Unknown, c.stale.ink, Qt::transparent, c.stale.ink, true};
-    case State::Off: return {Glyph::Off, c.textSecondary, Qt::transparent, c.outline, false};
-    case State::Error: return {Glyph::Attend, c.attend.ink, c.attend.fill, c.attend.onFill, false};
-    case State::NotAvailable:
+  if (!m_state) return {Glyph::Unknown, c.stale.ink, Qt::transparent, c.stale.ink, true};
+  if (m_stale) return {Glyph::Stale, c.stale.ink, c.stale.fill, c.stale.onFill, true};
+  switch (*m_state) {
+    case Status2::Off: return {Glyph::Off, c.textSecondary, Qt::transparent, c.outline, false};
+    case Status2::Error: return {Glyph::Attend, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case Status2::NotAvailable:
       return {Glyph::NotAvailable, c.textSecondary, Qt::transparent, c.textSecondary, true};
-    case State::On: break;
+    case Status2::On: break;
   }
   switch (m_whenOn) {
     case WhenOn::Plain: return {Glyph::On, c.text, c.text, c.surface, false};

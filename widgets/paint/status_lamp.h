@@ -7,7 +7,9 @@
 #include <QString>
 #include <QWidget>
 #include <cstdint>
+#include <optional>
 
+#include "base/part_state.h"
 #include "paint/glyph.h"
 #include "paint/palette.h"
 
@@ -17,7 +19,6 @@ class StatusLamp : public QWidget {
   Q_OBJECT
 
  public:
-  enum class State : std::uint8_t { Unknown, Off, On, Error, NotAvailable };
   enum class WhenOn : std::uint8_t { Plain, Fine, Attend, Stop };
 
   explicit StatusLamp(QWidget* parent = nullptr);
@@ -26,10 +27,10 @@ class StatusLamp : public QWidget {
   // "Right".
   void setLabel(const QString& label, const QString& spoken = {});
   void setWhenOn(WhenOn whenOn);
-  // Stale: the last state heard, drawn as old; never as a steady one.
-  void setState(State state, bool stale = false);
+  // Nothing: never heard. Stale: the last state heard, drawn as old; never as a steady one.
+  void setState(std::optional<Status2> state, bool stale = false);
 
-  State state() const { return m_state; }
+  std::optional<Status2> state() const { return m_state; }
   bool isStale() const { return m_stale; }
 
   QSize sizeHint() const override;
@@ -53,7 +54,7 @@ class StatusLamp : public QWidget {
 
   QString m_label;
   QString m_spoken;  // empty: the label
-  State m_state = State::Unknown;
+  std::optional<Status2> m_state;
   WhenOn m_whenOn = WhenOn::Plain;
   bool m_stale = false;
   mutable QSize m_hint;  // as long as label, font and language are the same: pages are laid out often

@@ -4,15 +4,10 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
+
+#include "paint/stick_values.h"
 
 namespace deckpipe {
-
-struct StickValues {
-  std::optional<double> x, y;  // −1 .. +1; nothing: the message gives none
-  bool isStale = false;
-  friend bool operator==(const StickValues&, const StickValues&) = default;
-};
 
 // Where things are in a square of the widget; pure.
 struct StickGeometry {

@@ -8,7 +8,6 @@
 
 #include "paint/app_style.h"
 #include "paint/dial.h"
-#include "panel/dial_adapter.h"
 #include "panel/page_header.h"
 
 namespace deckpipe {
@@ -45,7 +44,7 @@ void FullDial::setPage(const MonitorPageValues& page) {
   const bool hasDial = page.isFound && page.dial;
   if (hasDial) {
     m_header->setPage(page);
-    m_dial->setValues(dialValuesOf(*page.dial));
+    m_dial->setValues(*page.dial);
   }
   m_dial->setVisible(hasDial);
   m_message->setVisible(!hasDial);

@@ -14,17 +14,6 @@ constexpr int kColumnGap = 16;  // between columns
 constexpr int kNarrowest = 168;
 constexpr int kUsual = 208;  // the same for neighbouring groups, so that their words line up
 
-StatusLamp::State stateOf(const std::optional<Status2>& status) {
-  if (!status) return StatusLamp::State::Unknown;
-  switch (*status) {
-    case Status2::Off: return StatusLamp::State::Off;
-    case Status2::On: return StatusLamp::State::On;
-    case Status2::Error: return StatusLamp::State::Error;
-    case Status2::NotAvailable: break;
-  }
-  return StatusLamp::State::NotAvailable;
-}
-
 StatusLamp::WhenOn whenOnOf(LampTone tone) {
   switch (tone) {
     case LampTone::Plain: return StatusLamp::WhenOn::Plain;
@@ -42,7 +31,7 @@ void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale, const QStri
   const QString source = pageSourceText(groupKey);
   lamp.setToolTip(values.spoken.isEmpty() ? source : values.spoken + QStringLiteral("\n\n") + source);
   lamp.setWhenOn(whenOnOf(values.whenOn));
-  lamp.setState(stateOf(values.state), isStale);
+  lamp.setState(values.state, isStale);
 }
 
 LampGrid::LampGrid(QWidget* parent) : QWidget(parent), m_title(new SectionTitle(this)) {

@@ -11,7 +11,6 @@
 #include "model/page_sources.h"
 #include "paint/app_style.h"
 #include "paint/dial.h"
-#include "panel/dial_adapter.h"
 #include "panel/fact_list.h"
 #include "panel/full_dial.h"
 #include "panel/label_text.h"
@@ -144,7 +143,7 @@ QString MonitorPage::missingText() const {
 void MonitorPage::showParts() {
   PageContent::Parts parts;
   if (m_values.dial) {
-    m_dial->setValues(dialValuesOf(*m_values.dial));
+    m_dial->setValues(*m_values.dial);
     parts.dial = m_dial;
   }
   for (std::size_t i = 0; i < m_values.sticks.size() && i < m_sticks.size(); ++i) {

@@ -10,7 +10,6 @@
 #include "paint/app_style.h"
 #include "paint/dial.h"
 #include "paint/glyph.h"
-#include "panel/dial_adapter.h"
 #include "panel/health_look.h"
 #include "panel/secondary_font.h"
 #include "text/age_text.h"
@@ -41,7 +40,7 @@ MonitorTile::MonitorTile(QWidget* parent) : QAbstractButton(parent), m_dial(new 
 }
 
 void MonitorTile::setMonitor(const OverviewMonitor& monitor) {
-  m_dial->setValues(dialValuesOf(monitor.dial));
+  m_dial->setValues(monitor.dial);
   // Ages run on; what counts is what is written of them. The dial looks after itself.
   const bool isSame = monitor.key == m_monitor.key && monitor.title == m_monitor.title &&
                       monitor.detail == m_monitor.detail && monitor.health == m_monitor.health &&

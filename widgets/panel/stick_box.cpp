@@ -49,7 +49,7 @@ void StickBox::setStick(const PageStick& stick) {
   m_title->setTitle(stick.title);
   setAccessibleName(stick.title);
   m_title->setAge(stick.age, stick.isStale);
-  m_view->setValues({stick.x, stick.y, stick.isStale});
+  m_view->setValues(stick);
   const auto show = [&](QLabel& label, const QString& name, const QString& text) {
     if (label.text() == text) return;
     label.setText(text);

@@ -57,16 +57,17 @@ TEST(MonitorPageOf, GivesAMonitorItsDialFromFeedback) {
   EXPECT_EQ(page.address, QStringLiteral("address 80 hex"));
   EXPECT_EQ(page.age, 50ms);
   ASSERT_TRUE(page.dial);
-  const PageAxis& rotation = page.dial->rotation;
-  EXPECT_EQ(rotation.reading, (PositionReading{PositionState::Ok, 473}));
+  const DialAxis& rotation = page.dial->rotation;
+  EXPECT_EQ(rotation.reading, PositionState::Ok);
+  EXPECT_EQ(rotation.degrees, 47.3);
   EXPECT_EQ(rotation.age, 50ms);
   EXPECT_FALSE(rotation.isStale);
-  ASSERT_TRUE(rotation.limits);
-  EXPECT_EQ(rotation.limits->low, -300);
-  EXPECT_EQ(rotation.limits->high, 450);
-  EXPECT_FALSE(rotation.limits->oscillating);
-  EXPECT_EQ(page.dial->elevation.reading, (PositionReading{PositionState::Ok, -55}));
-  EXPECT_EQ(page.dial->elevation.limits->high, 900);
+  EXPECT_EQ(rotation.limitLow, -30);
+  EXPECT_EQ(rotation.limitHigh, 45);
+  EXPECT_FALSE(rotation.isOscillating);
+  EXPECT_EQ(page.dial->elevation.reading, PositionState::Ok);
+  EXPECT_EQ(page.dial->elevation.degrees, -5.5);
+  EXPECT_EQ(page.dial->elevation.limitHigh, 90);
   EXPECT_EQ(page.dial->enable, true);
   EXPECT_EQ(page.dial->stowed, false);
   EXPECT_FALSE(rotation.command);
@@ -86,7 +87,7 @@ TEST(MonitorPageOf, MakesEachPartStaleByItsOwnPeriod) {
   page = pageOf(bus);
   EXPECT_TRUE(page.dial->rotation.isStale);
   EXPECT_TRUE(page.stops.isStale);
-  EXPECT_EQ(page.dial->rotation.reading, (PositionReading{PositionState::Ok, 473})) << "kept, but as old";
+  EXPECT_EQ(page.dial->rotation.degrees, 47.3) << "kept, but as old";
 }
 
 TEST(MonitorPageOf, KnowsNothingOfEnableOnceOutputsAreStaleOrNeverCame) {
@@ -112,7 +113,7 @@ TEST_P(Readings, ComeThroughAsTheControllerSaidThem) {
   bus.monitor(GetParam().frame);
   const MonitorPageValues page = pageOf(bus);
   ASSERT_TRUE(page.dial && page.dial->rotation.reading);
-  EXPECT_EQ(page.dial->rotation.reading->state, GetParam().state);
+  EXPECT_EQ(page.dial->rotation.reading, GetParam().state);
 }
 INSTANTIATE_TEST_SUITE_P(OfTheSensor, Readings,
                          testing::Values(ReadingCase{"Ok", kPosition, PositionState::Ok},
@@ -135,7 +136,7 @@ TEST_P(Commands, AreOfTheHighestSourceThatDeflectsTheAxis) {
   bus.monitor();
   GetParam().story(bus);
   const MonitorPageValues page = pageOf(bus);
-  const auto check = [](const std::optional<PageAxis::Command>& command, double speed, const char* by) {
+  const auto check = [](const std::optional<DialAxis::Command>& command, double speed, const char* by) {
     EXPECT_EQ(command.has_value(), by[0] != '\0');
     if (!command) return;
     EXPECT_NEAR(command->speed, speed, 1e-9);

@@ -64,7 +64,6 @@ QImage sheet(Theme theme, QSize size, int columns, size_t first, size_t count) {
 }
 
 QImage lamps(Theme theme) {
-  using State = StatusLamp::State;
   using WhenOn = StatusLamp::WhenOn;
   const Colours colours = coloursOf(theme);
   QImage image(4 * 208 + 8, 7 * 40 + 8, QImage::Format_RGB32);
@@ -73,7 +72,7 @@ QImage lamps(Theme theme) {
   int column = 0;
   for (const WhenOn whenOn : test::allOf<WhenOn>()) {
     int row = 0;
-    const auto draw = [&](State state, bool stale) {
+    const auto draw = [&](std::optional<Status2> state, bool stale) {
       StatusLamp lamp;
       lamp.setLabel(QStringLiteral("Right"));
       lamp.setWhenOn(whenOn);
@@ -81,9 +80,10 @@ QImage lamps(Theme theme) {
       painter.drawImage(QPoint(8 + column * 208, 8 + row++ * 40),
                         picture(lamp, QSize(200, 32), colours.surface));
     };
-    for (const State state : test::allOf<State>()) draw(state, false);
-    draw(State::On, true);
-    draw(State::Off, true);
+    draw(std::nullopt, false);
+    for (const Status2 state : kAllOf<Status2>) draw(state, false);
+    draw(Status2::On, true);
+    draw(Status2::Off, true);
     ++column;
   }
   return image;

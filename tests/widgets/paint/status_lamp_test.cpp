@@ -12,8 +12,10 @@
 namespace deckpipe {
 namespace {
 
-using State = StatusLamp::State;
 using WhenOn = StatusLamp::WhenOn;
+
+constexpr std::optional<Status2> kStates[] = {
+    {}, Status2::Off, Status2::On, Status2::Error, Status2::NotAvailable};
 
 QImage picture(StatusLamp& lamp, QSize size) {
   lamp.resize(size);
@@ -28,10 +30,10 @@ TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
     const test::Look look(theme);
     for (const WhenOn whenOn : test::allOf<WhenOn>()) {
       std::vector<QImage> pictures;
-      for (const State state : test::allOf<State>()) {
+      for (const auto& state : kStates) {
         for (const bool stale : {false, true}) {
           // What was never known cannot have become old; a stale lamp says so, its word says what it was.
-          if (stale && state != State::On) continue;
+          if (stale && state != Status2::On) continue;
           StatusLamp lamp;
           lamp.setWhenOn(whenOn);
           lamp.setState(state, stale);
@@ -55,10 +57,10 @@ TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
 TEST(StatusLamp, SpeaksLabelAndState) {
   StatusLamp lamp;
   lamp.setLabel(QStringLiteral("Discharge valve"));
-  lamp.setState(State::On);
+  lamp.setState(Status2::On);
   EXPECT_EQ(lamp.accessibleName(), QStringLiteral("Discharge valve"));
   EXPECT_EQ(lamp.accessibleDescription(), QStringLiteral("on"));
-  lamp.setState(State::On, true);
+  lamp.setState(Status2::On, true);
   EXPECT_EQ(lamp.accessibleDescription(), QStringLiteral("on, stale"));
   lamp.setLabel(QStringLiteral("Right"), QStringLiteral("Rotation, right stop"));
   EXPECT_EQ(lamp.accessibleName(), QStringLiteral("Rotation, right stop"));
@@ -70,7 +72,7 @@ TEST(StatusLamp, SizeDoesNotDependOnTheState) {
   lamp.setLabel(QStringLiteral("Right"));
   const QSize size = lamp.sizeHint();
   EXPECT_GE(size.height(), 32);
-  for (const State state : test::allOf<State>()) {
+  for (const auto& state : kStates) {
     lamp.setState(state);
     EXPECT_EQ(lamp.sizeHint(), size);
   }
