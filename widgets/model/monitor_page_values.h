@@ -14,13 +14,11 @@
 
 namespace deckpipe {
 
-enum class LampTone : std::uint8_t { Plain, Fine, Attend, Stop };
-
 struct PageLamp {
   QString label{};
   QString spoken{};              // for who does not see where the lamp stands; empty: the label
   std::optional<Status2> state;  // nothing: never came
-  LampTone whenOn = LampTone::Plain;
+  Severity whenOn = Severity::Plain;
   friend bool operator==(const PageLamp&, const PageLamp&) = default;
 };
 
@@ -49,12 +47,10 @@ struct PageStops {
   friend bool operator==(const PageStops&, const PageStops&) = default;
 };
 
-enum class FactTone : std::uint8_t { Plain, Fine, Attend, Fault, Stale };
-
 struct PageFact {
   QString label{};
   QString value{};  // lines
-  FactTone tone = FactTone::Plain;
+  Severity tone = Severity::Plain;
   std::optional<Duration> age;
   friend bool operator==(const PageFact&, const PageFact&) = default;
 };

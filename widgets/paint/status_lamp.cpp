@@ -38,7 +38,7 @@ void StatusLamp::changeEvent(QEvent* event) {
   m_hint = {};
 }
 
-void StatusLamp::setWhenOn(WhenOn whenOn) {
+void StatusLamp::setWhenOn(Severity whenOn) {
   m_whenOn = whenOn;
   update();
 }
@@ -78,12 +78,11 @@ StatusLamp::Look StatusLamp::lookIn(const Colours& c) const {
     case Status2::On: break;
   }
   switch (m_whenOn) {
-    case WhenOn::Plain: return {Glyph::On, c.text, c.text, c.surface, false};
-    case WhenOn::Fine: return {Glyph::Fine, c.fine.ink, c.fine.fill, c.fine.onFill, false};
-    case WhenOn::Attend: return {Glyph::On, c.attend.ink, c.attend.fill, c.attend.onFill, false};
-    case WhenOn::Stop: break;
+    case Severity::Fine: return {Glyph::Fine, c.fine.ink, c.fine.fill, c.fine.onFill, false};
+    case Severity::Attend: return {Glyph::On, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case Severity::Fault: return {Glyph::Stop, c.fault.ink, c.fault.fill, c.fault.onFill, false};
+    default: return {Glyph::On, c.text, c.text, c.surface, false};
   }
-  return {Glyph::Stop, c.fault.ink, c.fault.fill, c.fault.onFill, false};
 }
 
 QSize StatusLamp::sizeHint() const {

@@ -6,10 +6,10 @@
 
 #include <QString>
 #include <QWidget>
-#include <cstdint>
 #include <optional>
 
 #include "base/part_state.h"
+#include "base/severity.h"
 #include "paint/glyph.h"
 #include "paint/palette.h"
 
@@ -19,14 +19,12 @@ class StatusLamp : public QWidget {
   Q_OBJECT
 
  public:
-  enum class WhenOn : std::uint8_t { Plain, Fine, Attend, Stop };
-
   explicit StatusLamp(QWidget* parent = nullptr);
 
   // `spoken` is for who does not see where the lamp stands: "Rotation, right stop" for a lamp labelled
   // "Right".
   void setLabel(const QString& label, const QString& spoken = {});
-  void setWhenOn(WhenOn whenOn);
+  void setWhenOn(Severity whenOn);
   // Nothing: never heard. Stale: the last state heard, drawn as old; never as a steady one.
   void setState(std::optional<Status2> state, bool stale = false);
 
@@ -55,7 +53,7 @@ class StatusLamp : public QWidget {
   QString m_label;
   QString m_spoken;  // empty: the label
   std::optional<Status2> m_state;
-  WhenOn m_whenOn = WhenOn::Plain;
+  Severity m_whenOn = Severity::Plain;
   bool m_stale = false;
   mutable QSize m_hint;  // as long as label, font and language are the same: pages are laid out often
 };

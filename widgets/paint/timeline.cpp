@@ -159,7 +159,7 @@ void Timeline::paintMarks(QPainter& p, const Colours& c, const TimelineGeometry&
                           const QRectF& strip) const {
   const TimelineSpan inSight = shown();
   constexpr double kTop = 2;
-  for (const EventWeight weight : kAllOf<EventWeight>) {
+  for (const Severity weight : kEventWeights) {
     EnumArray<EventGroup, double> lastX;
     for (double& x : lastX) x = -1e9;
     for (const TimelineMark& mark : m_values.marks) {
@@ -175,7 +175,7 @@ void Timeline::paintMarks(QPainter& p, const Colours& c, const TimelineGeometry&
       if (x - lastX[mark.group] < 2) continue;
       lastX[mark.group] = x;
       const QColor ink =
-          mark.group == EventGroup::Note && weight == EventWeight::Info ? c.text : eventInk(weight, c);
+          mark.group == EventGroup::Note && weight == Severity::Plain ? c.text : eventInk(weight, c);
       p.setPen(QPen(ink, c.stroke));
       p.drawLine(QPointF(x, kTop + kMarkHeight - 1), QPointF(x, strip.top() + 4));
       drawEventMark(p, QRectF(x - kMarkHeight / 2, kTop, kMarkHeight, kMarkHeight), mark.group, ink);

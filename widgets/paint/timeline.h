@@ -31,7 +31,7 @@ struct TimelineMark {
   Instant time;
   QString text{};
   EventGroup group = EventGroup::Note;
-  EventWeight weight = EventWeight::Info;
+  Severity weight = Severity::Plain;
   friend bool operator==(const TimelineMark&, const TimelineMark&) = default;
 };
 

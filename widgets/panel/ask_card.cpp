@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "paint/app_style.h"
+#include "paint/severity_look.h"
 #include "panel/glyph_label.h"
 #include "panel/label_text.h"
 #include "panel/secondary_font.h"
@@ -65,19 +66,12 @@ void AskCard::setValues(const Values& values) {
 }
 
 void AskCard::showState() {
-  const auto look = [this]() -> std::pair<std::optional<Glyph>, Ink> {
-    switch (m_values.tone) {
-      case Tone::Plain: break;
-      case Tone::Waiting: return {Glyph::Stale, Ink::Accent};
-      case Tone::Fine: return {Glyph::Fine, Ink::Fine};
-      case Tone::Attend: return {Glyph::Attend, Ink::Attend};
-    }
-    if (m_values.isOld) return {Glyph::Stale, Ink::Stale};
-    return {std::nullopt, Ink::Secondary};
-  }();
-  m_sign->setGlyph(look.first, look.second);
-  m_sign->setVisible(look.first.has_value());
-  setInk(*m_state, look.second);
+  const bool isPlain = m_values.tone == Severity::Plain;
+  const Severity shown = isPlain && m_values.isOld ? Severity::Silent : m_values.tone;
+  const Ink ink = shown == Severity::Plain ? Ink::Secondary : inkOf(shown);
+  m_sign->setGlyph(glyphOf(shown), ink);
+  m_sign->setVisible(glyphOf(shown).has_value());
+  setInk(*m_state, ink);
   setText(*m_state, m_values.state);
   setText(*m_answer, m_values.answer);
   setInk(*m_answer, m_values.isOld ? Ink::Stale : m_values.isFault ? Ink::Fault : Ink::Text);

@@ -108,11 +108,11 @@ void DeviceDelegate::paintDevice(QPainter& p, const Colours& c, const QRectF& ce
 // The sign in its column; the words end there and begin under the columns before.
 void DeviceDelegate::paintHealth(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
                                  bool isSelected, double left) const {
-  const auto severity = static_cast<HealthSeverity>(index.data(DeviceModel::HealthRole).toInt());
+  const auto severity = static_cast<Severity>(index.data(DeviceModel::HealthRole).toInt());
   const QColor ink = isSelected ? c.accent.onFill : inkOf(c, inkOf(severity));
   const double middle = cell.center().y();
   const double x = cell.center().x();
-  drawGlyph(p, QRectF(x - kGlyph / 2, middle - 3 - kGlyph, kGlyph, kGlyph), glyphOf(severity), ink,
+  drawGlyph(p, QRectF(x - kGlyph / 2, middle - 3 - kGlyph, kGlyph, kGlyph), healthGlyph(severity), ink,
             Qt::transparent, c.stroke);
   const QFont small = secondaryFont(p.font());
   const QFontMetricsF metrics(small);

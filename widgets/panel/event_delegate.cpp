@@ -10,28 +10,13 @@
 #include "paint/app_style.h"
 #include "paint/event_mark.h"
 #include "paint/figures.h"
-#include "paint/glyph.h"
+#include "paint/severity_look.h"
 #include "panel/flat_header.h"
 
 namespace deckpipe {
 namespace {
 
 constexpr int kSign = 16, kGap = 6;
-
-struct Look {
-  std::optional<Glyph> glyph;
-  QColor ink;
-};
-
-Look lookOf(EventWeight weight, const Colours& c) {
-  switch (weight) {
-    case EventWeight::Fault: return {Glyph::Fault, c.fault.ink};
-    case EventWeight::Warning: return {Glyph::Attend, c.attend.ink};
-    case EventWeight::Info:
-    case EventWeight::Count: break;
-  }
-  return {{}, c.text};
-}
 
 }  // namespace
 
@@ -48,7 +33,6 @@ void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const bool hasHappened = index.row() <= m_lastRow;
   const QColor ground = index.row() % 2 != 0 ? c.surfaceAlternate : c.surface;
   painter->fillRect(option.rect, isSelected ? c.accent.fill : ground);
-  const Look look = lookOf(static_cast<EventWeight>(index.data(EventModel::WeightRole).toInt()), c);
   QColor ink = index.column() == EventModel::What ? c.text : c.textSecondary;
   if (!hasHappened) ink = c.stale.ink;
   if (isSelected) ink = c.accent.onFill;
@@ -61,13 +45,13 @@ void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   if (index.column() == EventModel::What) {
     const QRect mark(area.left(), area.center().y() - kSign / 2, kSign, kSign);
     const auto group = static_cast<EventGroup>(index.data(EventModel::GroupRole).toInt());
-    const auto weight = static_cast<EventWeight>(index.data(EventModel::WeightRole).toInt());
+    const auto weight = static_cast<Severity>(index.data(EventModel::WeightRole).toInt());
     drawEventMark(*painter, QRectF(mark).adjusted(3, 3, -3, -3), group,
                   isSelected || !hasHappened ? ink : eventInk(weight, c));
     const QRect sign(mark.right() + 1 + kGap, mark.top(), kSign, kSign);
-    const QColor signInk = isSelected || !hasHappened ? ink : look.ink;
-    if (look.glyph)
-      drawGlyph(*painter, sign.adjusted(1, 1, -1, -1), *look.glyph, signInk, Qt::transparent, c.stroke);
+    const QColor signInk = isSelected || !hasHappened ? ink : inkOf(c, inkOf(weight));
+    if (const auto glyph = glyphOf(weight))
+      drawGlyph(*painter, sign.adjusted(1, 1, -1, -1), *glyph, signInk, Qt::transparent, c.stroke);
     area.setLeft(sign.right() + 1 + kGap);
   }
   painter->setFont(option.font);

@@ -64,7 +64,7 @@ EventFilterBar::EventFilterBar(EventModel* events, EventFilter* filter, QWidget*
     m_filter->setDevice(index <= 0 ? DeviceKey{} : m_devices[static_cast<std::size_t>(index) - 1]);
   });
   connect(m_weight, &QComboBox::activated, this,
-          [this](int index) { m_filter->setLeast(static_cast<EventWeight>(index)); });
+          [this](int index) { m_filter->setLeast(kEventWeights.at(static_cast<std::size_t>(index))); });
   connect(m_words, &QLineEdit::textChanged, m_filter, &EventFilter::setText);
   drawMarks();
 }

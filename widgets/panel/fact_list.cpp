@@ -6,37 +6,13 @@
 
 #include "model/page_sources.h"
 #include "paint/app_style.h"
+#include "paint/severity_look.h"
 #include "panel/glyph_label.h"
 #include "panel/label_text.h"
 #include "panel/section_title.h"
 #include "text/age_text.h"
 
 namespace deckpipe {
-namespace {
-
-std::optional<Glyph> glyphOf(FactTone tone) {
-  switch (tone) {
-    case FactTone::Plain: return {};
-    case FactTone::Fine: return Glyph::Fine;
-    case FactTone::Attend: return Glyph::Attend;
-    case FactTone::Fault: return Glyph::Fault;
-    case FactTone::Stale: return Glyph::NoData;
-  }
-  return {};
-}
-
-Ink inkOf(FactTone tone) {
-  switch (tone) {
-    case FactTone::Plain: return Ink::Text;
-    case FactTone::Fine: return Ink::Fine;
-    case FactTone::Attend: return Ink::Attend;
-    case FactTone::Fault: return Ink::Fault;
-    case FactTone::Stale: return Ink::Stale;
-  }
-  return Ink::Text;
-}
-
-}  // namespace
 
 FactList::FactList(QWidget* parent)
     : QWidget(parent), m_title(new SectionTitle(this)), m_grid(new QGridLayout(this)) {

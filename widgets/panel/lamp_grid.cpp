@@ -14,23 +14,13 @@ constexpr int kColumnGap = 16;  // between columns
 constexpr int kNarrowest = 168;
 constexpr int kUsual = 208;  // the same for neighbouring groups, so that their words line up
 
-StatusLamp::WhenOn whenOnOf(LampTone tone) {
-  switch (tone) {
-    case LampTone::Plain: return StatusLamp::WhenOn::Plain;
-    case LampTone::Fine: return StatusLamp::WhenOn::Fine;
-    case LampTone::Attend: return StatusLamp::WhenOn::Attend;
-    case LampTone::Stop: break;
-  }
-  return StatusLamp::WhenOn::Stop;
-}
-
 }  // namespace
 
 void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale, const QString& groupKey) {
   lamp.setLabel(values.label, values.spoken);
   const QString source = pageSourceText(groupKey);
   lamp.setToolTip(values.spoken.isEmpty() ? source : values.spoken + QStringLiteral("\n\n") + source);
-  lamp.setWhenOn(whenOnOf(values.whenOn));
+  lamp.setWhenOn(values.whenOn);
   lamp.setState(values.state, isStale);
 }
 

@@ -120,7 +120,7 @@ void MonitorTile::paintEvent(QPaintEvent*) {
   const double signLeft = right - kTileSign;
   const double ageLeft = signLeft - kTileGap - smallMetrics.horizontalAdvance(age);
   drawGlyph(p, QRectF(signLeft, first - strongMetrics.capHeight() / 2 - kTileSign / 2, kTileSign, kTileSign),
-            glyphOf(m_monitor.health.severity()), health, Qt::transparent, c.stroke);
+            healthGlyph(m_monitor.health.severity()), health, Qt::transparent, c.stroke);
   p.setFont(strong);
   p.setPen(c.text);
   p.drawText(QPointF(left, first),

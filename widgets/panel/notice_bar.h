@@ -16,7 +16,7 @@ namespace deckpipe {
 struct Notice {
   enum class Action : std::uint8_t { None, GoToEnd, Reconnect, CopyDetails, ShowRecordings, AddUpTimes };
 
-  StatusTone tone = StatusTone::Plain;
+  Severity tone = Severity::Plain;
   QString text{};     // empty: no notice
   QString command{};  // for a terminal
   Action action = Action::None;

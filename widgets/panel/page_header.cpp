@@ -118,7 +118,7 @@ void PageHeader::setPage(const MonitorPageValues& page) {
 
 void PageHeader::showHealth() {
   const Ink ink = inkOf(m_health.severity());
-  m_sign->setGlyph(glyphOf(m_health.severity()), ink);
+  m_sign->setGlyph(healthGlyph(m_health.severity()), ink);
   setText(*m_word, healthWord(m_health));
   setInk(*m_word, ink);
   showTexts();

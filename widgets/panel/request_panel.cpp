@@ -296,11 +296,11 @@ AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
   QStringList parts;
   if (last == nullptr) {
     parts << (known != nullptr ? noAnswerText(*known, ask, now) : tr("never asked"));
-    if (known != nullptr && !askedAgainText(*known, ask, now).isEmpty()) values.tone = AskCardTone::Attend;
+    if (known != nullptr && !askedAgainText(*known, ask, now).isEmpty()) values.tone = Severity::Attend;
   } else {
     const QString again = withMissing && known != nullptr ? askedAgainText(*known, ask, now) : QString();
     if (!again.isEmpty()) {
-      values.tone = AskCardTone::Attend;
+      values.tone = Severity::Attend;
       parts << again;
     }
     values.answer = m_history->latestText(ask);
@@ -331,12 +331,12 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
       // What the log says is said too where the request does not say it: how old the answer is, and why.
       const bool isAdded = !values.answer.isEmpty() && (!isFine || values.isOld);
       values.state = isAdded ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
-      values.tone = isKept                                                 ? AskCardTone::Attend
-                    : request.progress == RequestStatus::Progress::Waiting ? AskCardTone::Waiting
-                    : request.end == RequestEnd::None                      ? AskCardTone::Plain
-                    : !isFine                                              ? AskCardTone::Attend
-                    : values.isFault || values.isOld                       ? AskCardTone::Plain
-                                                                           : AskCardTone::Fine;
+      values.tone = isKept                                                 ? Severity::Attend
+                    : request.progress == RequestStatus::Progress::Waiting ? Severity::Busy
+                    : request.end == RequestEnd::None                      ? Severity::Plain
+                    : !isFine                                              ? Severity::Attend
+                    : values.isFault || values.isOld                       ? Severity::Plain
+                                                                           : Severity::Fine;
     }
     values.isOffered = m_isLive && m_services.canAsk() && device->takes.has(card.ask()) &&
                        request.progress != RequestStatus::Progress::Waiting && !isKept;

@@ -14,30 +14,6 @@
 
 namespace deckpipe {
 
-std::optional<Glyph> glyphOf(StatusTone tone) {
-  switch (tone) {
-    case StatusTone::Plain: return {};
-    case StatusTone::Idle: return Glyph::NoData;
-    case StatusTone::Busy: return Glyph::Stale;
-    case StatusTone::Fine: return Glyph::Fine;
-    case StatusTone::Attend: return Glyph::Attend;
-    case StatusTone::Fault: return Glyph::Fault;
-  }
-  return {};
-}
-
-Ink inkOf(StatusTone tone) {
-  switch (tone) {
-    case StatusTone::Plain: return Ink::Text;
-    case StatusTone::Idle: return Ink::Stale;
-    case StatusTone::Busy: return Ink::Accent;
-    case StatusTone::Fine: return Ink::Fine;
-    case StatusTone::Attend: return Ink::Attend;
-    case StatusTone::Fault: return Ink::Fault;
-  }
-  return Ink::Text;
-}
-
 StatusCell::StatusCell(const char* name, const QString& label, QWidget* parent)
     : QWidget(parent), m_sign(new GlyphLabel(this)), m_words(new ElidedLabel(this)) {
   setObjectName(QLatin1String(name) + QStringLiteral("Cell"));
@@ -58,7 +34,7 @@ void StatusCell::setWidestText(const QString& text) {
   m_words->setMinimumWidth(m_words->fontMetrics().horizontalAdvance(text) + 2);
 }
 
-void StatusCell::setStatus(StatusTone tone, const QString& text, const QString& story,
+void StatusCell::setStatus(Severity tone, const QString& text, const QString& story,
                            std::optional<Glyph> glyph) {
   if (tone != m_tone || glyph != m_glyph) {
     m_tone = tone;
@@ -78,7 +54,7 @@ void StatusCell::showSign() {
   const auto glyph = m_glyph ? m_glyph : glyphOf(m_tone);
   m_sign->setVisible(glyph.has_value());
   m_sign->setGlyph(glyph, inkOf(m_tone));
-  const bool isLoud = m_tone == StatusTone::Attend || m_tone == StatusTone::Fault;
+  const bool isLoud = m_tone == Severity::Attend || m_tone == Severity::Fault;
   setInk(*m_words, isLoud ? inkOf(m_tone) : Ink::Text);
 }
 

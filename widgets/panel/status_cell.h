@@ -7,18 +7,12 @@
 #include <QWidget>
 #include <optional>
 
-#include "paint/glyph.h"
-#include "paint/palette.h"
+#include "paint/severity_look.h"
 
 namespace deckpipe {
 
 class ElidedLabel;
 class GlyphLabel;
-
-// What a sign and its colour mean here.
-enum class StatusTone : std::uint8_t { Plain, Idle, Busy, Fine, Attend, Fault };
-std::optional<Glyph> glyphOf(StatusTone tone);
-Ink inkOf(StatusTone tone);
 
 class StatusCell : public QWidget {
   Q_OBJECT
@@ -29,8 +23,8 @@ class StatusCell : public QWidget {
 
   // Words that it may have to show later.
   void setWidestText(const QString& text);
-  // `glyph`: instead of the tone's own.
-  void setStatus(StatusTone tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
+  // `glyph`: instead of the severity's own.
+  void setStatus(Severity tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
   QString text() const;
 
  protected:
@@ -48,7 +42,7 @@ class StatusCell : public QWidget {
   GlyphLabel* m_sign;
   ElidedLabel* m_words;
   QString m_widest;
-  StatusTone m_tone = StatusTone::Plain;
+  Severity m_tone = Severity::Plain;
   std::optional<Glyph> m_glyph;
 };
 

@@ -230,7 +230,7 @@ TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
   const MonitorPageValues page = pageOf(bus);
   EXPECT_EQ(fact(page, "Fault bits").value,
             QStringLiteral("Reserved bit 20 (older manuals: pCode fault 4)\nInternal fuse"));
-  EXPECT_EQ(fact(page, "Fault bits").tone, FactTone::Fault);
+  EXPECT_EQ(fact(page, "Fault bits").tone, Severity::Fault);
   EXPECT_EQ(fact(page, "Fault bits").age, 90s);
   EXPECT_EQ(fact(page, "pCode error").value, QStringLiteral("Error 11: rotation sensor error"));
   EXPECT_EQ(fact(page, "Firmware").value, QStringLiteral("system 1.5, bootloader 1.2, fixed boot 1.0"));
@@ -246,7 +246,7 @@ TEST(MonitorPageOf, TellsNeverAskedFromNoAnswer) {
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("asked just now"));
   bus.pass(2s).statuses();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("no answer, asked 2.0 s ago"));
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Attend);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Attend);
   EXPECT_EQ(fact(pageOf(bus), "Firmware").value, QStringLiteral("never asked"));
   bus.hear("18EF80F9", "02").hear("18EFF980", "02000000000000").hear("18EF80F9", "02").pass(2s).statuses();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
@@ -257,13 +257,13 @@ TEST(MonitorPageOf, DrawsAnAnswerAsOldAfterASilenceAndAfterARestart) {
   Heard bus;
   bus.monitor().faults().pass(93s);
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set\nasked 93 s ago, silent since"));
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Stale);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Unknown);
   bus.monitor();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
             QStringLiteral("none set\nasked 93 s ago, restarted since"));
   bus.faults();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set"));
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Fine);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Fine);
 }
 
 TEST(MonitorPageOf, ListsEveryCauseOfTheHealth) {
@@ -354,7 +354,7 @@ TEST(MonitorPageOf, ShowsAJoystickWithItsStickAndTiming) {
   EXPECT_EQ(lamp(page, "switches", "5 Flow high"), Status2::On);
   EXPECT_EQ(fact(page, "Priority").value, QStringLiteral("1 of 6, the highest on CAN"));
   EXPECT_EQ(fact(page, "Worst gap").value, QStringLiteral("140 ms, more than 100 ms"));
-  EXPECT_EQ(fact(page, "Worst gap").tone, FactTone::Attend);
+  EXPECT_EQ(fact(page, "Worst gap").tone, Severity::Attend);
   bus.pass(200ms);
   EXPECT_TRUE(pageOf(bus, page.key).sticks[0].isStale);
 }
@@ -478,7 +478,7 @@ TEST(MonitorPageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
 TEST(MonitorPageOf, SaysThatAnotherSourceMovesNothing) {
   Heard bus;
   bus.monitor().hear("0CFDD640", kStickLeft);
-  EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, FactTone::Attend);
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, Severity::Attend);
 }
 
 TEST(MonitorPageOf, ShowsAGripWithItsDetentsAndSwitches) {

@@ -11,7 +11,6 @@
 #include "paint/dial.h"
 #include "paint/status_lamp.h"
 #include "paint/timeline.h"
-#include "support/enums.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
@@ -64,13 +63,12 @@ QImage sheet(Theme theme, QSize size, int columns, size_t first, size_t count) {
 }
 
 QImage lamps(Theme theme) {
-  using WhenOn = StatusLamp::WhenOn;
   const Colours colours = coloursOf(theme);
   QImage image(4 * 208 + 8, 7 * 40 + 8, QImage::Format_RGB32);
   image.fill(colours.surface);
   QPainter painter(&image);
   int column = 0;
-  for (const WhenOn whenOn : test::allOf<WhenOn>()) {
+  for (const Severity whenOn : {Severity::Plain, Severity::Fine, Severity::Attend, Severity::Fault}) {
     int row = 0;
     const auto draw = [&](std::optional<Status2> state, bool stale) {
       StatusLamp lamp;
@@ -120,12 +118,11 @@ std::vector<TimelineSample> timelineSamples() {
   TimelineValues marked = usual;
   marked.marks = {{TimelineMark::Kind::TimeJump, at(17)}};
   for (const EventGroup group : kAllOf<EventGroup>) {
-    for (const EventWeight weight : kAllOf<EventWeight>)
-      marked.marks.push_back({TimelineMark::Kind::Event,
-                              at(4 + 6 * static_cast<double>(group) + 1.5 * static_cast<double>(weight)),
-                              {},
-                              group,
-                              weight});
+    double second = 4 + 6 * static_cast<double>(group);
+    for (const Severity weight : kEventWeights) {
+      marked.marks.push_back({TimelineMark::Kind::Event, at(second), {}, group, weight});
+      second += 1.5;
+    }
   }
   TimelineValues gap = thin(usual, 12, 20);
   gap.gaps = {{TimelineGap::Kind::Silence, {at(12), at(20)}}};

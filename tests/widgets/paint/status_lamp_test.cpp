@@ -6,13 +6,10 @@
 #include <QImage>
 #include <array>
 
-#include "support/enums.h"
 #include "support/look.h"
 
 namespace deckpipe {
 namespace {
-
-using WhenOn = StatusLamp::WhenOn;
 
 constexpr std::optional<Status2> kStates[] = {
     {}, Status2::Off, Status2::On, Status2::Error, Status2::NotAvailable};
@@ -28,7 +25,7 @@ QImage picture(StatusLamp& lamp, QSize size) {
 TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
   for (const Theme theme : kThemes) {
     const test::Look look(theme);
-    for (const WhenOn whenOn : test::allOf<WhenOn>()) {
+    for (const Severity whenOn : {Severity::Plain, Severity::Fine, Severity::Attend, Severity::Fault}) {
       std::vector<QImage> pictures;
       for (const auto& state : kStates) {
         for (const bool stale : {false, true}) {
