@@ -42,7 +42,7 @@ void describeInterface(AdapterOffer& offer, const Adapter& adapter, int bitRate,
   const bool isWrongRate =
       bitRate != 0 && adapter.bitRate != 0 && adapter.bitRate != static_cast<std::uint32_t>(bitRate);
   if (!adapter.isUp) {
-    offer.tone = StatusTone::Attend;
+    offer.tone = Severity::Attend;
     offer.state = Offers::tr("Not set up: the interface is down.");
     offer.problem = adapter.isVirtual
                         ? Offers::tr("Bring it up in a terminal:")
@@ -60,15 +60,15 @@ void describeInterface(AdapterOffer& offer, const Adapter& adapter, int bitRate,
   if (adapter.isVirtual) state += Offers::tr("virtual");
   state += isHeard ? Offers::tr("frames are heard now") : Offers::tr("nothing heard now");
   offer.state = state.join(QStringLiteral(", "));
-  offer.tone = isHeard ? StatusTone::Fine : StatusTone::Idle;
+  offer.tone = isHeard ? Severity::Fine : Severity::Unknown;
   if (adapter.controller == ControllerState::BusOff) {
-    offer.tone = StatusTone::Fault;
+    offer.tone = Severity::Fault;
     offer.problem = Offers::tr(
         "Its controller left the bus after too many errors (bus-off). Check bit rate and "
         "termination, then:");
     offer.command = QStringLiteral("sudo ip link set %1 type can restart").arg(name);
   } else if (isWrongRate) {
-    offer.tone = StatusTone::Attend;
+    offer.tone = Severity::Attend;
     offer.problem = Offers::tr("It runs at another bit rate than the one chosen above. To change it:");
     offer.command =
         QStringLiteral("sudo ip link set %1 down; ").arg(name) + setUpCommand(name, bitRate, true);
@@ -85,10 +85,10 @@ AdapterOffer offerOf(const Adapter& adapter, int bitRate, bool isHeard) {
   if (adapter.plugin == kSocketCan) {
     describeInterface(offer, adapter, bitRate, isHeard);
   } else if (adapter.isVirtual) {
-    offer.tone = StatusTone::Idle;
+    offer.tone = Severity::Unknown;
     offer.state = Offers::tr("A virtual bus between programs on this computer; no truck is on it.");
   } else {
-    offer.tone = StatusTone::Idle;
+    offer.tone = Severity::Unknown;
     offer.state = Offers::tr("Its plugin lists it; whether it is plugged in is seen once it is connected.");
     if (bitRate == 0) {
       offer.problem = Offers::tr("Choose a bit rate above: this adapter does not keep one.");

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "paint/density_style.h"
+#include "paint/app_style.h"
 #include "paint/palette.h"
 
 namespace deckpipe {

@@ -6,7 +6,6 @@
 #include <QObject>
 
 #include "link/can_link.h"
-#include "paint/palette.h"
 #include "session/adapter_scan.h"
 
 namespace deckpipe {

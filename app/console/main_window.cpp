@@ -98,8 +98,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   connect(&m_session, &Session::changed, this, &MainWindow::showSnapshot);
   connectPanels();
   connectRecordings();
-  setDensity(m_density);
-  setTheme(m_theme);
+  setLook(m_theme, m_density);
   resize(1366, 720);
   showSnapshot();
 }
@@ -301,26 +300,14 @@ void MainWindow::follow(Notice::Action action) {
     m_session.openLog(m_snapshot.source.name, Session::TimesOf::Differences);
 }
 
-void MainWindow::setDensity(Density density) {
+void MainWindow::setLook(Theme theme, Density density) {
+  m_theme = theme;
   m_density = density;
-  QApplication::setStyle(new DensityStyle(density));
+  QApplication::setStyle(new AppStyle(density, theme));
   QApplication::setFont(fontFor(density, QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
-  QApplication::setPalette(qtPalette(coloursOf(m_theme)));  // a style brings its own
+  m_settings->setTheme(theme);
   m_settings->setDensity(density);
   m_fieldAction->setChecked(density == Density::Field);
-}
-
-void MainWindow::setTheme(Theme theme) {
-  m_theme = theme;
-  const Colours colours = coloursOf(theme);
-  QApplication::setPalette(qtPalette(colours));
-  m_status->setColours(colours);
-  m_notice->setColours(colours);
-  m_connection->page()->setColours(colours);
-  m_settings->setColours(colours);
-  m_settings->setTheme(theme);
-  m_workspace->setColours(colours);
-  m_transport->setColours(colours);
   for (QAction* action : m_themes->actions())
     action->setChecked(action->data().toInt() == static_cast<int>(theme));
 }
@@ -329,8 +316,8 @@ void MainWindow::restoreLayout() {
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   m_workspace->restoreFrom(settings);
-  if (const auto theme = themeOfKey(settings.value(kThemeKey).toString())) setTheme(*theme);
-  if (const auto density = densityOfKey(settings.value(kDensityKey).toString())) setDensity(*density);
+  setLook(themeOfKey(settings.value(kThemeKey).toString()).value_or(m_theme),
+          densityOfKey(settings.value(kDensityKey).toString()).value_or(m_density));
 }
 
 void MainWindow::saveLayout() const {

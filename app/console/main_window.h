@@ -5,8 +5,7 @@
 
 #include <QMainWindow>
 
-#include "paint/density_style.h"
-#include "paint/palette.h"
+#include "paint/app_style.h"
 #include "panel/notice_bar.h"
 #include "session/log_saving.h"
 #include "session/session.h"
@@ -35,9 +34,9 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(Session& session, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  void setTheme(Theme theme);
+  void setTheme(Theme theme) { setLook(theme, m_density); }
   Theme theme() const { return m_theme; }
-  void setDensity(Density density);
+  void setDensity(Density density) { setLook(m_theme, density); }
   // Writes what is held of the open log; the line above the timeline shows how that goes.
   void saveLog(const QString& path);
   // What is seen. The session's, on its tick; pictures of every state come from here too.
@@ -60,6 +59,7 @@ class MainWindow : public QMainWindow {
   void makeEventsMenu();
   void makeHelpMenu();
   void connectPanels();
+  void setLook(Theme theme, Density density);
   void showSnapshot();
   void showPage();
   // Settings, about, recordings: in the place of the work until closed. Null: none.

@@ -66,7 +66,7 @@ Notice unreadable(const Snapshot& snapshot) {
   }
   if (all.size() > shown.size()) shown += QStringLiteral("…");
   const int count = forPlural(snapshot.source.unreadable);
-  Notice notice{StatusTone::Attend};
+  Notice notice{Severity::Attend};
   notice.text = NoticeText::tr("%Ln lines of this log could not be read and are left out: %1", nullptr, count)
                     .arg(shown.join(QStringLiteral("; ")));
   notice.action = Notice::Action::CopyDetails;
@@ -77,8 +77,8 @@ Notice unreadable(const Snapshot& snapshot) {
 // Where a log's clock does not run, ages, rates and load are no measure.
 Notice clockNotice(const LogDocument& log) {
   if (!log.frames.hasTimes()) {
-    return {StatusTone::Attend, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
-                                               "rates, load and silence means nothing.")};
+    return {Severity::Attend, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
+                                             "rates, load and silence means nothing.")};
   }
   // Small steps back are usual where a log has several interfaces, and a leap ahead is a pause.
   const auto& jumps = log.frames.jumps();
@@ -86,7 +86,7 @@ Notice clockNotice(const LogDocument& log) {
     const std::uint64_t at = jumps[i];
     if (at >= log.frames.count() || !log.frames[at].hasStamp()) continue;
     if (log.frames.timeAt(at) - Instant{log.frames[at].stamp} < kClockBack) continue;
-    return {StatusTone::Attend,
+    return {Severity::Attend,
             NoticeText::tr("The clock of this log goes back at frame %1: ages, rates and load from there on "
                            "are not to be trusted. The places are marked in the trace.")
                 .arg(QLocale().toString(static_cast<qulonglong>(at + 1)))};
@@ -115,7 +115,7 @@ Notice sidecarNotice(const SidecarFault& fault) {
   QString where = QFileInfo(QFile::decodeName(fault.path.c_str())).fileName();
   if (fault.line > 0) where = NoticeText::tr("%1, line %2", "file").arg(where).arg(fault.line);
   return {
-      StatusTone::Attend,
+      Severity::Attend,
       NoticeText::tr("The marks, notes and labels beside this log are left out (%1): %2.", "place, reason")
           .arg(where, reasonText(fault))};
 }
@@ -124,16 +124,16 @@ Notice sidecarNotice(const SidecarFault& fault) {
 Notice readingNotice(const ReadSummary& read) {
   if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
   if (read.cutBytes > 0)
-    return {StatusTone::Attend,
+    return {Severity::Attend,
             NoticeText::tr("The end of this recording is not whole: its last %Ln bytes could not be read. "
                            "Everything before them is here.",
                            nullptr, forPlural(read.cutBytes))};
   if (read.newerParts > 0)
-    return {StatusTone::Attend,
+    return {Severity::Attend,
             NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
                            nullptr, forPlural(read.newerParts))};
   if (read.isOpenEnded)
-    return {StatusTone::Attend,
+    return {Severity::Attend,
             NoticeText::tr("This recording was not ended: it still goes on, or its last second was lost.")};
   return {};
 }
@@ -149,23 +149,23 @@ QString unreadableText(const QString& path, const SourceError& why) {
 
 // Another log was to be opened; what was open stays.
 Notice notOpenedNotice(const NotOpened& log) {
-  if (log.error) return {StatusTone::Fault, unreadableText(log.path, *log.error)};
+  if (log.error) return {Severity::Fault, unreadableText(log.path, *log.error)};
   if (log.isInView)
-    return {StatusTone::Plain, NoticeText::tr("%1 is the recording that is in view here; it goes on.")
-                                   .arg(QFileInfo(log.path).fileName())};
-  return {StatusTone::Attend,
+    return {Severity::Plain, NoticeText::tr("%1 is the recording that is in view here; it goes on.")
+                                 .arg(QFileInfo(log.path).fileName())};
+  return {Severity::Attend,
           NoticeText::tr("%1 holds no frames and was not opened.").arg(QFileInfo(log.path).fileName())};
 }
 
 Notice leftRecordingNotice(const JournalStatus& recording) {
   if (recording.fault)
     return {
-        StatusTone::Fault,
+        Severity::Fault,
         NoticeText::tr("The link was left. %1. What is not written yet stays in memory and is tried again "
                        "every 10 s, until Deckpipe is quit.")
             .arg(recordingFaultText(recording))};
   const QString path = QFile::decodeName(recording.path.c_str());
-  return {.tone = StatusTone::Plain,
+  return {.tone = Severity::Plain,
           .text = NoticeText::tr("The link was left. What it received is kept under Recordings: %1.")
                       .arg(QFileInfo(path).fileName()),
           .action = Notice::Action::ShowRecordings};
@@ -174,30 +174,30 @@ Notice leftRecordingNotice(const JournalStatus& recording) {
 Notice fileNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (source.progress == Progress::Failed)
-    return {StatusTone::Fault, unreadableText(source.name, source.error)};
+    return {Severity::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
   // First, as nothing else that is said of times is true before they are added up.
   if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
     return {
-        .tone = StatusTone::Attend,
+        .tone = Severity::Attend,
         .text = NoticeText::tr("The times of this log look like differences, each to the frame before, as "
                                "candump -t d prints them."),
         .action = Notice::Action::AddUpTimes};
   }
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
-  if (snapshot.view.frameCount == 0) return {StatusTone::Attend, NoticeText::tr("This log holds no frames.")};
+  if (snapshot.view.frameCount == 0) return {Severity::Attend, NoticeText::tr("This log holds no frames.")};
   if (const auto cut = snapshot.view.document->unkept.content().count(Unkept::Fraction); cut > 0)
-    return {StatusTone::Attend,
+    return {Severity::Attend,
             NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
                            "only their seconds are kept, so rates and ages are not to be "
                            "trusted.",
                            nullptr, forPlural(cut))};
   if (source.notKept > 0) {
-    return {StatusTone::Attend, NoticeText::tr("%Ln frames of this log are missing here: they were lost "
-                                               "while it was recorded, or are CAN FD or CAN XL, which are "
-                                               "not held.",
-                                               nullptr, forPlural(source.notKept))};
+    return {Severity::Attend, NoticeText::tr("%Ln frames of this log are missing here: they were lost "
+                                             "while it was recorded, or are CAN FD or CAN XL, which are "
+                                             "not held.",
+                                             nullptr, forPlural(source.notKept))};
   }
   return clockNotice(*snapshot.view.document);
 }
@@ -218,7 +218,7 @@ Instant lastFrame(const State& state) {
 }
 
 Notice failedLink(const SourceStatus& source) {
-  Notice notice{StatusTone::Fault};
+  Notice notice{Severity::Fault};
   const QString name = source.interfaceName;
   const QString reason = sourceErrorText(source.error);
   if (std::holds_alternative<StoreFull>(source.error)) {
@@ -278,12 +278,12 @@ Notice trafficNotice(const Snapshot& snapshot, const BusRates& rates) {
   if (hasOurs || rates.extended + rates.standard == 0) return {};
   if (rates.extended == 0) {
     return {
-        StatusTone::Attend,
+        Severity::Attend,
         NoticeText::tr("Only 11-bit identifiers are heard: this looks like CANopen or another network, not "
                        "the monitors' own J1939 bus. The 6051 CAN Gateway speaks CANopen, by default at "
                        "125 kbit/s; its monitors appear once they are heard.")};
   }
-  return {StatusTone::Attend,
+  return {Severity::Attend,
           NoticeText::tr("There is traffic, but no Akron device in it so far: other makers share this bus. "
                          "Is the monitor's controller powered, and on this bus?")};
 }
@@ -293,7 +293,7 @@ Notice listenOnlyNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (!source.isListenOnly || snapshot.services->refusal != Refusal::ListenOnly) return {};
   Notice notice{
-      StatusTone::Attend,
+      Severity::Attend,
       NoticeText::tr("Sending stays locked: %1 is in listen-only mode and cannot send. To send, set "
                      "it up without:")
           .arg(source.interfaceName)};
@@ -306,7 +306,7 @@ Notice runningLink(const Snapshot& snapshot, const BusRates& rates) {
   const SourceStatus& source = snapshot.source;
   const LogView& view = snapshot.view;
   if (source.controller == ControllerState::BusOff) {
-    Notice notice{StatusTone::Fault,
+    Notice notice{Severity::Fault,
                   NoticeText::tr("The adapter left the bus after too many errors (bus-off): check bit rate, "
                                  "termination and cable, then start it again:")};
     notice.command = QStringLiteral("sudo ip link set %1 type can restart").arg(source.interfaceName);
@@ -315,7 +315,7 @@ Notice runningLink(const Snapshot& snapshot, const BusRates& rates) {
   if (Notice notice = listenOnlyNotice(snapshot); !notice.text.isEmpty()) return notice;
   const Instant heard = std::max(lastFrame(*view.state), upSince(*view.document));
   if (view.atEnd && heard != kNotYet && view.cursor.time - heard >= kSilence) {
-    return {StatusTone::Attend,
+    return {Severity::Attend,
             NoticeText::tr(
                 "Connected, but nothing heard for %Ln seconds. Check in this order: is the truck's CAN "
                 "powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H "
@@ -330,14 +330,14 @@ Notice linkNotice(const Snapshot& snapshot, const BusRates& rates) {
   const SourceStatus& source = snapshot.source;
   switch (source.progress) {
     case Progress::Opening:
-      return {StatusTone::Busy,
+      return {Severity::Busy,
               NoticeText::tr("Connecting to %1 …")
                   .arg(source.simulated ? NoticeText::tr("the simulated truck") : source.name)};
     case Progress::Failed: return failedLink(source);
     case Progress::Lost: {
       const QString reason = sourceErrorText(source.error);
       Notice notice{
-          StatusTone::Fault,
+          Severity::Fault,
           reason.isEmpty()
               ? NoticeText::tr("The link to %1 is lost. What was received is kept.").arg(source.interfaceName)
               : NoticeText::tr("The link to %1 is lost: %2. What was received is kept.")
@@ -356,7 +356,7 @@ Notice linkNotice(const Snapshot& snapshot, const BusRates& rates) {
 Notice pastNotice(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   if (snapshot.source.kind != From::Link || view.atEnd || view.frameCount == 0) return {};
-  Notice notice{StatusTone::Attend};
+  Notice notice{Severity::Attend};
   const QString behind = elapsedText(view.end - view.cursor.time);
   notice.text = (snapshot.playing ? NoticeText::tr("Playing what was received %1 ago. Reception goes on.")
                                   : NoticeText::tr("Paused: this is how it was %1 ago. Reception goes on."))
@@ -367,7 +367,7 @@ Notice pastNotice(const Snapshot& snapshot) {
 
 // What was wanted, confirmed perhaps, came to nothing.
 Notice unsentNotice(Refusal why) {
-  Notice notice{StatusTone::Attend};
+  Notice notice{Severity::Attend};
   switch (why) {
     case Refusal::None: return {};
     case Refusal::NotLive:
@@ -391,10 +391,10 @@ Notice sourceNotice(const Snapshot& snapshot, const BusRates& rates) {
   if (!snapshot.view.document) return {};
   if (snapshot.source.kind == From::File) return fileNotice(snapshot);
   Notice notice = linkNotice(snapshot, rates);
-  if (notice.tone != StatusTone::Fault || notice.text.isEmpty()) {
+  if (notice.tone != Severity::Fault || notice.text.isEmpty()) {
     if (const auto& recording = snapshot.source.recording; recording && recording->fault)
       return {
-          StatusTone::Fault,
+          Severity::Fault,
           NoticeText::tr("%1. What is received is kept in memory only.").arg(recordingFaultText(*recording))};
     if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
   }
@@ -404,7 +404,7 @@ Notice sourceNotice(const Snapshot& snapshot, const BusRates& rates) {
 }  // namespace
 
 Notice refusedAddressNotice(Address refused, Address used) {
-  return {StatusTone::Attend,
+  return {Severity::Attend,
           NoticeText::tr(
               "The preferred address %1 of the settings is a joystick's or a monitor's and is not used: on "
               "unlocking, %2 is claimed. Another can be chosen in the settings.")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "status_strip.h"
+#include "paint/app_style.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
@@ -22,7 +23,7 @@ void tell(StatusCell* cell, const StatusFact& fact) {
 
 }  // namespace
 
-StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("statusStrip"));
   setAccessibleName(tr("Status"));
   auto* layout = new QHBoxLayout(this);
@@ -53,12 +54,6 @@ StatusCell* StatusStrip::addCell(const char* name, const QString& label, const Q
   if (!widest.isEmpty()) cell->setWidestText(widest);
   layout()->addWidget(cell);
   return cell;
-}
-
-void StatusStrip::setColours(const Colours& colours) {
-  m_colours = colours;
-  for (StatusCell* cell : findChildren<StatusCell*>()) cell->setColours(colours);
-  update();
 }
 
 bool StatusStrip::ratesAreDue(const LogView& view) const {
@@ -124,7 +119,7 @@ void StatusStrip::showLockButton(const Snapshot& snapshot) {
 
 void StatusStrip::paintEvent(QPaintEvent*) {
   QPainter p(this);
-  p.fillRect(QRect(0, height() - 1, width(), 1), m_colours.outline);
+  p.fillRect(QRect(0, height() - 1, width(), 1), coloursOf(this).outline);
 }
 
 }  // namespace deckpipe

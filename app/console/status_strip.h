@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "model/bus_rates.h"
-#include "paint/palette.h"
 #include "session/snapshot.h"
 
 class QPushButton;
@@ -23,7 +22,6 @@ class StatusStrip : public QWidget {
  public:
   explicit StatusStrip(QWidget* parent = nullptr);
 
-  void setColours(const Colours& colours);
   void setSnapshot(const Snapshot& snapshot);
   // Those that are shown.
   const BusRates& rates() const { return m_rates; }
@@ -41,7 +39,6 @@ class StatusStrip : public QWidget {
   void fit();
   void showLockButton(const Snapshot& snapshot);
 
-  Colours m_colours;
   bool m_hasFacts = false;  // of an open log or a link that is up
   StatusCell* m_source;
   StatusCell* m_sent;

@@ -119,18 +119,18 @@ QString whyNoRates(const BusRates& rates) {
              : StatusText::tr("Too little of the log lies before the cursor to tell load and rate.");
 }
 
-StatusTone sourceTone(const SourceStatus& source) {
+Severity sourceTone(const SourceStatus& source) {
   switch (source.progress) {
-    case Progress::Idle: return StatusTone::Idle;
-    case Progress::Opening: return StatusTone::Busy;
+    case Progress::Idle: return Severity::Unknown;
+    case Progress::Opening: return Severity::Busy;
     case Progress::Running:
-      if (source.controller == ControllerState::BusOff) return StatusTone::Fault;
-      return source.controller == ControllerState::ErrorPassive ? StatusTone::Attend : StatusTone::Fine;
-    case Progress::Done: return StatusTone::Fine;
+      if (source.controller == ControllerState::BusOff) return Severity::Fault;
+      return source.controller == ControllerState::ErrorPassive ? Severity::Attend : Severity::Fine;
+    case Progress::Done: return Severity::Fine;
     case Progress::Lost:
-    case Progress::Failed: return StatusTone::Fault;
+    case Progress::Failed: return Severity::Fault;
   }
-  return StatusTone::Idle;
+  return Severity::Unknown;
 }
 
 bool isReadWhole(const SourceStatus& source) {
@@ -193,7 +193,7 @@ int loadBitRate(const SourceStatus& source) { return source.bitRate != 0 ? sourc
 
 StatusFact sourceFact(const SourceStatus& source) {
   if (source.kind == From::Nothing)
-    return {StatusTone::Idle, StatusText::tr("Nothing open"), StatusText::tr("No bus and no log is open.")};
+    return {Severity::Unknown, StatusText::tr("Nothing open"), StatusText::tr("No bus and no log is open.")};
   const QString state = source.kind == From::File ? fileState(source) : linkState(source);
   StatusFact fact{sourceTone(source), sourceTitle(source)};
   if (!state.isEmpty()) fact.text = StatusText::tr("%1 – %2").arg(fact.text, state);
@@ -233,13 +233,13 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
   }
   fact.story = story.join(QLatin1Char('\n'));
   // Above this, periodic messages begin to wait for one another.
-  if (percent >= 80) fact.tone = StatusTone::Attend;
+  if (percent >= 80) fact.tone = Severity::Attend;
   return fact;
 }
 
 StatusFact rateFact(const BusRates& rates) {
-  if (!rates.isKnown()) return {StatusTone::Plain, StatusText::tr("– frames/s"), whyNoRates(rates)};
-  return {StatusTone::Plain, rateWords(std::lround(rates.framesASecond)),
+  if (!rates.isKnown()) return {Severity::Plain, StatusText::tr("– frames/s"), whyNoRates(rates)};
+  return {Severity::Plain, rateWords(std::lround(rates.framesASecond)),
           StatusText::tr("Frames in the last second before the cursor, of all buses.")};
 }
 
@@ -247,7 +247,7 @@ StatusFact errorFact(const Snapshot& snapshot) {
   std::uint64_t errors = 0;
   for (std::uint8_t i = 0; i < kMaxChannels; ++i) errors += snapshot.view.state->channel({i}).errorFrames;
   return {
-      errors == 0 ? StatusTone::Plain : StatusTone::Attend, errorWords(errors),
+      errors == 0 ? Severity::Plain : Severity::Attend, errorWords(errors),
       StatusText::tr("Error frames that the adapter reported up to the cursor. A wrong bit rate, missing\n"
                      "termination or a bad cable make many. Not every adapter reports them.")};
 }
@@ -262,18 +262,18 @@ StatusFact sentFact(const Snapshot& snapshot) {
                  .arg(askText(command.ask), deviceName(command.device));
   }
   if (commands > 0) {
-    fact.tone = StatusTone::Fault;
+    fact.tone = Severity::Fault;
     fact.text = commands == 1
                     ? StatusText::tr("%1: not on the bus yet").arg(askText(services.waitingCommands[0].ask))
                     : StatusText::tr("%Ln commands not on the bus yet", nullptr, commands);
   } else if (services.unconfirmed > 0) {
-    fact.tone = StatusTone::Fault;
+    fact.tone = Severity::Fault;
     fact.text = StatusText::tr("%Ln frames not on the bus yet", nullptr, forPlural(services.unconfirmed));
   } else if (services.notTaken > 0) {
-    fact.tone = StatusTone::Attend;
+    fact.tone = Severity::Attend;
     fact.text = StatusText::tr("%Ln frames not sent", nullptr, forPlural(services.notTaken));
   } else if (!services.echoes && !services.locked) {
-    fact.tone = StatusTone::Idle;
+    fact.tone = Severity::Unknown;
     fact.text = StatusText::tr("On the bus: cannot tell");
   } else {
     return {};
@@ -297,12 +297,12 @@ StatusFact sentFact(const Snapshot& snapshot) {
 StatusFact lockFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (snapshot.services->isEnding) {
-    return {StatusTone::Busy, StatusText::tr("Locking …"),
+    return {Severity::Busy, StatusText::tr("Locking …"),
             StatusText::tr("What must still be said at the end is being said; one second at most.")};
   }
   if (!snapshot.services->locked) {
     return {
-        StatusTone::Attend, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
+        Severity::Attend, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
         StatusText::tr("Deckpipe may send on this bus: its address claim, and what is asked for by hand.")};
   }
   QString story =
@@ -315,7 +315,7 @@ StatusFact lockFact(const Snapshot& snapshot) {
                        "The adapter still acknowledges frames; at a wrong bit rate it disturbs the bus.\n"
                        "Only its own listen-only mode keeps it off the bus electrically.");
   }
-  return {StatusTone::Plain, StatusText::tr("Transmit locked"), story, Glyph::Locked};
+  return {Severity::Plain, StatusText::tr("Transmit locked"), story, Glyph::Locked};
 }
 
 QString recordingFaultText(const JournalStatus& recording) {
@@ -335,8 +335,8 @@ StatusFact recordingFact(const Snapshot& snapshot) {
     const QString frames = frameCountText(view.frameCount);
     const bool hasTimes = view.frameCount == 0 || view.document->frames.hasTimes();
     if (snapshot.source.progress == Progress::Opening)
-      return {StatusTone::Plain, frames, StatusText::tr("%1 have been read so far.").arg(frames)};
-    return {StatusTone::Plain, frames,
+      return {Severity::Plain, frames, StatusText::tr("%1 have been read so far.").arg(frames)};
+    return {Severity::Plain, frames,
             hasTimes ? StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)
                      : StatusText::tr("The log holds %1, without times.").arg(frames)};
   }
@@ -346,7 +346,7 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   fact.text = recordingWords(isRunning, shortLength, view.frameCount);
   fact.glyph = isRunning ? Glyph::On : Glyph::Off;
   if (source.recording && source.recording->fault) {
-    fact.tone = StatusTone::Fault;
+    fact.tone = Severity::Fault;
     fact.glyph.reset();
     fact.text = source.recording->fault.kind == JournalFault::Kind::DiskFull
                     ? StatusText::tr("Not recorded: disk full")
@@ -402,11 +402,11 @@ StatusFact completenessFact(const Snapshot& snapshot) {
              : StatusText::tr(
                    "Frames that came faster than they could be read, or are no classic CAN frames."));
   if (!words.isEmpty())
-    return {StatusTone::Attend, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
+    return {Severity::Attend, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
   if (source.progress == Progress::Opening)
-    return {StatusTone::Plain, StatusText::tr("Not complete yet"),
+    return {Severity::Plain, StatusText::tr("Not complete yet"),
             StatusText::tr("Nothing is known to be missing in what has come so far.")};
-  return {StatusTone::Fine, StatusText::tr("Complete"),
+  return {Severity::Fine, StatusText::tr("Complete"),
           source.kind == From::File ? StatusText::tr("Every line of the log was read and is held.")
                                     : StatusText::tr("No frame is known to be lost since the link came up.")};
 }

@@ -13,7 +13,7 @@
 namespace deckpipe {
 
 struct StatusFact {
-  StatusTone tone = StatusTone::Plain;
+  Severity tone = Severity::Plain;
   QString text{};
   QString story{};  // the tooltip
   std::optional<Glyph> glyph{};

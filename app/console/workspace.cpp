@@ -212,20 +212,6 @@ void Workspace::setTalk(const Snapshot& snapshot) {
 
 void Workspace::setTwin(const TwinStatus& status) { m_twin->setStatus(status); }
 
-void Workspace::setColours(const Colours& colours) {
-  m_devices->setColours(colours);
-  m_page->setColours(colours);
-  m_overview->setColours(colours);
-  m_trace->setColours(colours);
-  m_events->setColours(colours);
-  m_decode->setColours(colours);
-  m_requests->setColours(colours);
-  m_terminal->setColours(colours);
-  m_twin->setColours(colours);
-  m_help->setColours(colours);
-  for (DockTitle* title : m_titles) title->setColours(colours);
-}
-
 // Until a person chooses, the first monitor that is heard is looked at.
 void Workspace::chooseFirstMonitor(const LogView& view) {
   if (m_devices->selectedDevice() != DeviceKey{}) return;

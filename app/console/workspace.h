@@ -13,7 +13,6 @@
 #include "control/intent.h"
 #include "control/twin_control.h"
 #include "model/device_labels.h"
-#include "paint/palette.h"
 #include "session/snapshot.h"
 #include "state/conversations.h"
 
@@ -42,7 +41,6 @@ class Workspace : public QMainWindow {
   explicit Workspace(LabelStorage& labels, QWidget* parent = nullptr);
 
   void setSnapshot(const Snapshot& snapshot);
-  void setColours(const Colours& colours);
 
   // One a dock, for the View menu: shows and hides it.
   QList<QAction*> dockActions() const;

@@ -101,9 +101,7 @@ std::string secondsText(Duration time) {
   return text;
 }
 
-std::string_view status2Key(std::int64_t status) {
-  return kStatus2Keys[static_cast<std::size_t>(status) & 3];
-}
+std::string_view status2Key(std::int64_t status) { return kStatus2Keys[static_cast<Status2>(status & 3)]; }
 
 const char* sideOf(const Event& event) { return event.isPlus ? "plus" : "minus"; }
 
@@ -259,10 +257,10 @@ void EventLines::append(std::string& out, const Note& note) const {
 }
 
 // "      12.300  can0   1032AE100801035  warning  "
-std::string EventLines::begin(std::string_view who, EventWeight weight, Instant time,
+std::string EventLines::begin(std::string_view who, Severity weight, Instant time,
                               std::string_view channel) const {
   char text[128];
-  const std::string_view word = kEventWeightKeys[weight];
+  const std::string_view word = eventWeightKey(weight);
   std::snprintf(text, sizeof text, "%12s  %-6.*s %-15.*s  %-7.*s  ",
                 secondsText(time - m_frames.timeAt(0)).c_str(), static_cast<int>(channel.size()),
                 channel.data(), static_cast<int>(who.size()), who.data(), static_cast<int>(word.size()),
@@ -288,7 +286,7 @@ std::string EventLines::json(const Event& event) const {
   if (!event.pin.isNull()) line.add("pin", event.pin);
   if (event.address != kNullAddress) line.add("address", event.address);
   if (event.node.value != 0) line.add("node", std::int64_t{event.node.value});
-  line.add("weight", kEventWeightKeys[facts.weight]);
+  line.add("weight", eventWeightKey(facts.weight));
   addDetail(line, event);
   if (!event.other.isNull()) line.add("other_pin", event.other);
   if (event.since != kNotYet) line.addTime("since", stampOf(event.since));
@@ -310,7 +308,7 @@ std::string EventLines::json(const Note& note) const {
         }
       },
       note.value);
-  line.add("weight", kEventWeightKeys[noteWeight(note.value)]);
+  line.add("weight", eventWeightKey(noteWeight(note.value)));
   std::visit(
       Overload{
           [&](const note::Mark& n) { line.add("text", n.text.str()); },

@@ -108,11 +108,11 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
     key("rotation_deg");
     appendAngle(out, device.position().value().rotation);
     key("rotation_state");
-    appendJsonString(out, keyOf(device.position().value().rotation.state));
+    appendJsonString(out, kPositionStateKeys[device.position().value().rotation.state]);
     key("elevation_deg");
     appendAngle(out, device.position().value().elevation);
     key("elevation_state");
-    appendJsonString(out, keyOf(device.position().value().elevation.state));
+    appendJsonString(out, kPositionStateKeys[device.position().value().elevation.state]);
   }
   if (device.faults().isKnown()) {
     key("faults");
@@ -177,7 +177,7 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
   if (device.position().isKnown()) {
     const auto angle = [](const PositionReading& reading) {
       return reading.state == PositionState::Ok ? toText(Value::decimal(reading.tenths, 1)) + " deg"
-                                                : std::string(keyOf(reading.state));
+                                                : std::string(kPositionStateKeys[reading.state]);
     };
     out += ", rotation " + angle(device.position().value().rotation);
     out += ", elevation " + angle(device.position().value().elevation);

@@ -4,25 +4,23 @@
 // its row below, its words, its meaning; the compiler names each place.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
 #include "base/enum_table.h"
+#include "base/severity.h"
 
 namespace deckpipe {
 
-enum class EventWeight : std::uint8_t {
-  Info,     // how things go
-  Warning,  // worth a look
-  Fault,    // something stopped working
-  Count,
-};
-
-inline constexpr EnumTable<EventWeight, std::string_view> kEventWeightKeys{{
-    {EventWeight::Info, "info"},
-    {EventWeight::Warning, "warning"},
-    {EventWeight::Fault, "fault"},
+// How grave an event can be. The keys are frozen contract.
+inline constexpr std::array kEventWeights{Severity::Plain, Severity::Attend, Severity::Fault};
+inline constexpr KeyTable<kEventWeights, std::string_view> kEventWeightKeys{{
+    {Severity::Plain, "info"},
+    {Severity::Attend, "warning"},
+    {Severity::Fault, "fault"},
 }};
+constexpr std::string_view eventWeightKey(Severity weight) { return *kEventWeightKeys.find(weight); }
 
 // What an event is about. Each group has a mark of its own on the timeline, and a filter shows it alone.
 enum class EventGroup : std::uint8_t {
@@ -107,80 +105,83 @@ enum class EventDetail : std::uint8_t {
 
 struct EventFacts {
   std::string_view key;  // in JSON: frozen contract
-  EventWeight weight;
+  Severity weight;
   EventGroup group;
   EventDetail detail;
 };
 
 inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
-    {EventKind::Appeared, {"appeared", EventWeight::Info, EventGroup::Presence, EventDetail::None}},
-    {EventKind::Silent, {"silent", EventWeight::Fault, EventGroup::Presence, EventDetail::None}},
-    {EventKind::Back, {"back", EventWeight::Info, EventGroup::Presence, EventDetail::Length}},
-    {EventKind::Restarted, {"restarted", EventWeight::Warning, EventGroup::Presence, EventDetail::None}},
+    {EventKind::Appeared, {"appeared", Severity::Plain, EventGroup::Presence, EventDetail::None}},
+    {EventKind::Silent, {"silent", Severity::Fault, EventGroup::Presence, EventDetail::None}},
+    {EventKind::Back, {"back", Severity::Plain, EventGroup::Presence, EventDetail::Length}},
+    {EventKind::Restarted, {"restarted", Severity::Attend, EventGroup::Presence, EventDetail::None}},
     {EventKind::NotOperational,
-     {"not_operational", EventWeight::Warning, EventGroup::Presence, EventDetail::Flag}},
-    {EventKind::Operational, {"operational", EventWeight::Info, EventGroup::Presence, EventDetail::Flag}},
-    {EventKind::MovedAddress,
-     {"moved_address", EventWeight::Warning, EventGroup::Address, EventDetail::Address}},
-    {EventKind::AddressLost, {"address_lost", EventWeight::Warning, EventGroup::Address, EventDetail::Name}},
-    {EventKind::CannotClaim, {"cannot_claim", EventWeight::Fault, EventGroup::Address, EventDetail::Name}},
+     {"not_operational", Severity::Attend, EventGroup::Presence, EventDetail::Flag}},
+    {EventKind::Operational, {"operational", Severity::Plain, EventGroup::Presence, EventDetail::Flag}},
+    {EventKind::MovedAddress, {"moved_address", Severity::Attend, EventGroup::Address, EventDetail::Address}},
+    {EventKind::AddressLost, {"address_lost", Severity::Attend, EventGroup::Address, EventDetail::Name}},
+    {EventKind::CannotClaim, {"cannot_claim", Severity::Fault, EventGroup::Address, EventDetail::Name}},
     {EventKind::TwoAtOneAddress,
-     {"two_at_one_address", EventWeight::Fault, EventGroup::Address, EventDetail::None}},
+     {"two_at_one_address", Severity::Fault, EventGroup::Address, EventDetail::None}},
     {EventKind::TwoAtOneAddressOver,
-     {"two_at_one_address_over", EventWeight::Info, EventGroup::Address, EventDetail::None}},
-    {EventKind::Fault, {"fault", EventWeight::Fault, EventGroup::Fault, EventDetail::Fault}},
-    {EventKind::FaultCleared, {"fault_cleared", EventWeight::Info, EventGroup::Fault, EventDetail::Fault}},
-    {EventKind::DeviceFaulted, {"device_faulted", EventWeight::Fault, EventGroup::Fault, EventDetail::Flag}},
+     {"two_at_one_address_over", Severity::Plain, EventGroup::Address, EventDetail::None}},
+    {EventKind::Fault, {"fault", Severity::Fault, EventGroup::Fault, EventDetail::Fault}},
+    {EventKind::FaultCleared, {"fault_cleared", Severity::Plain, EventGroup::Fault, EventDetail::Fault}},
+    {EventKind::DeviceFaulted, {"device_faulted", Severity::Fault, EventGroup::Fault, EventDetail::Flag}},
     {EventKind::DeviceFaultedOver,
-     {"device_faulted_over", EventWeight::Info, EventGroup::Fault, EventDetail::Flag}},
+     {"device_faulted_over", Severity::Plain, EventGroup::Fault, EventDetail::Flag}},
     {EventKind::OperationalError,
-     {"operational_error", EventWeight::Fault, EventGroup::Fault, EventDetail::Code}},
+     {"operational_error", Severity::Fault, EventGroup::Fault, EventDetail::Code}},
     {EventKind::OperationalErrorOver,
-     {"operational_error_over", EventWeight::Info, EventGroup::Fault, EventDetail::Code}},
-    {EventKind::ErrorCode, {"error_code", EventWeight::Fault, EventGroup::Fault, EventDetail::Code}},
+     {"operational_error_over", Severity::Plain, EventGroup::Fault, EventDetail::Code}},
+    {EventKind::ErrorCode, {"error_code", Severity::Fault, EventGroup::Fault, EventDetail::Code}},
     {EventKind::ErrorCodeCleared,
-     {"error_code_cleared", EventWeight::Info, EventGroup::Fault, EventDetail::Code}},
-    {EventKind::SensorError, {"sensor_error", EventWeight::Fault, EventGroup::Fault, EventDetail::Flag}},
+     {"error_code_cleared", Severity::Plain, EventGroup::Fault, EventDetail::Code}},
+    {EventKind::SensorError, {"sensor_error", Severity::Fault, EventGroup::Fault, EventDetail::Flag}},
     {EventKind::SensorErrorOver,
-     {"sensor_error_over", EventWeight::Info, EventGroup::Fault, EventDetail::Flag}},
-    {EventKind::Disabled, {"disabled", EventWeight::Warning, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::Enabled, {"enabled", EventWeight::Info, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::PermissiveLost,
-     {"permissive_lost", EventWeight::Warning, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::PermissiveBack, {"permissive_back", EventWeight::Info, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::RemoteMode, {"remote_mode", EventWeight::Info, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::RemoteModeOver, {"remote_mode_over", EventWeight::Info, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::Stowed, {"stowed", EventWeight::Info, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::NotStowed, {"not_stowed", EventWeight::Info, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::StopReached, {"stop_reached", EventWeight::Info, EventGroup::Stop, EventDetail::Stop}},
-    {EventKind::StopLeft, {"stop_left", EventWeight::Info, EventGroup::Stop, EventDetail::Stop}},
-    {EventKind::StopError, {"stop_error", EventWeight::Warning, EventGroup::Stop, EventDetail::Stop}},
+     {"sensor_error_over", Severity::Plain, EventGroup::Fault, EventDetail::Flag}},
+    {EventKind::Disabled, {"disabled", Severity::Attend, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::Enabled, {"enabled", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::PermissiveLost, {"permissive_lost", Severity::Attend, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::PermissiveBack, {"permissive_back", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::RemoteMode, {"remote_mode", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::RemoteModeOver, {"remote_mode_over", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::Stowed, {"stowed", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::NotStowed, {"not_stowed", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::StopReached, {"stop_reached", Severity::Plain, EventGroup::Stop, EventDetail::Stop}},
+    {EventKind::StopLeft, {"stop_left", Severity::Plain, EventGroup::Stop, EventDetail::Stop}},
+    {EventKind::StopError, {"stop_error", Severity::Attend, EventGroup::Stop, EventDetail::Stop}},
     {EventKind::SoftLimitChanged,
-     {"soft_limit_changed", EventWeight::Info, EventGroup::Stop, EventDetail::Degrees}},
-    {EventKind::JoystickBegan,
-     {"joystick_began", EventWeight::Info, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::JoystickEnded,
-     {"joystick_ended", EventWeight::Info, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::JoystickGap,
-     {"joystick_gap", EventWeight::Warning, EventGroup::Joystick, EventDetail::Length}},
+     {"soft_limit_changed", Severity::Plain, EventGroup::Stop, EventDetail::Degrees}},
+    {EventKind::JoystickBegan, {"joystick_began", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
+    {EventKind::JoystickEnded, {"joystick_ended", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
+    {EventKind::JoystickGap, {"joystick_gap", Severity::Attend, EventGroup::Joystick, EventDetail::Length}},
     {EventKind::JoystickTimedOut,
-     {"joystick_timed_out", EventWeight::Warning, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::JoystickBack,
-     {"joystick_back", EventWeight::Info, EventGroup::Joystick, EventDetail::Length}},
+     {"joystick_timed_out", Severity::Attend, EventGroup::Joystick, EventDetail::None}},
+    {EventKind::JoystickBack, {"joystick_back", Severity::Plain, EventGroup::Joystick, EventDetail::Length}},
     {EventKind::JoystickOutranked,
-     {"joystick_outranked", EventWeight::Info, EventGroup::Joystick, EventDetail::Source}},
+     {"joystick_outranked", Severity::Plain, EventGroup::Joystick, EventDetail::Source}},
     {EventKind::JoystickOutrankedOver,
-     {"joystick_outranked_over", EventWeight::Info, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::LoadHigh, {"load_high", EventWeight::Warning, EventGroup::Bus, EventDetail::Percent}},
-    {EventKind::LoadNormal, {"load_normal", EventWeight::Info, EventGroup::Bus, EventDetail::Percent}},
-    {EventKind::ErrorFrames, {"error_frames", EventWeight::Warning, EventGroup::Bus, EventDetail::None}},
+     {"joystick_outranked_over", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
+    {EventKind::LoadHigh, {"load_high", Severity::Attend, EventGroup::Bus, EventDetail::Percent}},
+    {EventKind::LoadNormal, {"load_normal", Severity::Plain, EventGroup::Bus, EventDetail::Percent}},
+    {EventKind::ErrorFrames, {"error_frames", Severity::Attend, EventGroup::Bus, EventDetail::None}},
     {EventKind::ErrorFramesOver,
-     {"error_frames_over", EventWeight::Info, EventGroup::Bus, EventDetail::Frames}},
-    {EventKind::BusOff, {"bus_off", EventWeight::Fault, EventGroup::Bus, EventDetail::None}},
-    {EventKind::ErrorPassive, {"error_passive", EventWeight::Warning, EventGroup::Bus, EventDetail::None}},
-    {EventKind::ErrorActive, {"error_active", EventWeight::Info, EventGroup::Bus, EventDetail::None}},
-    {EventKind::ClockJump, {"clock_jump", EventWeight::Warning, EventGroup::Bus, EventDetail::None}},
+     {"error_frames_over", Severity::Plain, EventGroup::Bus, EventDetail::Frames}},
+    {EventKind::BusOff, {"bus_off", Severity::Fault, EventGroup::Bus, EventDetail::None}},
+    {EventKind::ErrorPassive, {"error_passive", Severity::Attend, EventGroup::Bus, EventDetail::None}},
+    {EventKind::ErrorActive, {"error_active", Severity::Plain, EventGroup::Bus, EventDetail::None}},
+    {EventKind::ClockJump, {"clock_jump", Severity::Attend, EventGroup::Bus, EventDetail::None}},
 }};
+
+static_assert(
+    [] {
+      for (const EventFacts& facts : kEvents) {
+        if (kEventWeightKeys.find(facts.weight) == nullptr) return false;
+      }
+      return true;
+    }(),
+    "a weight has a key");
 
 static_assert(
     [] {

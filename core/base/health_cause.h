@@ -8,16 +8,9 @@
 #include <string_view>
 
 #include "base/enum_table.h"
+#include "base/severity.h"
 
 namespace deckpipe {
-
-enum class HealthSeverity : std::uint8_t {
-  Fine,
-  Unknown,  // nothing is known to be wrong, but the device was not asked or not heard
-  Attend,
-  Fault,
-  Silent,
-};
 
 // The worst first.
 enum class HealthCause : std::uint8_t {
@@ -51,40 +44,40 @@ enum class HealthCause : std::uint8_t {
 
 struct HealthCauseFacts {
   std::string_view key;  // in JSON: frozen contract
-  HealthSeverity severity;
+  Severity severity;
 };
 
 inline constexpr EnumTable<HealthCause, HealthCauseFacts> kHealthCauses{{
-    {HealthCause::Silent, {"silent", HealthSeverity::Silent}},
-    {HealthCause::TwoAtOneAddress, {"two_at_one_address", HealthSeverity::Fault}},
-    {HealthCause::FaultsNamed, {"faults", HealthSeverity::Fault}},
-    {HealthCause::SensorError, {"sensor_error", HealthSeverity::Fault}},
-    {HealthCause::OperationalError, {"operational_error", HealthSeverity::Fault}},
-    {HealthCause::Faulted, {"device_faulted", HealthSeverity::Fault}},
-    {HealthCause::StopError, {"stop_error", HealthSeverity::Attend}},
-    {HealthCause::Disabled, {"disabled", HealthSeverity::Attend}},
-    {HealthCause::PositionInvalid, {"position_invalid", HealthSeverity::Attend}},
-    {HealthCause::Late, {"late", HealthSeverity::Attend}},
-    {HealthCause::NotOperational, {"not_operational", HealthSeverity::Attend}},
-    {HealthCause::JoystickStopped, {"joystick_stopped", HealthSeverity::Attend}},
-    {HealthCause::AddressLost, {"address_lost", HealthSeverity::Attend}},
-    {HealthCause::AddressContested, {"address_contested", HealthSeverity::Attend}},
-    {HealthCause::CannotClaim, {"cannot_claim", HealthSeverity::Attend}},
-    {HealthCause::Malformed, {"malformed", HealthSeverity::Attend}},
-    {HealthCause::FaultsNotAnswered, {"faults_not_answered", HealthSeverity::Attend}},
-    {HealthCause::FaultsRefused, {"faults_refused", HealthSeverity::Attend}},
-    {HealthCause::Idle, {"idle", HealthSeverity::Unknown}},
-    {HealthCause::FaultsAwaited, {"faults_awaited", HealthSeverity::Unknown}},
-    {HealthCause::FaultsOld, {"faults_old", HealthSeverity::Unknown}},
-    {HealthCause::FaultsNeverAsked, {"faults_never_asked", HealthSeverity::Unknown}},
-    {HealthCause::StatusNeverHeard, {"status_never_heard", HealthSeverity::Unknown}},
-    {HealthCause::NotAnnounced, {"not_announced", HealthSeverity::Unknown}},
-    {HealthCause::CannotBeAsked, {"cannot_be_asked", HealthSeverity::Unknown}},
+    {HealthCause::Silent, {"silent", Severity::Silent}},
+    {HealthCause::TwoAtOneAddress, {"two_at_one_address", Severity::Fault}},
+    {HealthCause::FaultsNamed, {"faults", Severity::Fault}},
+    {HealthCause::SensorError, {"sensor_error", Severity::Fault}},
+    {HealthCause::OperationalError, {"operational_error", Severity::Fault}},
+    {HealthCause::Faulted, {"device_faulted", Severity::Fault}},
+    {HealthCause::StopError, {"stop_error", Severity::Attend}},
+    {HealthCause::Disabled, {"disabled", Severity::Attend}},
+    {HealthCause::PositionInvalid, {"position_invalid", Severity::Attend}},
+    {HealthCause::Late, {"late", Severity::Attend}},
+    {HealthCause::NotOperational, {"not_operational", Severity::Attend}},
+    {HealthCause::JoystickStopped, {"joystick_stopped", Severity::Attend}},
+    {HealthCause::AddressLost, {"address_lost", Severity::Attend}},
+    {HealthCause::AddressContested, {"address_contested", Severity::Attend}},
+    {HealthCause::CannotClaim, {"cannot_claim", Severity::Attend}},
+    {HealthCause::Malformed, {"malformed", Severity::Attend}},
+    {HealthCause::FaultsNotAnswered, {"faults_not_answered", Severity::Attend}},
+    {HealthCause::FaultsRefused, {"faults_refused", Severity::Attend}},
+    {HealthCause::Idle, {"idle", Severity::Unknown}},
+    {HealthCause::FaultsAwaited, {"faults_awaited", Severity::Unknown}},
+    {HealthCause::FaultsOld, {"faults_old", Severity::Unknown}},
+    {HealthCause::FaultsNeverAsked, {"faults_never_asked", Severity::Unknown}},
+    {HealthCause::StatusNeverHeard, {"status_never_heard", Severity::Unknown}},
+    {HealthCause::NotAnnounced, {"not_announced", Severity::Unknown}},
+    {HealthCause::CannotBeAsked, {"cannot_be_asked", Severity::Unknown}},
 }};
 
 static_assert(
     [] {
-      HealthSeverity worst = HealthSeverity::Silent;
+      Severity worst = Severity::Silent;
       for (const HealthCauseFacts& facts : kHealthCauses) {
         if (facts.severity > worst) return false;
         worst = facts.severity;

@@ -36,31 +36,32 @@ std::string_view noteKey(const NoteValue& value) {
       value);
 }
 
-EventWeight noteWeight(const NoteValue& value) {
+Severity noteWeight(const NoteValue& value) {
   using How = note::OwnAddress::How;
-  using Weight = EventWeight;
-  return std::visit(
-      Overload{
-          [](const note::Mark&) { return Weight::Info; }, [](const note::LinkUp&) { return Weight::Info; },
-          [](const note::LinkDown& n) { return n.fault == LinkFault::None ? Weight::Info : Weight::Fault; },
-          [](const note::Dropped&) { return Weight::Warning; },
-          [](const note::Locked&) { return Weight::Info; },
-          [](const note::Unlocked&) { return Weight::Info; },
-          [](const note::DriveSaid&) { return Weight::Info; },
-          [](const note::OwnAddress& n) {
-            const bool isMeant = n.how == How::Claimed || n.how == How::Locked;
-            return isMeant ? Weight::Info : Weight::Warning;
-          },
-          [](const note::Asked&) { return Weight::Info; },
-          [](const note::AskEnded& n) {
-            return n.end == RequestEnd::Answered ? Weight::Info : Weight::Warning;
-          },
-          [](const note::AskWaits&) { return Weight::Fault; },
-          [](const note::StillWaits&) { return Weight::Fault; },
-          [](const note::Pipe&) { return Weight::Info; },
-          [](const note::LeftOut&) { return Weight::Warning; },
-          [](const note::Label&) { return Weight::Info; }, [](const note::Added&) { return Weight::Info; }},
-      value);
+  return std::visit(Overload{[](const note::Mark&) { return Severity::Plain; },
+                             [](const note::LinkUp&) { return Severity::Plain; },
+                             [](const note::LinkDown& n) {
+                               return n.fault == LinkFault::None ? Severity::Plain : Severity::Fault;
+                             },
+                             [](const note::Dropped&) { return Severity::Attend; },
+                             [](const note::Locked&) { return Severity::Plain; },
+                             [](const note::Unlocked&) { return Severity::Plain; },
+                             [](const note::DriveSaid&) { return Severity::Plain; },
+                             [](const note::OwnAddress& n) {
+                               const bool isMeant = n.how == How::Claimed || n.how == How::Locked;
+                               return isMeant ? Severity::Plain : Severity::Attend;
+                             },
+                             [](const note::Asked&) { return Severity::Plain; },
+                             [](const note::AskEnded& n) {
+                               return n.end == RequestEnd::Answered ? Severity::Plain : Severity::Attend;
+                             },
+                             [](const note::AskWaits&) { return Severity::Fault; },
+                             [](const note::StillWaits&) { return Severity::Fault; },
+                             [](const note::Pipe&) { return Severity::Plain; },
+                             [](const note::LeftOut&) { return Severity::Attend; },
+                             [](const note::Label&) { return Severity::Plain; },
+                             [](const note::Added&) { return Severity::Plain; }},
+                    value);
 }
 
 }  // namespace deckpipe

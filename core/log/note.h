@@ -204,7 +204,7 @@ inline std::uint64_t framesMissed(const NoteValue& value) {
 }
 
 // How much a note wants attention.
-EventWeight noteWeight(const NoteValue& value);
+Severity noteWeight(const NoteValue& value);
 
 // The channel that a note speaks of; nothing if it speaks of the whole log.
 inline std::optional<Channel> channelOf(const NoteValue& value) {

@@ -90,7 +90,7 @@ Value valueOf(const Field& field, const Frame& frame) {
     case Kind::Number: return Value::decimal(static_cast<std::int64_t>(raw), field.decimals);
     case Kind::Signed: return Value::decimal(signExtend(raw, field.bits.width), field.decimals);
     case Kind::Flag: return Value::flag(raw != 0);
-    case Kind::Status2: return Value::word(kStatus2Keys[raw]);
+    case Kind::Status2: return Value::word(kStatus2Keys[static_cast<Status2>(raw)]);
     case Kind::Word: return wordOf(field, raw);
     case Kind::Version: return versionOf(raw);
     case Kind::Float32: return realOf(raw);
@@ -107,7 +107,7 @@ Value valueOf(const Field& field, const Frame& frame) {
       return reading.state == PositionState::Ok ? Value::decimal(reading.tenths, field.decimals) : Value();
     }
     case Kind::PositionState:
-      return Value::word(keyOf(readPosition(static_cast<unsigned>(raw), plus(), minus()).state));
+      return Value::word(kPositionStateKeys[readPosition(static_cast<unsigned>(raw), plus(), minus()).state]);
     case Kind::Pin: return pinOf(frame);
     case Kind::FaultNames:
       return Value::names(static_cast<std::uint32_t>(raw) & namedBits(field), field.words);

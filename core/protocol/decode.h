@@ -7,6 +7,7 @@
 //       if (isPresent(field, frame)) use(field.key, valueOf(field, frame));
 #pragma once
 
+#include "base/part_state.h"
 #include "bus/frame.h"
 #include "protocol/catalogue.h"
 #include "protocol/classify.h"
@@ -21,17 +22,6 @@ bool isPresent(const Field& field, const Frame& frame);
 // What a present field says. Null for 'not available', for what the rules call invalid, and for bytes that a
 // shorter variant of the message does not have.
 Value valueOf(const Field& field, const Frame& frame);
-
-enum class PositionState : std::uint8_t { Ok, SensorError, NotFitted, Invalid };
-template <>
-inline constexpr PositionState kLastOf<PositionState> = PositionState::Invalid;
-inline constexpr EnumTable<PositionState, std::string_view> kPositionStateKeys{{
-    {PositionState::Ok, "ok"},
-    {PositionState::SensorError, "sensor_error"},
-    {PositionState::NotFitted, "not_fitted"},
-    {PositionState::Invalid, "invalid"},
-}};
-constexpr std::string_view keyOf(PositionState state) { return kPositionStateKeys[state]; }
 
 // The rules of protocol.md 1.2 and 1.4 for signed values, shared with the typed structs.
 // `raw` 12 bits and the two status2: the state, and the angle in 0.1 degree where the state is Ok.

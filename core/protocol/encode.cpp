@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/part_state.h"
 #include "bus/j1939.h"
 
 namespace deckpipe {
@@ -19,8 +20,8 @@ constexpr std::uint64_t kNoAngle = 0xFFF;
 Bits fail(EncodeError error) { return Failure{error}; }
 
 std::optional<unsigned> status2Of(std::string_view word) {
-  for (unsigned i = 0; i < kStatus2Keys.size(); ++i) {
-    if (word == kStatus2Keys[i]) return i;
+  for (const Status2 status : kAllOf<Status2>) {
+    if (word == kStatus2Keys[status]) return static_cast<unsigned>(status);
   }
   return {};
 }

@@ -40,9 +40,6 @@ enum class Kind : std::uint8_t {
 
 enum class Unit : std::uint8_t { None, Degree, Percent, Ampere, CountsPerSecond, Count };
 
-// What a Status2 is called, by its number.
-inline constexpr std::array<std::string_view, 4> kStatus2Keys{"off", "on", "error", "na"};
-
 // What decoding gives for a field whose bytes the frame does not have.
 enum class Missing : std::uint8_t { Null, LeaveOut };
 

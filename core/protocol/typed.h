@@ -9,14 +9,13 @@
 #include <optional>
 
 #include "base/ids.h"
+#include "base/part_state.h"
 #include "bus/frame.h"
 #include "protocol/decode.h"
 #include "protocol/encode.h"
 #include "protocol/name.h"
 
 namespace deckpipe {
-
-enum class Status2 : std::uint8_t { Off, On, Error, NotAvailable };
 
 // Types 01 and TPDO1. Angles in 0.1 degree, right and up positive.
 struct PositionLimitStatus {

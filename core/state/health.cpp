@@ -286,9 +286,7 @@ HealthCause Health::worst() const {
   return first == kAllOf<HealthCause>.end() ? HealthCause::Count : *first;
 }
 
-HealthSeverity Health::severity() const {
-  return isFine() ? HealthSeverity::Fine : kHealthCauses[worst()].severity;
-}
+Severity Health::severity() const { return isFine() ? Severity::Fine : kHealthCauses[worst()].severity; }
 
 Health healthOf(const State& state, const Device& device) { return judge(subjectOf(state, device)); }
 

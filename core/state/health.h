@@ -59,7 +59,7 @@ struct Health {
   bool has(HealthCause cause) const { return causes.has(cause); }
   // The first one that holds; Count where it is fine.
   HealthCause worst() const;
-  HealthSeverity severity() const;
+  Severity severity() const;
   // Key of the worst cause, "fine" if there is none. Frozen contract.
   std::string_view key() const { return isFine() ? "fine" : kHealthCauses[worst()].key; }
   friend bool operator==(const Health&, const Health&) = default;

@@ -34,7 +34,7 @@ class DeviceModel : public QAbstractTableModel {
     GroupTextRole,           // its heading
     DetailRole,       // the line under the device: PIN if it has a label, type, channel if there are several
     SearchRole,       // all that a person may look for a device by
-    HealthRole,       // int of HealthSeverity
+    HealthRole,       // int of Severity
     HealthWordsRole,  // QStringList, the worst first
     SortRole,         // what a column sorts by; calm: it does not change while a device is well
   };

@@ -14,7 +14,7 @@ void EventFilter::setDevice(const DeviceKey& device) {
   invalidateFilter();
 }
 
-void EventFilter::setLeast(EventWeight weight) {
+void EventFilter::setLeast(Severity weight) {
   if (weight == m_least) return;
   m_least = weight;
   invalidateFilter();
@@ -33,7 +33,7 @@ void EventFilter::setText(const QString& text) {
 }
 
 bool EventFilter::isOn() const {
-  return !m_device.isNull() || m_least != EventWeight::Info || !m_groups.isEmpty() || !m_text.isEmpty();
+  return !m_device.isNull() || m_least != Severity::Plain || !m_groups.isEmpty() || !m_text.isEmpty();
 }
 
 bool EventFilter::filterAcceptsRow(int row, const QModelIndex&) const {

@@ -17,7 +17,7 @@ class EventFilter : public QSortFilterProxyModel {
 
   // Null: of all devices and of the bus.
   void setDevice(const DeviceKey& device);
-  void setLeast(EventWeight weight);
+  void setLeast(Severity weight);
   // Without any group all are shown.
   void setGroups(const EnumSet<EventGroup>& groups);
   // In the name of the device or in what happened; upper and lower case are the same.
@@ -40,7 +40,7 @@ class EventFilter : public QSortFilterProxyModel {
 
   EventModel* m_events;
   DeviceKey m_device;
-  EventWeight m_least = EventWeight::Info;
+  Severity m_least = Severity::Plain;
   EnumSet<EventGroup> m_groups;
   QString m_text;
 };

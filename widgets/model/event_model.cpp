@@ -142,7 +142,7 @@ QString EventModel::text(int row) const {
   return r.times == 1 ? text : tr("%1, %2 times").arg(text).arg(r.times);
 }
 
-EventWeight EventModel::weight(int row) const {
+Severity EventModel::weight(int row) const {
   const Row& r = at(row);
   return r.isNote ? noteWeight(m_notes[r.index].value) : kEvents[m_events[r.index].kind].weight;
 }

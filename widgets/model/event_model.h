@@ -19,7 +19,7 @@ class EventModel : public QAbstractTableModel {
   enum Column { When, Bus, Who, What, ColumnCount };
   enum Role {
     TimeRole = Qt::UserRole,  // log time, qint64 ns
-    WeightRole,               // EventWeight, as int
+    WeightRole,               // Severity, as int
     GroupRole,                // EventGroup, as int
   };
 
@@ -33,7 +33,7 @@ class EventModel : public QAbstractTableModel {
   int rowAtCursor() const;
   const LogView& view() const { return m_view; }
 
-  EventWeight weight(int row) const;
+  Severity weight(int row) const;
   EventGroup group(int row) const;
   Instant time(int row) const { return at(row).time; }
   // Null where the whole bus is concerned.

@@ -196,14 +196,9 @@ QString eventGroupText(EventGroup group) {
   return {};
 }
 
-QString eventWeightText(EventWeight weight) {
-  switch (weight) {
-    case EventWeight::Info: return EventText::tr("Information");
-    case EventWeight::Warning: return EventText::tr("Warning");
-    case EventWeight::Fault: return EventText::tr("Fault");
-    case EventWeight::Count: break;
-  }
-  return {};
+QString eventWeightText(Severity weight) {
+  if (weight == Severity::Fault) return EventText::tr("Fault");
+  return weight == Severity::Attend ? EventText::tr("Warning") : EventText::tr("Information");
 }
 
 namespace {

@@ -23,6 +23,6 @@ DeviceKey keyOf(const Note& note);
 // "Addresses"
 QString eventGroupText(EventGroup group);
 // "Fault", "Warning", "Information"
-QString eventWeightText(EventWeight weight);
+QString eventWeightText(Severity weight);
 
 }  // namespace deckpipe

@@ -9,41 +9,16 @@
 #include <vector>
 
 #include "model/device_rows.h"
+#include "paint/dial_values.h"
+#include "paint/stick_values.h"
 
 namespace deckpipe {
-
-// One axis of the dial. Position is from feedback only, never from commands.
-struct PageAxis {
-  struct Command {
-    double speed = 0;             // −1 (left, down) .. +1 (right, up)
-    QString source;               // "Joystick 33"
-    Address from = kNullAddress;  // null: not known, by way of the gateway
-    friend bool operator==(const Command&, const Command&) = default;
-  };
-
-  std::optional<PositionReading> reading;  // nothing: no such message ever came
-  bool isStale = false;
-  std::optional<Duration> age;
-  std::optional<Status2> plusStop, minusStop;
-  std::optional<SoftLimits> limits;  // 0.1 degree
-  bool areLimitsStale = false;
-  std::optional<Command> command;
-  friend bool operator==(const PageAxis&, const PageAxis&) = default;
-};
-
-struct PageDial {
-  PageAxis rotation, elevation;
-  std::optional<bool> enable, stowed;  // nothing: the outputs never came, or are stale
-  friend bool operator==(const PageDial&, const PageDial&) = default;
-};
-
-enum class LampTone : std::uint8_t { Plain, Fine, Attend, Stop };
 
 struct PageLamp {
   QString label{};
   QString spoken{};              // for who does not see where the lamp stands; empty: the label
   std::optional<Status2> state;  // nothing: never came
-  LampTone whenOn = LampTone::Plain;
+  Severity whenOn = Severity::Plain;
   friend bool operator==(const PageLamp&, const PageLamp&) = default;
 };
 
@@ -72,12 +47,10 @@ struct PageStops {
   friend bool operator==(const PageStops&, const PageStops&) = default;
 };
 
-enum class FactTone : std::uint8_t { Plain, Fine, Attend, Fault, Stale };
-
 struct PageFact {
   QString label{};
   QString value{};  // lines
-  FactTone tone = FactTone::Plain;
+  Severity tone = Severity::Plain;
   std::optional<Duration> age;
   friend bool operator==(const PageFact&, const PageFact&) = default;
 };
@@ -89,14 +62,12 @@ struct PageFactGroup {
   friend bool operator==(const PageFactGroup&, const PageFactGroup&) = default;
 };
 
-// A joystick's stick or grip: −1 .. +1, right and forward positive; nothing where the message gives none.
-struct PageStick {
+// A joystick's stick or grip, and what is written of it.
+struct PageStick : StickValues {
   QString title{};
-  std::optional<double> x, y;
   QString xText, yText;  // "50.0 % right", "error"
   QString thetaText;     // of a grip; empty: it has none
   std::optional<Duration> age;
-  bool isStale = false;
   friend bool operator==(const PageStick&, const PageStick&) = default;
 };
 
@@ -114,7 +85,7 @@ struct MonitorPageValues {
   Health health;
   QStringList reasons{};  // sentences, the worst first; all of them stand in the facts too
 
-  std::optional<PageDial> dial;
+  std::optional<DialValues> dial;
   std::vector<PageStick> sticks{};  // a joystick's own, then its grip
   PageStops stops;
   std::vector<PageLampGroup> lamps{};

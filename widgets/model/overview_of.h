@@ -19,7 +19,7 @@ struct OverviewMonitor {
   std::optional<Duration> age;  // nothing: never heard
   QString stops{};  // the hard stops that it stands at, of axes 3 to 5, which the dial does not show
   bool areStopsStale = false;
-  PageDial dial;
+  DialValues dial;
   friend bool operator==(const OverviewMonitor&, const OverviewMonitor&) = default;
 };
 

@@ -15,16 +15,16 @@ struct Arbitration {
   Q_DECLARE_TR_FUNCTIONS(Arbitration)
 };
 
-PageFact ruleFact(const QString& label, const QString& value, FactTone tone = FactTone::Plain) {
+PageFact ruleFact(const QString& label, const QString& value, Severity tone = Severity::Plain) {
   return {label, value, tone, {}};
 }
 
-PageFact axisFact(const QString& label, const std::optional<PageAxis::Command>& command, Address self,
+PageFact axisFact(const QString& label, const std::optional<DialAxis::Command>& command, Address self,
                   bool isRotation) {
   if (!command) return ruleFact(label, Arbitration::tr("nobody commands"));
   const QString what = commandText(*command, isRotation);
   if (command->from == self)
-    return ruleFact(label, Arbitration::tr("this one: %1").arg(what), FactTone::Fine);
+    return ruleFact(label, Arbitration::tr("this one: %1").arg(what), Severity::Fine);
   return ruleFact(label, Arbitration::tr("%1: %2", "who commands, and what").arg(command->source, what));
 }
 
@@ -63,7 +63,7 @@ PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystic
   if (!stick.priority()) {
     facts.push_back(ruleFact(Arbitration::tr("Moves"),
                              Arbitration::tr("nothing: monitors do not listen to this source by default"),
-                             FactTone::Attend));
+                             Severity::Attend));
     return group;
   }
   const PageCommands commands = joystickCommands(state, channelId);

@@ -49,7 +49,7 @@ PageCommands commandsTo(const State& state, const Device& monitor) {
   return commands;
 }
 
-QString commandText(const PageAxis::Command& command, bool isRotation) {
+QString commandText(const DialAxis::Command& command, bool isRotation) {
   const QString percent = QLocale().toString(std::abs(command.speed) * 100, 'f', 0);
   const bool isPlus = command.speed > 0;
   if (isRotation)

@@ -9,12 +9,12 @@
 namespace deckpipe {
 
 struct PageCommands {
-  std::optional<PageAxis::Command> rotation, elevation;
+  std::optional<DialAxis::Command> rotation, elevation;
 };
 // What the joysticks of a channel command together.
 PageCommands joystickCommands(const State& state, Channel channel);
 // "right at 50 %", for the rotation; up and down for the elevation.
-QString commandText(const PageAxis::Command& command, bool isRotation);
+QString commandText(const DialAxis::Command& command, bool isRotation);
 PageCommands commandsTo(const State& state, const Device& monitor);
 
 }  // namespace deckpipe

@@ -7,26 +7,31 @@ namespace deckpipe {
 namespace {
 
 // One place for both axes: they differ in where they stand in the message only.
-PageAxis axisOf(const Device& d, std::size_t axis, const PositionReading& reading, const auto& limits,
+DialAxis axisOf(const Device& d, std::size_t axis, const PositionReading& reading, const auto& limits,
                 bool areLimitsStale, Instant now) {
-  PageAxis page;
-  page.isStale = d.isStale(MessageId::PositionLimitStatus);
+  DialAxis shown;
+  shown.isStale = d.isStale(MessageId::PositionLimitStatus);
   if (d.position().isKnown()) {
-    page.reading = reading;
-    page.age = now - d.position().at;
-    page.plusStop = d.position().value().plusStop[axis];
-    page.minusStop = d.position().value().minusStop[axis];
+    shown.reading = reading.state;
+    shown.degrees = reading.tenths / 10.0;
+    shown.age = now - d.position().at;
+    shown.plusStop = d.position().value().plusStop[axis];
+    shown.minusStop = d.position().value().minusStop[axis];
   }
-  if (limits.isKnown()) page.limits = limits.value();
-  page.areLimitsStale = areLimitsStale;
-  return page;
+  if (limits.isKnown()) {
+    shown.limitLow = limits.value().low / 10.0;
+    shown.limitHigh = limits.value().high / 10.0;
+    shown.isOscillating = limits.value().oscillating;
+  }
+  shown.areLimitsStale = areLimitsStale;
+  return shown;
 }
 
 }  // namespace
 
-PageDial dialOf(const State& state, const Device& d) {
+DialValues dialOf(const State& state, const Device& d) {
   const Instant now = state.cursor().time;
-  PageDial dial;
+  DialValues dial;
   const PositionLimitStatus position = d.position().value();
   dial.rotation =
       axisOf(d, 0, position.rotation, d.rotationLimits(), d.isStale(MessageId::RotationSoftLimits), now);

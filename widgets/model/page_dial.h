@@ -6,6 +6,6 @@
 
 namespace deckpipe {
 
-PageDial dialOf(const State& state, const Device& monitor);
+DialValues dialOf(const State& state, const Device& monitor);
 
 }  // namespace deckpipe

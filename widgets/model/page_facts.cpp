@@ -21,17 +21,6 @@ struct Facts {
   Q_DECLARE_TR_FUNCTIONS(Facts)
 };
 
-FactTone toneOf(HealthSeverity severity) {
-  switch (severity) {
-    case HealthSeverity::Fine: return FactTone::Fine;
-    case HealthSeverity::Attend: return FactTone::Attend;
-    case HealthSeverity::Fault: return FactTone::Fault;
-    case HealthSeverity::Unknown:
-    case HealthSeverity::Silent: break;
-  }
-  return FactTone::Stale;
-}
-
 // What a device answered, drawn by whether that still holds, and whether it was asked in vain since.
 class Answers {
  public:
@@ -40,20 +29,20 @@ class Answers {
 
   // `answer` is a Timed or a Reported of the device. `ask`: the poll for it; nothing where Deckpipe has none.
   PageFact fact(const QString& label, const auto& answer, std::optional<Ask> ask, const QString& value,
-                FactTone tone = FactTone::Plain) const {
+                Severity tone = Severity::Plain) const {
     const QString again = ask ? askedAgainText(m_device, *ask, m_now) : QString();
     if (!answer.isKnown())
       return {label,
               noAnswerText(m_device, ask, m_now),
-              again.isEmpty() ? FactTone::Stale : FactTone::Attend,
+              again.isEmpty() ? Severity::Unknown : Severity::Attend,
               {}};
     const AnswerAge age = ageOfAnswer(m_state, m_device, answer.at);
     if (age != AnswerAge::Current) {
       const QString old = Facts::tr("%1\nasked %2, %3", "an old answer, its age, why it is old")
                               .arg(value, agoText(m_now - answer.at), answerAgeText(age));
-      return {label, withLine(old, again), FactTone::Stale, {}};
+      return {label, withLine(old, again), Severity::Unknown, {}};
     }
-    return {label, withLine(value, again), again.isEmpty() ? tone : FactTone::Attend, m_now - answer.at};
+    return {label, withLine(value, again), again.isEmpty() ? tone : Severity::Attend, m_now - answer.at};
   }
 
  private:
@@ -66,7 +55,7 @@ class Answers {
   Instant m_now;
 };
 
-PageFact plain(const QString& label, const QString& value, FactTone tone = FactTone::Plain) {
+PageFact plain(const QString& label, const QString& value, Severity tone = Severity::Plain) {
   return {label, value, tone, {}};
 }
 
@@ -92,7 +81,7 @@ PageFactGroup healthFacts(const Health& health, const Device* device, Instant no
   PageFactGroup group{pageGroupKey(PageGroup::Health), Facts::tr("Health"), {}};
   // One fact of several lines: a cause that comes or goes makes no part of the page.
   PageFact fact = plain(Facts::tr("Reasons"), healthSentences(health, now).join(QLatin1Char('\n')),
-                        toneOf(health.severity()));
+                        health.severity() == Severity::Silent ? Severity::Unknown : health.severity());
   if (health.isFine()) {
     fact.value = Facts::tr("It has no faults, and its messages come in time.");
     if (device != nullptr) fact.age = now - device->faults().at;
@@ -108,9 +97,9 @@ PageFactGroup faultsOf(const State& state, const Device& d) {
   const QStringList lines = faultLines(faults.map);
   group.facts.push_back(answers.fact(Facts::tr("Fault bits"), d.faults(), Ask::Fault,
                                      lines.isEmpty() ? Facts::tr("none set") : lines.join(QLatin1Char('\n')),
-                                     lines.isEmpty() ? FactTone::Fine : FactTone::Fault));
+                                     lines.isEmpty() ? Severity::Fine : Severity::Fault));
   const auto errorOf = [](unsigned code) { return code == 0 ? Facts::tr("none") : pcodeErrorText(code); };
-  const auto toneOfError = [](unsigned code) { return code == 0 ? FactTone::Fine : FactTone::Fault; };
+  const auto toneOfError = [](unsigned code) { return code == 0 ? Severity::Fine : Severity::Fault; };
   if (d.kind == Device::Kind::Node) {
     const unsigned code = d.operationalErrorCode.value;
     group.facts.push_back(answers.fact(Facts::tr("Operational error"), d.operationalErrorCode, {},
@@ -120,7 +109,7 @@ PageFactGroup faultsOf(const State& state, const Device& d) {
   const QString label = Facts::tr("pCode error");
   if (d.faults().isKnown() && !faults.pcodeError) {
     group.facts.push_back(
-        plain(label, Facts::tr("not in the short answer of older firmware"), FactTone::Stale));
+        plain(label, Facts::tr("not in the short answer of older firmware"), Severity::Unknown));
   } else {
     const unsigned code = faults.pcodeError.value_or(0);
     group.facts.push_back(answers.fact(label, d.faults(), Ask::Fault, errorOf(code), toneOfError(code)));
@@ -159,17 +148,17 @@ PageFactGroup nodeOf(const Device& d, Instant now) {
   const bool isOperational = d.heartbeat().value() == gateway::kOperational;
   if (!d.heartbeat().isKnown()) {
     state.value = Facts::tr("no heartbeat heard");
-    state.tone = FactTone::Stale;
+    state.tone = Severity::Unknown;
   } else if (d.isStale(MessageId::Heartbeat)) {
     state.value = Facts::tr("%1, overdue").arg(state.value);
-    state.tone = FactTone::Stale;
+    state.tone = Severity::Unknown;
   } else {
-    state.tone = isOperational ? FactTone::Fine : FactTone::Attend;
+    state.tone = isOperational ? Severity::Fine : Severity::Attend;
   }
   if (d.heartbeat().isKnown()) state.age = now - d.heartbeat().at;
   group.facts = {state, plain(Facts::tr("Frames"), framesText(d.frames, d.rate.at(now, d.lastHeard)))};
   if (d.malformed != 0)
-    group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), FactTone::Attend));
+    group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), Severity::Attend));
   return group;
 }
 
@@ -180,9 +169,9 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
   facts.push_back(stick.priority()
                       ? plain(Facts::tr("Priority"), priorityText(*stick.priority()))
                       : plain(Facts::tr("Priority"), Facts::tr("none: monitors listen to 33 to 38 hex"),
-                              FactTone::Attend));
+                              Severity::Attend));
   if (stick.timedOut) {
-    facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), FactTone::Stale,
+    facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), Severity::Unknown,
                      now - stick.basic.at});
   } else {
     facts.push_back(plain(Facts::tr("Sending"), stick.basic.isKnown()
@@ -193,9 +182,9 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
   facts.push_back(plain(
       Facts::tr("Worst gap"),
       isLate ? Facts::tr("%1, more than 100 ms").arg(periodText(stick.worstGap)) : periodText(stick.worstGap),
-      isLate ? FactTone::Attend : FactTone::Plain));
+      isLate ? Severity::Attend : Severity::Plain));
   facts.push_back(plain(Facts::tr("Time-outs"), countText(stick.timeouts),
-                        stick.timeouts != 0 ? FactTone::Attend : FactTone::Plain));
+                        stick.timeouts != 0 ? Severity::Attend : Severity::Plain));
   return group;
 }
 
@@ -205,7 +194,7 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   const bool isLost = address == kNullAddress;
   facts.push_back(plain(Facts::tr("Address"),
                         device != nullptr ? addressNow(state, *device) : addressText(address),
-                        isLost ? FactTone::Attend : FactTone::Plain));
+                        isLost ? Severity::Attend : Severity::Plain));
   if (device != nullptr) {
     if (const QStringList before = addressesBefore(state, *device); !before.isEmpty())
       facts.push_back(plain(Facts::tr("Before"), before.join(QLatin1Char('\n'))));
@@ -219,9 +208,9 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   const ClaimState claim = book.claim(address, state.cursor().time);
   const bool isOpen = claim == ClaimState::Contested || claim == ClaimState::CannotClaim;
   facts.push_back(
-      plain(Facts::tr("Claim"), wordText(claimKey(claim)), isOpen ? FactTone::Attend : FactTone::Plain));
+      plain(Facts::tr("Claim"), wordText(claimKey(claim)), isOpen ? Severity::Attend : Severity::Plain));
   if (const QString contests = contestText(book, address); !contests.isEmpty())
-    facts.push_back(plain(Facts::tr("Contests"), contests, FactTone::Attend));
+    facts.push_back(plain(Facts::tr("Contests"), contests, Severity::Attend));
   if (const Name name = book.lastHolder(address); !name.isNull())
     facts.push_back(plain(Facts::tr("NAME"), nameLines(name).join(QLatin1Char('\n'))));
   const Node node = state.channel(channelId).nodes[address];
@@ -231,7 +220,7 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   const FrameRate& rate = device != nullptr ? device->rate : node.rate;
   facts.push_back(plain(Facts::tr("Frames"), framesText(frames, rate.at(state.cursor().time, heard))));
   if (malformed != 0)
-    facts.push_back(plain(Facts::tr("Of a wrong length"), countText(malformed), FactTone::Attend));
+    facts.push_back(plain(Facts::tr("Of a wrong length"), countText(malformed), Severity::Attend));
   return group;
 }
 

@@ -32,7 +32,7 @@ class FlagGroup {
     m_group.isStale = d.isStale(message);
     m_isKnown = d.report(message).isKnown();
   }
-  FlagGroup& add(const QString& label, bool isOn, LampTone whenOn = LampTone::Plain,
+  FlagGroup& add(const QString& label, bool isOn, Severity whenOn = Severity::Plain,
                  const QString& spoken = {}) {
     std::optional<Status2> state;
     if (m_isKnown) state = isOn ? Status2::On : Status2::Off;
@@ -62,8 +62,8 @@ std::optional<PageLampGroup> statusOf(const Device& d, Instant now) {
     error = d.position().value().operationalError;
     calibrated = d.position().value().calibrated;
   }
-  group.lamps = {{Lamps::tr("Operational error"), {}, error, LampTone::Stop},
-                 {Lamps::tr("Calibrated"), {}, calibrated, LampTone::Fine}};
+  group.lamps = {{Lamps::tr("Operational error"), {}, error, Severity::Fault},
+                 {Lamps::tr("Calibrated"), {}, calibrated, Severity::Fine}};
   return group;
 }
 
@@ -71,21 +71,21 @@ std::optional<PageLampGroup> outputsOf(const Device& d, Instant now) {
   if (!isMonitor(d)) return {};
   const DigitalOutputs o = d.outputs().value();
   FlagGroup group(PageGroup::Outputs, Lamps::tr("Outputs"), d, MessageId::DigitalOutputs, now);
-  group.add(Lamps::tr("Enabled"), o.enable, LampTone::Fine, Lamps::tr("Enabled: motion allowed"))
+  group.add(Lamps::tr("Enabled"), o.enable, Severity::Fine, Lamps::tr("Enabled: motion allowed"))
       .add(Lamps::tr("Active (not stowed)"), o.active)
       .add(Lamps::tr("Stowed"), o.stowed)
-      .add(Lamps::tr("Permissive required"), o.soeMode, LampTone::Attend,
+      .add(Lamps::tr("Permissive required"), o.soeMode, Severity::Attend,
            Lamps::tr("SOE mode: a permissive is required to move"))
       .add(Lamps::tr("Point-aim mode"), o.pointAimMode)
       .add(Lamps::tr("Remote mode"), o.remoteMode)
       .add(Lamps::tr("Outside exclusion zone"), o.outsideExclusionZone)
       .add(Lamps::tr("Discharge valve"), o.dischargeValve)
       .add(Lamps::tr("High flow"), o.highFlow)
-      .add(Lamps::tr("Aux agent"), o.auxAgent, LampTone::Plain,
+      .add(Lamps::tr("Aux agent"), o.auxAgent, Severity::Plain,
            Lamps::tr("Aux agent dispense; the gateway manual calls it dry chemical"))
       .add(Lamps::tr("Panel LED"), o.panelLed)
       .add(Lamps::tr("Point-aim LED"), o.pointAimLed)
-      .add(Lamps::tr("Wireless LED"), o.wirelessLed, LampTone::Plain, Lamps::tr("Wireless hand-held LED"));
+      .add(Lamps::tr("Wireless LED"), o.wirelessLed, Severity::Plain, Lamps::tr("Wireless hand-held LED"));
   // What its numbers mean is nowhere given.
   if (d.outputs().isKnown()) group.remark(Lamps::tr("electric riser command %1").arg(o.riserCommand));
   return group.group();
@@ -98,8 +98,8 @@ std::optional<PageLampGroup> riserOf(const Device& d, Instant now) {
   return FlagGroup(PageGroup::Riser, Lamps::tr("Riser"), d, MessageId::MiniDigitalOutputs, now)
       .add(Lamps::tr("Riser extended"), o.riserExtended)
       .add(Lamps::tr("Riser retracted"), o.riserRetracted)
-      .add(Lamps::tr("Device active"), o.deviceActive, LampTone::Fine)
-      .add(Lamps::tr("Device faulted"), o.deviceFaulted, LampTone::Stop)
+      .add(Lamps::tr("Device active"), o.deviceActive, Severity::Fine)
+      .add(Lamps::tr("Device faulted"), o.deviceFaulted, Severity::Fault)
       .group();
 }
 
@@ -118,10 +118,10 @@ std::optional<PageLampGroup> permissiveOf(const Device& d, Instant now) {
   if (!d.permissive().isKnown() && !isRequired) return {};
   const Permissive p = d.permissive().value();
   FlagGroup group(PageGroup::Permissive, Lamps::tr("Permissive"), d, MessageId::SoePermissive, now);
-  group.add(Lamps::tr("Left"), p.axis1Minus, LampTone::Fine, Lamps::tr("May rotate left"))
-      .add(Lamps::tr("Right"), p.axis1Plus, LampTone::Fine, Lamps::tr("May rotate right"))
-      .add(Lamps::tr("Down"), p.axis2Minus, LampTone::Fine, Lamps::tr("May elevate down"))
-      .add(Lamps::tr("Up"), p.axis2Plus, LampTone::Fine, Lamps::tr("May elevate up"));
+  group.add(Lamps::tr("Left"), p.axis1Minus, Severity::Fine, Lamps::tr("May rotate left"))
+      .add(Lamps::tr("Right"), p.axis1Plus, Severity::Fine, Lamps::tr("May rotate right"))
+      .add(Lamps::tr("Down"), p.axis2Minus, Severity::Fine, Lamps::tr("May elevate down"))
+      .add(Lamps::tr("Up"), p.axis2Plus, Severity::Fine, Lamps::tr("May elevate up"));
   if (!d.permissive().isKnown()) return group.remark(Lamps::tr("required, none heard")).group();
   const QString sender = addressText(d.permissiveFrom);
   return group
@@ -164,7 +164,7 @@ PageStops stopsOf(const Device& d, Instant now) {
     const auto lamp = [&](const QString& side, const std::array<Status2, 5>& states) {
       std::optional<Status2> state;
       if (d.position().isKnown()) state = states[static_cast<std::size_t>(axis - 1)];
-      return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), state, LampTone::Stop};
+      return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), state, Severity::Fault};
     };
     stops.axes.push_back({text.name, text.remark, lamp(text.minus, d.position().value().minusStop),
                           lamp(text.plus, d.position().value().plusStop)});
@@ -195,7 +195,7 @@ std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now) {
     group.lamps.push_back(
         {Lamps::tr("%1 %2", "number and name of a switch").arg(QString::number(number), switchName(number)),
          Lamps::tr("Switch %1: %2").arg(QString::number(number), switchName(number)), state,
-         LampTone::Plain});
+         Severity::Plain});
   };
   for (std::size_t i = 0; i < basic.switches.size(); ++i)
     addSwitch(switches, i, known(stick.basic.isKnown(), basic.switches[i]));

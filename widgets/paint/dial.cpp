@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "paint/app_style.h"
 #include "paint/dial_geometry.h"
 #include "paint/dial_painter.h"
 #include "paint/dial_readout.h"
@@ -30,7 +31,7 @@ bool looksTheSame(const DialValues& shown, DialValues next) {
 
 }  // namespace
 
-Dial::Dial(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+Dial::Dial(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("dial"));
   setAccessibleName(tr("Position of the monitor"));
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -57,11 +58,6 @@ void Dial::setValues(const DialValues& values) {
 
 void Dial::describe() { setAccessibleDescription(DialText::description(m_values)); }
 
-void Dial::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 void Dial::setAnimated(bool animated) {
   m_animated = animated;
   updateTimer();
@@ -74,7 +70,7 @@ void Dial::setPhase(double phase) {
 
 void Dial::updateTimer() {
   const DialAxis& axis = m_values.rotation;
-  const bool moves = axis.oscillating && axis.limitLow && axis.limitHigh && !axis.limitsStale;
+  const bool moves = axis.isOscillating && axis.limitLow && axis.limitHigh && !axis.areLimitsStale;
   const bool run = m_animated && moves && isVisible();
   if (run == m_timer.isActive()) return;
   if (run)
@@ -95,14 +91,15 @@ void Dial::hideEvent(QHideEvent* event) {
 
 void Dial::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), m_colours.surface);
+  const Colours& c = coloursOf(this);
+  painter.fillRect(rect(), c.surface);
   const DialGeometry g = dialGeometry(m_values, rect());
   // To and fro, not round: dashes that always ran one way would look like a direction.
   const double sway = std::sin(m_phase * 2 * std::numbers::pi);
-  DialPainter drawing(painter, m_colours, font(), g.layout.textSize);
+  DialPainter drawing(painter, c, font(), g.layout.textSize);
   drawing.draw(g.rotation, sway);
   drawing.draw(g.elevation, 0);
-  DialReadout texts(painter, m_colours, font(), g.layout);
+  DialReadout texts(painter, c, font(), g.layout);
   texts.draw(g.rotation);
   texts.draw(g.elevation);
   texts.drawChips(m_values);

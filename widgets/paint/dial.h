@@ -7,7 +7,6 @@
 #include <QWidget>
 
 #include "paint/dial_values.h"
-#include "paint/palette.h"
 
 namespace deckpipe {
 
@@ -19,8 +18,6 @@ class Dial : public QWidget {
 
   void setValues(const DialValues& values);
   const DialValues& values() const { return m_values; }
-
-  void setColours(const Colours& colours);
 
   // An oscillating band moves by itself while it can be seen. Off: it rests at the phase given, for a cursor
   // that stands still and for people who want no motion.
@@ -42,7 +39,6 @@ class Dial : public QWidget {
   void describe();
 
   DialValues m_values;
-  Colours m_colours;
   QTimer m_timer;     // the band's motion
   QTimer m_describe;  // holds back the spoken text while values run
   double m_phase = 0;

@@ -39,7 +39,7 @@ double shownDegrees(const DialView& v) {
 }
 
 void placeNeedle(DialView& v) {
-  if (v.axis.reading != DialAxis::Reading::Ok || !std::isfinite(v.axis.degrees)) return;
+  if (v.axis.reading != PositionState::Ok || !std::isfinite(v.axis.degrees)) return;
   const double shown = shownDegrees(v);
   const double b = v.bearing(shown);
   v.needle = QLineF(polar(v.pivot, b, v.px(kHub)), polar(v.pivot, b, v.px(kNeedleTip)));
@@ -80,8 +80,8 @@ void placeLimits(DialView& v, const DialLayout& layout) {
   placeLimitLabels(v, layout);
 }
 
-std::optional<DialBlock> stopBlock(const DialView& v, DialAxis::Stop stop, double side) {
-  if (stop != DialAxis::Stop::On && stop != DialAxis::Stop::Error) return {};
+std::optional<DialBlock> stopBlock(const DialView& v, std::optional<Status2> stop, double side) {
+  if (stop != Status2::On && stop != Status2::Error) return {};
   DialBlock block;
   QPointF middle;
   if (v.needle) {

@@ -15,9 +15,6 @@
 namespace deckpipe {
 namespace {
 
-using Reading = DialAxis::Reading;
-using Stop = DialAxis::Stop;
-
 QRectF circle(const QPointF& centre, double radius) {
   return {centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius};
 }
@@ -45,9 +42,9 @@ void DialPainter::draw(const DialView& view, double sway) {
   m_painter.save();
   m_painter.setRenderHint(QPainter::Antialiasing);
   drawFace();
-  if (view.axis.reading == Reading::Ok) drawTicks();
+  if (view.axis.reading == PositionState::Ok) drawTicks();
   drawBand(sway);
-  if (view.axis.reading != Reading::Ok) drawNoReading();
+  if (view.axis.reading != PositionState::Ok) drawNoReading();
   drawCommand();
   drawNeedle();
   drawHub();
@@ -67,7 +64,7 @@ void DialPainter::drawFace() {
                           : apparatusFromLeft(v.pivot, v.radius, 0.34));
   pen.setWidthF(line(0.008, 1.0));
   // The scale's line: dotted while nothing was ever heard, so that an empty dial is no dial at rest.
-  if (v.axis.reading == Reading::NoData) {
+  if (!v.axis.reading) {
     pen.setStyle(Qt::CustomDashLine);
     pen.setDashPattern({0.1, 4});
     pen.setWidthF(line(0.02, 2.0));
@@ -107,7 +104,7 @@ void DialPainter::drawBand(double sway) {
     const double from = v.bearing(v.band->from), to = v.bearing(v.band->to);
     const double width = std::max(4.0, v.px(dial::kBandWidth));
     const double radius = v.px(dial::kBand);
-    if (axis.limitsStale) {
+    if (axis.areLimitsStale) {
       // Two thin dashed lines where the band was: its ends are still worth knowing, its colour is not.
       QPen pen(m_colours.stale.ink, line(0.008, 1.0), Qt::CustomDashLine, Qt::FlatCap);
       pen.setDashPattern({4, 3});
@@ -116,7 +113,7 @@ void DialPainter::drawBand(double sway) {
       drawArc(m_painter, v.pivot, radius + width / 2, from, to);
     } else {
       QPen pen(m_colours.travel, width, Qt::SolidLine, Qt::FlatCap);
-      if (axis.oscillating) {
+      if (axis.isOscillating) {
         // Whole dashes around the band, so that its ends look the same at any length.
         const double length = (to - from) * std::numbers::pi / 180 * radius / width;
         const double period = length / std::max(1.0, std::round(length / 3.2));
@@ -133,7 +130,7 @@ void DialPainter::drawBand(double sway) {
 }
 
 void DialPainter::drawLimit(const DialLimit& limit) {
-  const QColor ink = m_view->axis.limitsStale ? m_colours.stale.ink : m_colours.travel;
+  const QColor ink = m_view->axis.areLimitsStale ? m_colours.stale.ink : m_colours.travel;
   m_painter.setPen(QPen(ink, line(0.022, 2.0), Qt::SolidLine, Qt::FlatCap));
   m_painter.drawLine(limit.end);
   if (limit.label.isNull()) return;
@@ -143,8 +140,8 @@ void DialPainter::drawLimit(const DialLimit& limit) {
   figures.unit = unit;
   figures.numberFont = fittedFont(m_font, m_textSize, QStringLiteral("−888.8°"), limit.label.width(), 9);
   figures.unitFont = figures.numberFont;
-  figures.numberColour = m_view->axis.limitsStale ? m_colours.stale.ink : m_colours.text;
-  figures.unitColour = m_view->axis.limitsStale ? m_colours.stale.ink : m_colours.textSecondary;
+  figures.numberColour = m_view->axis.areLimitsStale ? m_colours.stale.ink : m_colours.text;
+  figures.unitColour = m_view->axis.areLimitsStale ? m_colours.stale.ink : m_colours.textSecondary;
   // Against the end it belongs to: right alignment is for columns.
   QRectF slot = limit.label;
   const double spare = slot.width() - figuresWidth(figures.numberFont, figures.number + unit);
@@ -161,7 +158,7 @@ void DialPainter::drawNeedle() {
   m_painter.setPen(
       QPen(m_colours.surface, std::max(2.0, v.px(0.025)) * 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   m_painter.drawPolygon(v.needleShape);
-  if (v.axis.stale) {
+  if (v.axis.isStale) {
     QPen pen(m_colours.stale.ink, line(0.016, 1.5), Qt::CustomDashLine, Qt::FlatCap, Qt::MiterJoin);
     pen.setDashPattern({3, 2});
     m_painter.setPen(pen);
@@ -173,7 +170,7 @@ void DialPainter::drawNeedle() {
     m_painter.drawPolygon(v.needleShape);
   }
   if (!v.offScale) return;
-  const QColor ink = v.axis.stale ? m_colours.stale.ink : m_colours.attend.ink;
+  const QColor ink = v.axis.isStale ? m_colours.stale.ink : m_colours.attend.ink;
   m_painter.setPen(QPen(ink, line(0.025, 2.0), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const QPointF along = v.offScale->p2() - v.offScale->p1();
   const QPointF across(-along.y(), along.x());
@@ -188,15 +185,15 @@ void DialPainter::drawNeedle() {
 void DialPainter::drawHub() {
   const DialView& v = *m_view;
   if (!v.needle) return;
-  const QColor ink = v.axis.stale ? m_colours.stale.ink : m_colours.text;
+  const QColor ink = v.axis.isStale ? m_colours.stale.ink : m_colours.text;
   m_painter.setPen(QPen(ink, line(0.025, 1.5)));
   m_painter.setBrush(m_colours.surface);
   m_painter.drawEllipse(v.pivot, v.px(dial::kHub), v.px(dial::kHub));
 }
 
-void DialPainter::drawStop(const DialBlock& block, Stop stop) {
-  const bool on = stop == Stop::On;
-  if (m_view->axis.stale) {
+void DialPainter::drawStop(const DialBlock& block, std::optional<Status2> stop) {
+  const bool on = stop == Status2::On;
+  if (m_view->axis.isStale) {
     QPen pen(m_colours.stale.ink, line(0.014, 1.5), Qt::CustomDashLine, Qt::FlatCap, Qt::MiterJoin);
     pen.setDashPattern({3, 2});
     m_painter.setPen(pen);
@@ -225,7 +222,7 @@ void DialPainter::drawCommand() {
 void DialPainter::drawNoReading() {
   const DialView& v = *m_view;
   const bool plan = v.kind == DialAxisKind::Rotation;
-  const bool stale = v.axis.stale;
+  const bool stale = v.axis.isStale;
   const QRectF face =
       plan ? circle(v.pivot, v.px(0.86))
            : QRectF(v.pivot.x() - v.px(0.86), v.pivot.y() - v.px(0.86), v.px(0.86), v.px(1.72));
@@ -238,13 +235,13 @@ void DialPainter::drawNoReading() {
     m_painter.drawEllipse(circle(middle, sign * 1.38));
     drawGlyph(m_painter, box, glyph, ink, fill);
   };
-  switch (v.axis.reading) {
-    case Reading::Ok: break;
-    case Reading::NoData: plate(Glyph::NoData, m_colours.stale.ink, Qt::transparent); break;
-    case Reading::NotFitted:
+  if (!v.axis.reading) return plate(Glyph::NoData, m_colours.stale.ink, Qt::transparent);
+  switch (*v.axis.reading) {
+    case PositionState::Ok: break;
+    case PositionState::NotFitted:
       plate(Glyph::NotFitted, stale ? m_colours.stale.ink : m_colours.textSecondary, Qt::transparent);
       break;
-    case Reading::SensorError: {
+    case PositionState::SensorError: {
       // The instrument is crossed out, as in a cockpit.
       const QPointF c = plan ? v.pivot : v.pivot - QPointF(v.px(0.41), 0);
       const QPointF a = plan ? QPointF(v.px(0.58), v.px(0.58)) : QPointF(v.px(0.28), v.px(0.42));
@@ -259,7 +256,7 @@ void DialPainter::drawNoReading() {
       }
       break;
     }
-    case Reading::Invalid: {
+    case PositionState::Invalid: {
       const Tone& tone = stale ? m_colours.stale : m_colours.attend;
       QPainterPath clip;
       if (plan) {

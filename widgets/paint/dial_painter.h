@@ -25,7 +25,7 @@ class DialPainter {
   void drawLimit(const DialLimit& limit);
   void drawNeedle();
   void drawHub();
-  void drawStop(const DialBlock& block, DialAxis::Stop stop);
+  void drawStop(const DialBlock& block, std::optional<Status2> stop);
   void drawCommand();
   void drawNoReading();
   double line(double fraction, double least) const;

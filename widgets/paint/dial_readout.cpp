@@ -10,13 +10,7 @@
 #include "paint/figures.h"
 
 namespace deckpipe {
-namespace {
-
-using Reading = DialAxis::Reading;
-using Stop = DialAxis::Stop;
-using Flag = DialValues::Flag;
-
-}  // namespace
+namespace {}  // namespace
 
 DialReadout::DialReadout(QPainter& painter, const Colours& colours, const QFont& font,
                          const DialLayout& layout)
@@ -49,7 +43,7 @@ void DialReadout::draw(const DialView& view) {
 
 void DialReadout::drawValue(const DialView& view) {
   const DialAxis& axis = view.axis;
-  if (axis.reading == Reading::Ok) {
+  if (axis.reading == PositionState::Ok) {
     Figures figures;
     figures.number = degreesText(axis.degrees);
     QString widest =
@@ -60,18 +54,18 @@ void DialReadout::drawValue(const DialView& view) {
     // A stale number is also thinner: weight is seen where grey is not.
     figures.numberFont =
         fittedFont(font(m_layout.valueSize, true), m_layout.valueSize, widest, view.value.width(), 9);
-    figures.numberFont.setBold(!axis.stale);
+    figures.numberFont.setBold(!axis.isStale);
     figures.unitFont = font(figures.numberFont.pixelSize() * 0.8);
-    figures.numberColour = axis.stale ? m_colours.stale.ink : m_colours.text;
-    figures.unitColour = axis.stale ? m_colours.stale.ink : m_colours.textSecondary;
+    figures.numberColour = axis.isStale ? m_colours.stale.ink : m_colours.text;
+    figures.unitColour = axis.isStale ? m_colours.stale.ink : m_colours.textSecondary;
     drawFigures(m_painter, view.value, figures);
     return;
   }
   // In the number's place the reason why there is none, at most two thirds of its size.
   QColor ink = m_colours.textSecondary;
-  if (axis.reading == Reading::SensorError) ink = m_colours.fault.ink;
-  if (axis.reading == Reading::Invalid) ink = m_colours.attend.ink;
-  if (axis.reading == Reading::NoData || axis.stale) ink = m_colours.stale.ink;
+  if (axis.reading == PositionState::SensorError) ink = m_colours.fault.ink;
+  if (axis.reading == PositionState::Invalid) ink = m_colours.attend.ink;
+  if (!axis.reading || axis.isStale) ink = m_colours.stale.ink;
   const double size = std::max(m_layout.textSize, m_layout.valueSize * 0.66);
   QString text = DialText::reading(axis.reading);
   const QRectF& slot = view.value;
@@ -86,17 +80,17 @@ void DialReadout::drawValue(const DialView& view) {
 
 DialReadout::Note DialReadout::ageNote(const DialAxis& axis) const {
   Note note;
-  const bool compactSway = axis.oscillating && m_layout.compact;
-  note.bare = !axis.stale && !compactSway;
-  note.glyph = axis.stale ? Glyph::Stale : Glyph::Oscillating;
-  note.ink = note.textInk = axis.stale ? m_colours.stale.ink : m_colours.textSecondary;
+  const bool compactSway = axis.isOscillating && m_layout.compact;
+  note.bare = !axis.isStale && !compactSway;
+  note.glyph = axis.isStale ? Glyph::Stale : Glyph::Oscillating;
+  note.ink = note.textInk = axis.isStale ? m_colours.stale.ink : m_colours.textSecondary;
   if (axis.age) note.text = ageText(*axis.age);
-  if (axis.stale && !axis.age) note.text = DialText::tr("stale");
+  if (axis.isStale && !axis.age) note.text = DialText::tr("stale");
   return note;
 }
 
 void DialReadout::drawAge(const DialView& view) {
-  if (view.age.isNull() || view.axis.reading == Reading::NoData) return;
+  if (view.age.isNull() || !view.axis.reading) return;
   drawNote(view.age, ageNote(view.axis));
 }
 
@@ -106,24 +100,24 @@ void DialReadout::drawCondition(const DialView& view) {
   const QString stops = DialText::stops(view.kind, axis);
   const bool sharesWithAge = view.age.isNull();
   // Old news about a stop is no stop: where both share a place, the age goes first.
-  if (sharesWithAge && (axis.stale || stops.isEmpty())) {
-    if (axis.reading != Reading::NoData) drawNote(view.condition, ageNote(axis));
+  if (sharesWithAge && (axis.isStale || stops.isEmpty())) {
+    if (axis.reading) drawNote(view.condition, ageNote(axis));
     return;
   }
   Note note;
   if (stops.isEmpty()) {
-    if (!axis.oscillating) return;
+    if (!axis.isOscillating) return;
     note.glyph = Glyph::Oscillating;
-    note.ink = note.textInk = axis.limitsStale ? m_colours.stale.ink : m_colours.textSecondary;
+    note.ink = note.textInk = axis.areLimitsStale ? m_colours.stale.ink : m_colours.textSecondary;
     note.text = DialText::tr("Oscillating");
     drawNote(view.condition, note);
     return;
   }
-  const bool on = axis.plusStop == Stop::On || axis.minusStop == Stop::On;
+  const bool on = axis.plusStop == Status2::On || axis.minusStop == Status2::On;
   note.glyph = on ? Glyph::Stop : Glyph::Attend;
-  note.ink = note.textInk = axis.stale ? m_colours.stale.ink
-                            : on       ? m_colours.fault.ink
-                                       : m_colours.attend.ink;
+  note.ink = note.textInk = axis.isStale ? m_colours.stale.ink
+                            : on         ? m_colours.fault.ink
+                                         : m_colours.attend.ink;
   note.text = stops;
   QRectF slot = view.condition;
   // Beside it stands who commands; with nobody there the place is free.
@@ -182,11 +176,11 @@ void DialReadout::drawChips(const DialValues& values) {
   m_painter.save();
   m_painter.setRenderHint(QPainter::Antialiasing);
   note.text = DialText::enable(values.enable);
-  if (values.enable == Flag::Off) {
+  if (values.enable == false) {
     note.glyph = Glyph::Locked;
     note.ink = note.textInk = m_colours.attend.onFill;
     drawChip(m_layout.enableChip, note, &m_colours.attend);
-  } else if (values.enable == Flag::On) {
+  } else if (values.enable == true) {
     note.glyph = Glyph::Fine;
     note.ink = note.textInk = m_colours.fine.ink;
     drawChip(m_layout.enableChip, note, nullptr);

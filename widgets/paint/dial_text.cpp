@@ -8,77 +8,63 @@
 
 namespace deckpipe {
 
-using Reading = DialAxis::Reading;
-using Stop = DialAxis::Stop;
-using Flag = DialValues::Flag;
-
 QString DialText::title(DialAxisKind kind) {
   return kind == DialAxisKind::Rotation ? tr("Rotation") : tr("Elevation");
 }
 
-QString DialText::reading(Reading reading) {
-  switch (reading) {
-    case Reading::NoData: return tr("No data");
-    case Reading::Ok: return {};
-    case Reading::SensorError: return tr("Sensor error");
-    case Reading::NotFitted: return tr("No sensor");
-    case Reading::Invalid: return tr("Invalid");
+QString DialText::reading(std::optional<PositionState> reading) {
+  if (!reading) return tr("No data");
+  switch (*reading) {
+    case PositionState::Ok: return {};
+    case PositionState::SensorError: return tr("Sensor error");
+    case PositionState::NotFitted: return tr("No sensor");
+    case PositionState::Invalid: return tr("Invalid");
   }
   return {};
 }
 
-QString DialText::readingShort(Reading reading) {
-  return reading == Reading::SensorError ? tr("Error", "sensor error where there is little room")
-                                         : DialText::reading(reading);
+QString DialText::readingShort(std::optional<PositionState> reading) {
+  return reading == PositionState::SensorError ? tr("Error", "sensor error where there is little room")
+                                               : DialText::reading(reading);
 }
 
 QString DialText::stops(DialAxisKind kind, const DialAxis& axis) {
   const bool plan = kind == DialAxisKind::Rotation;
-  const auto side = [&](Stop stop, bool plus) {
-    if (stop == Stop::On) {
+  const auto side = [&](std::optional<Status2> stop, bool plus) {
+    if (stop == Status2::On) {
       if (plan) return plus ? tr("Right stop") : tr("Left stop");
       return plus ? tr("Up stop") : tr("Down stop");
     }
     if (plan) return plus ? tr("Right stop error") : tr("Left stop error");
     return plus ? tr("Up stop error") : tr("Down stop error");
   };
-  const auto shown = [](Stop stop) { return stop == Stop::On || stop == Stop::Error; };
-  if (axis.plusStop == Stop::On && axis.minusStop == Stop::On) return tr("Both stops");
-  if (axis.plusStop == Stop::Error && axis.minusStop == Stop::Error) return tr("Stop errors");
+  const auto shown = [](std::optional<Status2> stop) {
+    return stop == Status2::On || stop == Status2::Error;
+  };
+  if (axis.plusStop == Status2::On && axis.minusStop == Status2::On) return tr("Both stops");
+  if (axis.plusStop == Status2::Error && axis.minusStop == Status2::Error) return tr("Stop errors");
   // A stop that is on says more than one in error; both blocks are drawn anyway.
-  if (axis.plusStop == Stop::On || (shown(axis.plusStop) && axis.minusStop != Stop::On))
+  if (axis.plusStop == Status2::On || (shown(axis.plusStop) && axis.minusStop != Status2::On))
     return side(axis.plusStop, true);
   if (shown(axis.minusStop)) return side(axis.minusStop, false);
   return {};
 }
 
-QString DialText::enable(Flag flag) {
-  switch (flag) {
-    case Flag::Unknown: return {};
-    case Flag::Off: return tr("Disabled");
-    case Flag::On: return tr("Enabled");
-  }
-  return {};
+QString DialText::enable(std::optional<bool> flag) {
+  if (!flag) return {};
+  return *flag ? tr("Enabled") : tr("Disabled");
 }
 
-QString DialText::stowed(Flag flag) { return flag == Flag::On ? tr("Stowed") : QString(); }
+QString DialText::stowed(std::optional<bool> flag) { return flag == true ? tr("Stowed") : QString(); }
 
-QString DialText::enableLong(Flag flag) {
-  switch (flag) {
-    case Flag::Unknown: return tr("Whether motion is allowed is not known.");
-    case Flag::Off: return tr("Motion is disabled.");
-    case Flag::On: return tr("Motion is enabled.");
-  }
-  return {};
+QString DialText::enableLong(std::optional<bool> flag) {
+  if (!flag) return tr("Whether motion is allowed is not known.");
+  return *flag ? tr("Motion is enabled.") : tr("Motion is disabled.");
 }
 
-QString DialText::stowedLong(Flag flag) {
-  switch (flag) {
-    case Flag::Unknown: return {};
-    case Flag::Off: return tr("Not stowed.");
-    case Flag::On: return tr("Stowed.");
-  }
-  return {};
+QString DialText::stowedLong(std::optional<bool> flag) {
+  if (!flag) return {};
+  return *flag ? tr("Stowed.") : tr("Not stowed.");
 }
 
 QString DialText::angle(DialAxisKind kind, double degrees) {
@@ -100,15 +86,16 @@ QString DialText::direction(DialAxisKind kind, bool plus) {
 QString DialText::describe(DialAxisKind kind, const DialAxis& axis) {
   QStringList parts;
   const QString name = title(kind);
-  QString first;
-  switch (axis.reading) {
-    case Reading::NoData: first = tr("%1: no data received").arg(name); break;
-    case Reading::Ok: first = tr("%1: %2").arg(name, angle(kind, axis.degrees)); break;
-    case Reading::SensorError: first = tr("%1: sensor error, no position").arg(name); break;
-    case Reading::NotFitted: first = tr("%1: no position sensor fitted").arg(name); break;
-    case Reading::Invalid: first = tr("%1: invalid position value").arg(name); break;
+  QString first = tr("%1: no data received").arg(name);
+  if (axis.reading) {
+    switch (*axis.reading) {
+      case PositionState::Ok: first = tr("%1: %2").arg(name, angle(kind, axis.degrees)); break;
+      case PositionState::SensorError: first = tr("%1: sensor error, no position").arg(name); break;
+      case PositionState::NotFitted: first = tr("%1: no position sensor fitted").arg(name); break;
+      case PositionState::Invalid: first = tr("%1: invalid position value").arg(name); break;
+    }
   }
-  if (axis.stale)
+  if (axis.isStale)
     first = axis.age ? tr("%1, stale, %2 old").arg(first, ageText(*axis.age)) : tr("%1, stale").arg(first);
   parts << first + QLatin1Char('.');
 
@@ -116,9 +103,9 @@ QString DialText::describe(DialAxisKind kind, const DialAxis& axis) {
   if (!stop.isEmpty()) parts << tr("%1.").arg(stop);
   if (axis.limitLow && axis.limitHigh) {
     const QString low = angle(kind, *axis.limitLow), high = angle(kind, *axis.limitHigh);
-    QString limits = axis.oscillating ? tr("Oscillating between %1 and %2").arg(low, high)
-                                      : tr("Soft limits %1 and %2").arg(low, high);
-    if (axis.limitsStale) limits = tr("%1, stale").arg(limits);
+    QString limits = axis.isOscillating ? tr("Oscillating between %1 and %2").arg(low, high)
+                                        : tr("Soft limits %1 and %2").arg(low, high);
+    if (axis.areLimitsStale) limits = tr("%1, stale").arg(limits);
     parts << limits + QLatin1Char('.');
   } else if (axis.limitLow || axis.limitHigh) {
     parts << tr("Soft limit %1.").arg(angle(kind, axis.limitLow ? *axis.limitLow : *axis.limitHigh));

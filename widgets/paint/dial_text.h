@@ -16,14 +16,14 @@ class DialText {
  public:
   static QString title(DialAxisKind kind);
   // Why there is no value: "Sensor error"; empty for a reading that is Ok. The short form is for 75 pixels.
-  static QString reading(DialAxis::Reading reading);
-  static QString readingShort(DialAxis::Reading reading);
+  static QString reading(std::optional<PositionState> reading);
+  static QString readingShort(std::optional<PositionState> reading);
   // "Right stop", "Down stop error"; empty where neither stop is on or in error.
   static QString stops(DialAxisKind kind, const DialAxis& axis);
-  static QString enable(DialValues::Flag flag);
-  static QString stowed(DialValues::Flag flag);
-  static QString enableLong(DialValues::Flag flag);
-  static QString stowedLong(DialValues::Flag flag);
+  static QString enable(std::optional<bool> flag);
+  static QString stowed(std::optional<bool> flag);
+  static QString enableLong(std::optional<bool> flag);
+  static QString stowedLong(std::optional<bool> flag);
   // Everything that the dial draws, in sentences.
   static QString description(const DialValues& values);
 

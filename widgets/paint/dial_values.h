@@ -1,44 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dial shows, as plain values. A panel fills it from a snapshot of the state at the cursor; nothing
-// here knows a message. Degrees throughout: rotation 0 ahead, right positive; elevation 0 level, up positive.
+// What the dial shows, as plain values. The page of a monitor fills it from the state at the cursor
+// (model/page_dial.h); nothing here knows a message. Degrees throughout: rotation 0 ahead, right positive;
+// elevation 0 level, up positive.
 #pragma once
 
 #include <QString>
-#include <cstdint>
 #include <optional>
 
+#include "base/ids.h"
+#include "base/part_state.h"
 #include "base/time.h"
 
 namespace deckpipe {
 
 struct DialAxis {
-  enum class Reading : std::uint8_t {
-    NoData,       // no such message was ever seen
-    Ok,           // `degrees` holds what the sensor said
-    SensorError,  // the controller says that its sensor failed
-    NotFitted,    // the controller says that it has no sensor
-    Invalid,      // the bits contradict one another
-  };
-  enum class Stop : std::uint8_t { Unknown, Off, On, Error, NotAvailable };
-
   // Who moves this axis and how fast: −1 (left, down) .. +1 (right, up).
   struct Command {
     double speed = 0;
-    QString source;  // as people call it: "Joystick 33"
+    QString source;               // as people call it: "Joystick 33"
+    Address from = kNullAddress;  // null: not known, by way of the gateway
     friend bool operator==(const Command&, const Command&) = default;
   };
 
-  Reading reading = Reading::NoData;
-  double degrees = 0;           // from feedback only; read only where reading is Ok
-  bool stale = false;           // the message that carries reading and stops is overdue
-  std::optional<Duration> age;  // of that message
-  Stop plusStop = Stop::Unknown;
-  Stop minusStop = Stop::Unknown;
+  std::optional<PositionState> reading;  // nothing: no such message ever came
+  double degrees = 0;                    // from feedback only; read only where reading is Ok
+  bool isStale = false;                  // the message that carries reading and stops is overdue
+  std::optional<Duration> age;           // of that message
+  std::optional<Status2> plusStop, minusStop;
 
   std::optional<double> limitLow;  // soft limits: left or down end, right or up end
   std::optional<double> limitHigh;
-  bool limitsStale = false;
-  bool oscillating = false;  // rotation only: the limits are then the oscillation's ends
+  bool areLimitsStale = false;
+  bool isOscillating = false;  // rotation only: the limits are then the oscillation's ends
 
   std::optional<Command> command;
 
@@ -46,12 +39,9 @@ struct DialAxis {
 };
 
 struct DialValues {
-  enum class Flag : std::uint8_t { Unknown, Off, On };
-
   DialAxis rotation;
   DialAxis elevation;
-  Flag enable = Flag::Unknown;  // motion allowed
-  Flag stowed = Flag::Unknown;
+  std::optional<bool> enable, stowed;  // nothing: the outputs never came, or are stale
 
   friend bool operator==(const DialValues&, const DialValues&) = default;
 };

@@ -5,16 +5,12 @@
 #include <QPixmap>
 #include <algorithm>
 
+#include "paint/severity_look.h"
+
 namespace deckpipe {
 
-QColor eventInk(EventWeight weight, const Colours& colours) {
-  switch (weight) {
-    case EventWeight::Warning: return colours.attend.ink;
-    case EventWeight::Fault: return colours.fault.ink;
-    case EventWeight::Info:
-    case EventWeight::Count: break;
-  }
-  return colours.textSecondary;
+QColor eventInk(Severity weight, const Colours& colours) {
+  return weight == Severity::Plain ? colours.textSecondary : inkOf(colours, inkOf(weight));
 }
 
 void drawEventMark(QPainter& painter, const QRectF& box, EventGroup group, const QColor& ink) {

@@ -14,7 +14,7 @@ class QPainter;
 namespace deckpipe {
 
 // The colour of a weight on window and surface.
-QColor eventInk(EventWeight weight, const Colours& colours);
+QColor eventInk(Severity weight, const Colours& colours);
 // Fills the middle of `box` as far as its smaller side goes. Presence: circle; address: diamond; fault: triangle
 // that points down; mode: square; stop: bar with a foot; joystick: triangle that points up; bus: cross; note: flag.
 void drawEventMark(QPainter& painter, const QRectF& box, EventGroup group, const QColor& ink);

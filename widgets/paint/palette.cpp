@@ -63,13 +63,27 @@ Colours sunlight() {
 
 }  // namespace
 
-Colours coloursOf(Theme theme) {
+const Colours& coloursOf(Theme theme) {
+  static const Colours ofLight = light(), ofDark = dark(), ofSunlight = sunlight();
   switch (theme) {
-    case Theme::Light: return light();
-    case Theme::Dark: return dark();
-    case Theme::Sunlight: return sunlight();
+    case Theme::Light: break;
+    case Theme::Dark: return ofDark;
+    case Theme::Sunlight: return ofSunlight;
   }
-  return light();
+  return ofLight;
+}
+
+const QColor& inkOf(const Colours& colours, Ink ink) {
+  switch (ink) {
+    case Ink::Text: break;
+    case Ink::Secondary: return colours.textSecondary;
+    case Ink::Accent: return colours.accent.ink;
+    case Ink::Attend: return colours.attend.ink;
+    case Ink::Fault: return colours.fault.ink;
+    case Ink::Fine: return colours.fine.ink;
+    case Ink::Stale: return colours.stale.ink;
+  }
+  return colours.text;
 }
 
 QPalette qtPalette(const Colours& c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The three themes as plain values. The console asks for the colours of the theme that a person chose, gives
-// the QPalette to the application (Fusion style) and hands the Colours to every painted widget and delegate.
+// The three themes as plain values. The application's style (app_style.h) has the colours of the theme that a person
+// chose, and gives them to every painted widget and delegate.
 //
 // What a colour means is the same in all three: accent = can be touched, attend = look here, fault = fault or
 // stop, fine = good, stale = old. None of them carries its meaning alone: each has a glyph (glyph.h).
@@ -44,7 +44,11 @@ struct Colours {
   friend bool operator==(const Colours&, const Colours&) = default;
 };
 
-Colours coloursOf(Theme theme);
+// What words and signs are written in.
+enum class Ink : std::uint8_t { Text, Secondary, Accent, Attend, Fault, Fine, Stale };
+const QColor& inkOf(const Colours& colours, Ink ink);
+
+const Colours& coloursOf(Theme theme);
 QPalette qtPalette(const Colours& colours);
 
 }  // namespace deckpipe

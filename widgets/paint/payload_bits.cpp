@@ -9,6 +9,8 @@
 #include <bit>
 #include <cmath>
 
+#include "paint/app_style.h"
+
 namespace deckpipe {
 namespace {
 
@@ -25,7 +27,7 @@ int firstAsRead(std::uint64_t bits) {
 
 }  // namespace
 
-PayloadBits::PayloadBits(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+PayloadBits::PayloadBits(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("payloadBits"));
   setAccessibleName(tr("Data bytes"));
   setWhatsThis(tr(
@@ -44,11 +46,6 @@ void PayloadBits::setValues(const PayloadValues& values) {
   // The arrow keys go on from the field that was selected elsewhere.
   if (m_values.selected != 0 && (m_values.selected >> m_at & 1) == 0) m_at = firstAsRead(m_values.selected);
   describe();
-  update();
-}
-
-void PayloadBits::setColours(const Colours& colours) {
-  m_colours = colours;
   update();
 }
 
@@ -107,7 +104,7 @@ void PayloadBits::keyPressEvent(QKeyEvent* event) {
 void PayloadBits::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const Colours& c = m_colours;
+  const Colours& c = coloursOf(this);
   const PayloadGeometry g = PayloadGeometry::fitting(size());
   QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
   digits.setPixelSize(static_cast<int>(std::lround(std::min(g.cellHeight * 0.55, 15.0))));

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/bits.h"
-#include "paint/palette.h"
 #include "paint/payload_geometry.h"
 
 namespace deckpipe {
@@ -35,7 +34,6 @@ class PayloadBits : public QWidget {
 
   void setValues(const PayloadValues& values);
   const PayloadValues& values() const { return m_values; }
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -60,7 +58,6 @@ class PayloadBits : public QWidget {
   void describe();
 
   PayloadValues m_values;
-  Colours m_colours;
   std::uint64_t m_pointed = 0;
   int m_at = 7;  // where the arrow keys are: bit 8 of byte 1
 };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paint/app_style.h"
+
 namespace deckpipe {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double kGap = 8;
 
 }  // namespace
 
-StatusLamp::StatusLamp(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+StatusLamp::StatusLamp(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("statusLamp"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   describe();
@@ -36,12 +38,12 @@ void StatusLamp::changeEvent(QEvent* event) {
   m_hint = {};
 }
 
-void StatusLamp::setWhenOn(WhenOn whenOn) {
+void StatusLamp::setWhenOn(Severity whenOn) {
   m_whenOn = whenOn;
   update();
 }
 
-void StatusLamp::setState(State state, bool stale) {
+void StatusLamp::setState(std::optional<Status2> state, bool stale) {
   if (state == m_state && stale == m_stale) return;
   m_state = state;
   m_stale = stale;
@@ -49,18 +51,13 @@ void StatusLamp::setState(State state, bool stale) {
   update();
 }
 
-void StatusLamp::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 QString StatusLamp::word() const {
-  switch (m_state) {
-    case State::Unknown: return tr("unknown");
-    case State::Off: return tr("off");
-    case State::On: return tr("on");
-    case State::Error: return tr("error");
-    case State::NotAvailable: return tr("not available");
+  if (!m_state) return tr("unknown");
+  switch (*m_state) {
+    case Status2::Off: return tr("off");
+    case Status2::On: return tr("on");
+    case Status2::Error: return tr("error");
+    case Status2::NotAvailable: return tr("not available");
   }
   return {};
 }
@@ -70,25 +67,22 @@ void StatusLamp::describe() {
   setAccessibleDescription(m_stale ? tr("%1, stale").arg(word()) : word());
 }
 
-StatusLamp::Look StatusLamp::look() const {
-  const Colours& c = m_colours;
-  if (m_stale && m_state != State::Unknown)
-    return {Glyph::Stale, c.stale.ink, c.stale.fill, c.stale.onFill, true};
-  switch (m_state) {
-    case State::Unknown: return {Glyph::Unknown, c.stale.ink, Qt::transparent, c.stale.ink, true};
-    case State::Off: return {Glyph::Off, c.textSecondary, Qt::transparent, c.outline, false};
-    case State::Error: return {Glyph::Attend, c.attend.ink, c.attend.fill, c.attend.onFill, false};
-    case State::NotAvailable:
+StatusLamp::Look StatusLamp::lookIn(const Colours& c) const {
+  if (!m_state) return {Glyph::Unknown, c.stale.ink, Qt::transparent, c.stale.ink, true};
+  if (m_stale) return {Glyph::Stale, c.stale.ink, c.stale.fill, c.stale.onFill, true};
+  switch (*m_state) {
+    case Status2::Off: return {Glyph::Off, c.textSecondary, Qt::transparent, c.outline, false};
+    case Status2::Error: return {Glyph::Attend, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case Status2::NotAvailable:
       return {Glyph::NotAvailable, c.textSecondary, Qt::transparent, c.textSecondary, true};
-    case State::On: break;
+    case Status2::On: break;
   }
   switch (m_whenOn) {
-    case WhenOn::Plain: return {Glyph::On, c.text, c.text, c.surface, false};
-    case WhenOn::Fine: return {Glyph::Fine, c.fine.ink, c.fine.fill, c.fine.onFill, false};
-    case WhenOn::Attend: return {Glyph::On, c.attend.ink, c.attend.fill, c.attend.onFill, false};
-    case WhenOn::Stop: break;
+    case Severity::Fine: return {Glyph::Fine, c.fine.ink, c.fine.fill, c.fine.onFill, false};
+    case Severity::Attend: return {Glyph::On, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case Severity::Fault: return {Glyph::Stop, c.fault.ink, c.fault.fill, c.fault.onFill, false};
+    default: return {Glyph::On, c.text, c.text, c.surface, false};
   }
-  return {Glyph::Stop, c.fault.ink, c.fault.fill, c.fault.onFill, false};
 }
 
 QSize StatusLamp::sizeHint() const {
@@ -106,19 +100,20 @@ QSize StatusLamp::sizeHint() const {
 QSize StatusLamp::minimumSizeHint() const { return {static_cast<int>(kLamp + 2 * kGap), kHeight}; }
 
 void StatusLamp::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const Look look = this->look();
+  const Look look = lookIn(c);
   const double middle = height() / 2.0;
   const QRectF lamp(kGap / 2, middle - kLamp / 2, kLamp, kLamp);
-  QPen frame(look.ink, 1.5 * m_colours.stroke, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+  QPen frame(look.ink, 1.5 * c.stroke, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
   if (look.dashed) frame.setDashPattern({2, 1.5});
   p.setPen(frame);
   p.setBrush(look.fill);
   p.drawRoundedRect(lamp, 4, 4);
   const double inset = kLamp * 0.2;
   drawGlyph(p, lamp.adjusted(inset, inset, -inset, -inset), look.glyph, look.glyphInk, Qt::transparent,
-            m_colours.stroke);
+            c.stroke);
 
   const QFontMetricsF metrics(font());
   const double baseline = middle + metrics.capHeight() / 2;
@@ -132,7 +127,7 @@ void StatusLamp::paintEvent(QPaintEvent*) {
     p.setPen(look.ink);
     p.drawText(QPointF(right - wordWidth, baseline), word());
   }
-  p.setPen(m_stale ? m_colours.stale.ink : m_colours.text);
+  p.setPen(m_stale ? c.stale.ink : c.text);
   p.drawText(QPointF(left, baseline), metrics.elidedText(m_label, Qt::ElideRight, right - left));
 }
 

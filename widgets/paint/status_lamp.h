@@ -6,8 +6,10 @@
 
 #include <QString>
 #include <QWidget>
-#include <cstdint>
+#include <optional>
 
+#include "base/part_state.h"
+#include "base/severity.h"
 #include "paint/glyph.h"
 #include "paint/palette.h"
 
@@ -17,20 +19,16 @@ class StatusLamp : public QWidget {
   Q_OBJECT
 
  public:
-  enum class State : std::uint8_t { Unknown, Off, On, Error, NotAvailable };
-  enum class WhenOn : std::uint8_t { Plain, Fine, Attend, Stop };
-
   explicit StatusLamp(QWidget* parent = nullptr);
 
   // `spoken` is for who does not see where the lamp stands: "Rotation, right stop" for a lamp labelled
   // "Right".
   void setLabel(const QString& label, const QString& spoken = {});
-  void setWhenOn(WhenOn whenOn);
-  // Stale: the last state heard, drawn as old; never as a steady one.
-  void setState(State state, bool stale = false);
-  void setColours(const Colours& colours);
+  void setWhenOn(Severity whenOn);
+  // Nothing: never heard. Stale: the last state heard, drawn as old; never as a steady one.
+  void setState(std::optional<Status2> state, bool stale = false);
 
-  State state() const { return m_state; }
+  std::optional<Status2> state() const { return m_state; }
   bool isStale() const { return m_stale; }
 
   QSize sizeHint() const override;
@@ -48,15 +46,14 @@ class StatusLamp : public QWidget {
     QColor glyphInk;  // on the fill
     bool dashed;
   };
-  Look look() const;
+  Look lookIn(const Colours& colours) const;
   QString word() const;
   void describe();
 
-  Colours m_colours;
   QString m_label;
   QString m_spoken;  // empty: the label
-  State m_state = State::Unknown;
-  WhenOn m_whenOn = WhenOn::Plain;
+  std::optional<Status2> m_state;
+  Severity m_whenOn = Severity::Plain;
   bool m_stale = false;
   mutable QSize m_hint;  // as long as label, font and language are the same: pages are laid out often
 };

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "paint/app_style.h"
 #include "paint/glyph.h"
 
 namespace deckpipe {
@@ -21,7 +22,7 @@ StickGeometry stickGeometry(const StickValues& values, const QRectF& bounds) {
   return g;
 }
 
-StickView::StickView(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+StickView::StickView(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("stickView"));
   setAccessibleName(tr("Stick"));
 }
@@ -32,16 +33,11 @@ void StickView::setValues(const StickValues& values) {
   update();
 }
 
-void StickView::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 void StickView::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   const StickGeometry g = stickGeometry(m_values, QRectF(rect()).adjusted(1, 1, -1, -1));
-  const Colours& c = m_colours;
+  const Colours& c = coloursOf(this);
   const double stroke = c.stroke;
   const double r = g.knobRadius;
   const QRectF frame = g.gate.adjusted(-r, -r, r, r);

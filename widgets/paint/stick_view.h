@@ -4,17 +4,10 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 
-#include "paint/palette.h"
+#include "paint/stick_values.h"
 
 namespace deckpipe {
-
-struct StickValues {
-  std::optional<double> x, y;  // −1 .. +1; nothing: the message gives none
-  bool isStale = false;
-  friend bool operator==(const StickValues&, const StickValues&) = default;
-};
 
 // Where things are in a square of the widget; pure.
 struct StickGeometry {
@@ -31,7 +24,6 @@ class StickView : public QWidget {
   explicit StickView(QWidget* parent = nullptr);
 
   void setValues(const StickValues& values);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override { return {176, 176}; }
   QSize minimumSizeHint() const override { return {96, 96}; }
@@ -41,7 +33,6 @@ class StickView : public QWidget {
 
  private:
   StickValues m_values;
-  Colours m_colours;
 };
 
 }  // namespace deckpipe

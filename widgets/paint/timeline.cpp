@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paint/app_style.h"
 #include "paint/event_mark.h"
 
 namespace deckpipe {
@@ -16,7 +17,7 @@ constexpr double kLeastGap = 3;  // pixels
 
 }  // namespace
 
-Timeline::Timeline(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+Timeline::Timeline(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Position in the log"));
   setWhatsThis(tr(
@@ -73,11 +74,6 @@ void Timeline::select(std::optional<TimelineSpan> span) {
   Q_EMIT selectionChanged();
 }
 
-void Timeline::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 TimelineGeometry Timeline::geometryNow() const {
   return {static_cast<double>(width()), shown().begin, shown().end};
 }
@@ -90,7 +86,7 @@ QRectF Timeline::strip() const {
 void Timeline::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const Colours& c = m_colours;
+  const Colours& c = coloursOf(this);
   const QRectF strip = this->strip();
   p.setPen(QPen(c.outline, c.stroke));
   p.setBrush(c.surface);
@@ -100,12 +96,12 @@ void Timeline::paintEvent(QPaintEvent*) {
     p.drawText(strip, Qt::AlignCenter, tr("No frames"));
   } else {
     const TimelineGeometry g = geometryNow();
-    paintDensity(p, g, strip);
-    paintGaps(p, g, strip);
-    paintMarks(p, g, strip);
-    paintSelection(p, g, strip);
-    paintCursor(p, g, strip);
-    paintBeyond(p, strip);
+    paintDensity(p, c, g, strip);
+    paintGaps(p, c, g, strip);
+    paintMarks(p, c, g, strip);
+    paintSelection(p, c, g, strip);
+    paintCursor(p, c, g, strip);
+    paintBeyond(p, c, strip);
   }
   if (hasFocus()) {
     p.setRenderHint(QPainter::Antialiasing, false);
@@ -116,8 +112,8 @@ void Timeline::paintEvent(QPaintEvent*) {
 }
 
 // What has happened is filled, what lies after the cursor only outlined.
-void Timeline::paintDensity(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
-  const Colours& c = m_colours;
+void Timeline::paintDensity(QPainter& p, const Colours& c, const TimelineGeometry& g,
+                            const QRectF& strip) const {
   const double cursor = g.xOf(m_values.cursor);
   if (cursor < strip.right() && m_values.cursor < shown().end) {
     QBrush after(c.stale.fill, Qt::SolidPattern);
@@ -159,11 +155,11 @@ void Timeline::hide(EventGroup group, bool isHidden) {
 
 // Above the strip, a jump of the clock as a broken line through it. Where marks of one group meet, the gravest is
 // seen; graver ones cover others.
-void Timeline::paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
-  const Colours& c = m_colours;
+void Timeline::paintMarks(QPainter& p, const Colours& c, const TimelineGeometry& g,
+                          const QRectF& strip) const {
   const TimelineSpan inSight = shown();
   constexpr double kTop = 2;
-  for (const EventWeight weight : kAllOf<EventWeight>) {
+  for (const Severity weight : kEventWeights) {
     EnumArray<EventGroup, double> lastX;
     for (double& x : lastX) x = -1e9;
     for (const TimelineMark& mark : m_values.marks) {
@@ -179,7 +175,7 @@ void Timeline::paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& 
       if (x - lastX[mark.group] < 2) continue;
       lastX[mark.group] = x;
       const QColor ink =
-          mark.group == EventGroup::Note && weight == EventWeight::Info ? c.text : eventInk(weight, c);
+          mark.group == EventGroup::Note && weight == Severity::Plain ? c.text : eventInk(weight, c);
       p.setPen(QPen(ink, c.stroke));
       p.drawLine(QPointF(x, kTop + kMarkHeight - 1), QPointF(x, strip.top() + 4));
       drawEventMark(p, QRectF(x - kMarkHeight / 2, kTop, kMarkHeight, kMarkHeight), mark.group, ink);
@@ -188,8 +184,8 @@ void Timeline::paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& 
 }
 
 // Hatched, each kind its own way: nothing came, or nothing could come.
-void Timeline::paintGaps(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
-  const Colours& c = m_colours;
+void Timeline::paintGaps(QPainter& p, const Colours& c, const TimelineGeometry& g,
+                         const QRectF& strip) const {
   for (const TimelineGap& gap : m_values.gaps) {
     const double from = g.xOf(gap.span.begin), to = g.xOf(gap.span.end);
     if (to - from < kLeastGap) continue;
@@ -200,9 +196,9 @@ void Timeline::paintGaps(QPainter& p, const TimelineGeometry& g, const QRectF& s
   }
 }
 
-void Timeline::paintSelection(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
+void Timeline::paintSelection(QPainter& p, const Colours& c, const TimelineGeometry& g,
+                              const QRectF& strip) const {
   if (!m_selection) return;
-  const Colours& c = m_colours;
   const QRectF area(QPointF(g.xOf(m_selection->begin), 1), QPointF(g.xOf(m_selection->end), strip.bottom()));
   QColor veil = c.accent.fill;
   veil.setAlphaF(0.25F);
@@ -227,8 +223,7 @@ void Timeline::paintSelection(QPainter& p, const TimelineGeometry& g, const QRec
 }
 
 // While only a part is in sight: an arrow where the log goes on, filled where the cursor is that way.
-void Timeline::paintBeyond(QPainter& p, const QRectF& strip) const {
-  const Colours& c = m_colours;
+void Timeline::paintBeyond(QPainter& p, const Colours& c, const QRectF& strip) const {
   const TimelineSpan inSight = shown();
   const auto draw = [&](double x, double tip, bool isCursor) {
     const double y = strip.center().y();
@@ -246,8 +241,8 @@ void Timeline::paintBeyond(QPainter& p, const QRectF& strip) const {
   if (inSight.end < m_values.end) draw(strip.right() + 3, 5, m_values.cursor > inSight.end);
 }
 
-void Timeline::paintCursor(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const {
-  const Colours& c = m_colours;
+void Timeline::paintCursor(QPainter& p, const Colours& c, const TimelineGeometry& g,
+                           const QRectF& strip) const {
   // The live edge: where the log ends for now.
   if (shown().end >= m_values.end) {
     p.setPen(QPen(m_values.atEnd ? c.accent.ink : c.outline, 3 * c.stroke, Qt::SolidLine, Qt::FlatCap));

@@ -31,7 +31,7 @@ struct TimelineMark {
   Instant time;
   QString text{};
   EventGroup group = EventGroup::Note;
-  EventWeight weight = EventWeight::Info;
+  Severity weight = Severity::Plain;
   friend bool operator==(const TimelineMark&, const TimelineMark&) = default;
 };
 
@@ -61,7 +61,6 @@ class Timeline : public QWidget {
 
   void setValues(const TimelineValues& values);
   const TimelineValues& values() const { return m_values; }
-  void setColours(const Colours& colours);
   TimelineGeometry geometryNow() const;
   // The part of the log that is in sight.
   TimelineSpan shown() const;
@@ -94,12 +93,12 @@ class Timeline : public QWidget {
 
  private:
   void seekTo(Instant time);
-  void paintDensity(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
-  void paintMarks(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
-  void paintGaps(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
-  void paintSelection(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
-  void paintCursor(QPainter& p, const TimelineGeometry& g, const QRectF& strip) const;
-  void paintBeyond(QPainter& p, const QRectF& strip) const;
+  void paintDensity(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintMarks(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintGaps(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintSelection(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintCursor(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintBeyond(QPainter& p, const Colours& c, const QRectF& strip) const;
   QRectF strip() const;
 
   TimelineSpan whole() const { return {m_values.begin, m_values.end}; }
@@ -118,7 +117,6 @@ class Timeline : public QWidget {
   std::optional<Instant> m_selectingFrom;  // while a span is dragged
   bool m_isPinching = false;
   EnumSet<EventGroup> m_hidden;
-  Colours m_colours;
 };
 
 }  // namespace deckpipe

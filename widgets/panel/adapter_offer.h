@@ -15,7 +15,7 @@ struct AdapterOffer {
   QString interfaceName{};
   QString title{};  // "can0"
   QString maker{};  // "SocketCAN", "PEAK-System · PCAN-USB · 12345"
-  StatusTone tone = StatusTone::Plain;
+  Severity tone = Severity::Plain;
   QString state{};    // "up at 250 kbit/s, listen-only; frames are heard"
   QString problem{};  // what to do first, if anything
   QString command{};  // … in a terminal

@@ -9,14 +9,14 @@
 #include <QPainter>
 #include <QPushButton>
 
+#include "paint/app_style.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 
 namespace deckpipe {
 
 AdapterRow::AdapterRow(QWidget* parent)
     : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
       m_sign(new GlyphLabel(this)),
       m_title(new QLabel(this)),
       m_maker(new QLabel(this)),
@@ -42,6 +42,7 @@ AdapterRow::AdapterRow(QWidget* parent)
   m_title->setFont(strong);
   for (QLabel* label : {m_title, m_maker, m_state, m_problem, m_command}) label->setTextFormat(Qt::PlainText);
   for (QLabel* label : {m_maker, m_state, m_problem, m_command}) label->setWordWrap(true);
+  for (QLabel* label : {m_maker, m_problem}) setInk(*label, Ink::Secondary);
   m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   m_command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* grid = new QGridLayout(this);
@@ -79,25 +80,15 @@ void AdapterRow::setOffer(const AdapterOffer& offer) {
   m_connect->setAccessibleDescription(tr("%1, %2").arg(offer.title, offer.state));
   setAccessibleName(offer.title);
   setAccessibleDescription(offer.state);
-  setColours(m_colours);
-}
-
-void AdapterRow::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_sign->setGlyph(glyphOf(m_offer.tone), inkOf(m_offer.tone, colours), colours.stroke);
-  setInk(*m_title, colours.text);
-  setInk(*m_maker, colours.textSecondary);
-  setInk(*m_state, colours.text);
-  setInk(*m_problem, colours.textSecondary);
-  setInk(*m_command, colours.text);
-  update();
+  m_sign->setGlyph(glyphOf(offer.tone), inkOf(offer.tone));
 }
 
 void AdapterRow::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(m_colours.outline, m_colours.stroke));
-  p.setBrush(m_colours.surface);
+  p.setPen(QPen(c.outline, c.stroke));
+  p.setBrush(c.surface);
   p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
 }
 

@@ -5,7 +5,6 @@
 
 #include <QWidget>
 
-#include "paint/palette.h"
 #include "panel/adapter_offer.h"
 
 class QLabel;
@@ -23,7 +22,6 @@ class AdapterRow : public QWidget {
 
   void setOffer(const AdapterOffer& offer);
   const AdapterOffer& offer() const { return m_offer; }
-  void setColours(const Colours& colours);
 
  Q_SIGNALS:
   void connectRequested();
@@ -32,7 +30,6 @@ class AdapterRow : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  Colours m_colours;
   AdapterOffer m_offer;
   GlyphLabel* m_sign;
   QLabel* m_title;

@@ -5,8 +5,10 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "paint/app_style.h"
+#include "paint/severity_look.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/secondary_font.h"
 #include "text/service_text.h"
 
@@ -20,7 +22,6 @@ constexpr int kButtonWidth = 96;
 AskCard::AskCard(Ask ask, QWidget* parent)
     : QWidget(parent),
       m_ask(ask),
-      m_colours(coloursOf(Theme::Light)),
       m_answer(new QLabel(this)),
       m_sign(new GlyphLabel(this)),
       m_state(new QLabel(this)),
@@ -64,30 +65,16 @@ void AskCard::setValues(const Values& values) {
   showState();
 }
 
-void AskCard::setColours(const Colours& colours) {
-  m_colours = colours;
-  showState();
-}
-
 void AskCard::showState() {
-  const auto look = [this]() -> std::pair<std::optional<Glyph>, QColor> {
-    switch (m_values.tone) {
-      case Tone::Plain: break;
-      case Tone::Waiting: return {Glyph::Stale, m_colours.accent.ink};
-      case Tone::Fine: return {Glyph::Fine, m_colours.fine.ink};
-      case Tone::Attend: return {Glyph::Attend, m_colours.attend.ink};
-    }
-    if (m_values.isOld) return {Glyph::Stale, m_colours.stale.ink};
-    return {std::nullopt, m_colours.textSecondary};
-  }();
-  m_sign->setGlyph(look.first, look.second, m_colours.stroke);
-  m_sign->setVisible(look.first.has_value());
-  setInk(*m_state, look.second);
+  const bool isPlain = m_values.tone == Severity::Plain;
+  const Severity shown = isPlain && m_values.isOld ? Severity::Silent : m_values.tone;
+  const Ink ink = shown == Severity::Plain ? Ink::Secondary : inkOf(shown);
+  m_sign->setGlyph(glyphOf(shown), ink);
+  m_sign->setVisible(glyphOf(shown).has_value());
+  setInk(*m_state, ink);
   setText(*m_state, m_values.state);
   setText(*m_answer, m_values.answer);
-  setInk(*m_answer, m_values.isOld     ? m_colours.stale.ink
-                    : m_values.isFault ? m_colours.fault.ink
-                                       : m_colours.text);
+  setInk(*m_answer, m_values.isOld ? Ink::Stale : m_values.isFault ? Ink::Fault : Ink::Text);
   m_answer->setVisible(!m_values.answer.isEmpty());
   m_button->setEnabled(m_values.isOffered);
 }

@@ -6,8 +6,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "base/severity.h"
 #include "control/ask.h"
-#include "paint/palette.h"
 
 class QLabel;
 class QPushButton;
@@ -16,15 +16,12 @@ namespace deckpipe {
 
 class GlyphLabel;
 
-// Of the state. Only Fine has a tick.
-enum class AskCardTone : std::uint8_t { Plain, Waiting, Fine, Attend };
-
 struct AskCardValues {
   QString answer;  // empty: none yet
   QString state;
-  AskCardTone tone = AskCardTone::Plain;
-  bool isOld = false;    // the device restarted or fell silent after the answer
-  bool isFault = false;  // the answer names a fault
+  Severity tone = Severity::Plain;  // of the state; only Fine has a tick
+  bool isOld = false;               // the device restarted or fell silent after the answer
+  bool isFault = false;             // the answer names a fault
   bool isOffered = false;
   friend bool operator==(const AskCardValues&, const AskCardValues&) = default;
 };
@@ -33,14 +30,12 @@ class AskCard : public QWidget {
   Q_OBJECT
 
  public:
-  using Tone = AskCardTone;
   using Values = AskCardValues;
 
   explicit AskCard(Ask ask, QWidget* parent = nullptr);
 
   void setValues(const Values& values);
   const Values& values() const { return m_values; }
-  void setColours(const Colours& colours);
   Ask ask() const { return m_ask; }
 
  Q_SIGNALS:
@@ -51,7 +46,6 @@ class AskCard : public QWidget {
 
   Ask m_ask;
   Values m_values;
-  Colours m_colours;
   QLabel* m_answer;
   GlyphLabel* m_sign;
   QLabel* m_state;

@@ -9,8 +9,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "paint/app_style.h"
 #include "panel/adapter_row.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 
 namespace deckpipe {
 namespace {
@@ -35,6 +36,7 @@ QLabel* words(const char* name, const QString& accessibleName, QWidget* parent) 
   label->setAccessibleName(accessibleName);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
+  setInk(*label, Ink::Secondary);
   return label;
 }
 
@@ -48,7 +50,7 @@ QPushButton* button(const QString& text, const char* name, QWidget* parent) {
 
 }  // namespace
 
-ConnectionPage::ConnectionPage(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+ConnectionPage::ConnectionPage(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("startPage"));
   setAccessibleName(tr("Connect"));
   auto* inside = new QWidget;
@@ -139,7 +141,6 @@ QWidget* ConnectionPage::makeOtherSide() {
 
 AdapterRow* ConnectionPage::makeRow() {
   auto* row = new AdapterRow(this);
-  row->setColours(m_colours);
   connect(row, &AdapterRow::connectRequested, this, [this, row] {
     Q_EMIT connectRequested(row->offer().plugin, row->offer().interfaceName, bitRate());
   });
@@ -167,7 +168,7 @@ void ConnectionPage::setOffers(const AdapterOffers& offers) {
   if (hasNone) {
     AdapterOffer none;
     none.title = offers.isSearching ? tr("Looking for adapters …") : tr("No CAN adapter found");
-    none.tone = offers.isSearching ? StatusTone::Busy : StatusTone::Attend;
+    none.tone = offers.isSearching ? Severity::Busy : Severity::Attend;
     none.state = offers.nothing;
     none.command = offers.command;
     none.canConnect = false;
@@ -208,14 +209,6 @@ void ConnectionPage::setRecentLogs(const std::vector<RecentLog>& logs) {
   }
   m_noLogs->setVisible(logs.empty());
   m_forget->setVisible(!logs.empty());
-}
-
-void ConnectionPage::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_none->setColours(colours);
-  for (AdapterRow* row : m_adapters) row->setColours(colours);
-  setInk(*m_missing, colours.textSecondary);
-  setInk(*m_noLogs, colours.textSecondary);
 }
 
 int ConnectionPage::bitRate() const { return m_bitRate->currentData().toInt(); }

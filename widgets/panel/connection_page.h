@@ -32,7 +32,6 @@ class ConnectionPage : public QWidget {
 
   void setOffers(const AdapterOffers& offers);
   void setRecentLogs(const std::vector<RecentLog>& logs);
-  void setColours(const Colours& colours);
   // bit/s; 0: as the interface has it.
   int bitRate() const;
   void setBitRate(int bitRate);
@@ -51,7 +50,6 @@ class ConnectionPage : public QWidget {
   AdapterRow* makeRow();
   void orderTabs();
 
-  Colours m_colours;
   AdapterOffers m_offers;
   std::vector<RecentLog> m_logs;
   QComboBox* m_bitRate = nullptr;

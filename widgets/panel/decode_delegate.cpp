@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "model/decode_model.h"
+#include "paint/app_style.h"
 #include "panel/flat_header.h"
 
 namespace deckpipe {
@@ -26,29 +27,27 @@ QFont fontOf(const QFont& base, const QModelIndex& index) {
   return font;
 }
 
-}  // namespace
-
-DecodeDelegate::DecodeDelegate(QObject* parent)
-    : QStyledItemDelegate(parent), m_colours(coloursOf(Theme::Light)) {}
-
-QColor DecodeDelegate::ink(const QModelIndex& index) const {
-  if (lineOf(index) == DecodeRow::Line::Certainty) return m_colours.attend.ink;
+QColor inkFor(const QModelIndex& index, const Colours& c) {
+  if (lineOf(index) == DecodeRow::Line::Certainty) return c.attend.ink;
   const bool isValue = index.column() == DecodeModel::Name || index.column() == DecodeModel::Value;
-  if (!isValue) return m_colours.textSecondary;
-  if (index.data(DecodeModel::QuietRole).toBool()) return m_colours.stale.ink;
+  if (!isValue) return c.textSecondary;
+  if (index.data(DecodeModel::QuietRole).toBool()) return c.stale.ink;
   const bool isField = lineOf(index) == DecodeRow::Line::Field;
-  return index.column() == DecodeModel::Name && !isField ? m_colours.textSecondary : m_colours.text;
+  return index.column() == DecodeModel::Name && !isField ? c.textSecondary : c.text;
 }
+
+}  // namespace
 
 void DecodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                            const QModelIndex& index) const {
+  const Colours& c = coloursOf(option.widget);
   const bool isSelected = (option.state & QStyle::State_Selected) != 0;
-  const QColor ground = index.row() % 2 != 0 ? m_colours.surfaceAlternate : m_colours.surface;
-  painter->fillRect(option.rect, isSelected ? m_colours.accent.fill : ground);
+  const QColor ground = index.row() % 2 != 0 ? c.surfaceAlternate : c.surface;
+  painter->fillRect(option.rect, isSelected ? c.accent.fill : ground);
   if (index.row() == m_pointed && !isSelected) {
     // Lines above and below each cell make one frame of the row.
     for (const int y : {option.rect.top(), option.rect.bottom() - 1})
-      painter->fillRect(option.rect.left(), y, option.rect.width(), 2, m_colours.accent.ink);
+      painter->fillRect(option.rect.left(), y, option.rect.width(), 2, c.accent.ink);
   }
   const QFont font = fontOf(option.font, index);
   const QRect area = option.rect.adjusted(FlatHeader::kPadding, 0, -FlatHeader::kPadding, 0);
@@ -56,7 +55,7 @@ void DecodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   const QFontMetrics metrics(font);
   const bool isSentence = lineOf(index) == DecodeRow::Line::Certainty;
   painter->setFont(font);
-  painter->setPen(isSelected ? m_colours.accent.onFill : ink(index));
+  painter->setPen(isSelected ? c.accent.onFill : inkFor(index, c));
   painter->drawText(area,
                     Qt::AlignLeft | Qt::AlignVCenter | (isSentence ? Qt::TextWordWrap : Qt::TextSingleLine),
                     isSentence ? text : metrics.elidedText(text, Qt::ElideRight, area.width()));

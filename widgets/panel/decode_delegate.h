@@ -6,25 +6,19 @@
 
 #include <QStyledItemDelegate>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class DecodeDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
-  explicit DecodeDelegate(QObject* parent = nullptr);
-  void setColours(const Colours& colours) { m_colours = colours; }
+  using QStyledItemDelegate::QStyledItemDelegate;
   // -1: none.
   void setPointedRow(int row) { m_pointed = row; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:
-  QColor ink(const QModelIndex& index) const;
-
-  Colours m_colours;
   int m_pointed = -1;
 };
 

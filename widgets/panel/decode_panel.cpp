@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <algorithm>
 
+#include "paint/app_style.h"
 #include "paint/payload_bits.h"
 #include "panel/decode_delegate.h"
 #include "panel/flat_header.h"
@@ -22,7 +23,7 @@ constexpr int kLeastValue = 120, kMostValue = 320;
 
 }  // namespace
 
-DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("decodePanel"));
   setAccessibleName(tr("Frame in detail"));
   m_payload = new PayloadBits(this);
@@ -77,15 +78,6 @@ void DecodePanel::setModel(DecodeModel* model) {
   connect(m_model, &DecodeModel::frameChanged, this, &DecodePanel::showFrame);
   connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::showBits);
   showFrame();
-}
-
-void DecodePanel::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_payload->setColours(colours);
-  m_delegate->setColours(colours);
-  m_header->setColours(colours);
-  m_list->viewport()->update();
-  update();
 }
 
 void DecodePanel::showFrame() {
@@ -170,8 +162,9 @@ bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list->viewport() && event->type() == QEvent::Paint &&
       (m_model == nullptr || m_model->rowCount() == 0)) {
     QPainter p(m_list->viewport());
-    p.fillRect(m_list->viewport()->rect(), m_colours.surface);
-    p.setPen(m_colours.textSecondary);
+    const Colours& c = coloursOf(m_list);
+    p.fillRect(m_list->viewport()->rect(), c.surface);
+    p.setPen(c.textSecondary);
     p.drawText(m_list->viewport()->rect(), Qt::AlignCenter, tr("No frame selected"));
     return true;
   }
@@ -180,7 +173,7 @@ bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
 
 void DecodePanel::paintEvent(QPaintEvent*) {
   QPainter p(this);
-  p.fillRect(rect(), m_colours.window);
+  p.fillRect(rect(), coloursOf(this).window);
 }
 
 }  // namespace deckpipe

@@ -8,7 +8,6 @@
 #include <QWidget>
 
 #include "model/decode_model.h"
-#include "paint/palette.h"
 
 class QBoxLayout;
 class QTableView;
@@ -27,7 +26,6 @@ class DecodePanel : public QWidget {
 
   // Not owned; it lives longer than the panel.
   void setModel(DecodeModel* model);
-  void setColours(const Colours& colours);
   QTableView* list() const { return m_list; }
   PayloadBits* payload() const { return m_payload; }
 
@@ -46,7 +44,6 @@ class DecodePanel : public QWidget {
   void point(int row);
   void shareWidth();
 
-  Colours m_colours;
   DecodeModel* m_model = nullptr;
   int m_pointed = -1;  // the row under the pointer, or whose bit is
   QBoxLayout* m_layout;

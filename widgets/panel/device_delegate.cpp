@@ -10,6 +10,7 @@
 
 #include "model/device_model.h"
 #include "model/device_order.h"
+#include "paint/app_style.h"
 #include "paint/figures.h"
 #include "panel/health_look.h"
 #include "panel/secondary_font.h"
@@ -31,9 +32,6 @@ QString wordsOf(const QModelIndex& index, const QFontMetricsF& metrics, double w
 }
 
 }  // namespace
-
-DeviceDelegate::DeviceDelegate(QObject* parent)
-    : QStyledItemDelegate(parent), m_colours(coloursOf(Theme::Light)) {}
 
 QSize DeviceDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const auto* order = qobject_cast<const DeviceOrder*>(index.model());
@@ -69,19 +67,20 @@ void DeviceDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   QPainter& p = *painter;
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
+  const Colours& c = coloursOf(option.widget);
   const bool isSelected = (option.state & QStyle::State_Selected) != 0;
   const QRectF cell = QRectF(option.rect).adjusted(kPad, 0, -kPad, 0);
   switch (index.column()) {
-    case DeviceModel::DeviceColumn: paintDevice(p, cell, index, option); break;
+    case DeviceModel::DeviceColumn: paintDevice(p, c, cell, index, option); break;
     case DeviceModel::HealthColumn:
-      paintHealth(p, QRectF(option.rect), index, isSelected, leftOfRow(option) + kPad);
+      paintHealth(p, c, QRectF(option.rect), index, isSelected, leftOfRow(option) + kPad);
       break;
-    default: paintNumber(p, cell, index, isSelected); break;
+    default: paintNumber(p, c, cell, index, isSelected); break;
   }
   p.restore();
 }
 
-void DeviceDelegate::paintDevice(QPainter& p, const QRectF& cell, const QModelIndex& index,
+void DeviceDelegate::paintDevice(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
                                  const QStyleOptionViewItem& option) const {
   const bool isSelected = (option.state & QStyle::State_Selected) != 0;
   const QFontMetricsF metrics(option.font);
@@ -89,11 +88,11 @@ void DeviceDelegate::paintDevice(QPainter& p, const QRectF& cell, const QModelIn
   const QFontMetricsF smallMetrics(small);
   const double middle = cell.center().y();
   p.setFont(option.font);
-  p.setPen(isSelected ? m_colours.accent.onFill : m_colours.text);
+  p.setPen(isSelected ? c.accent.onFill : c.text);
   p.drawText(QPointF(cell.left(), middle - 4),
              metrics.elidedText(index.data().toString(), Qt::ElideRight, cell.width()));
   p.setFont(small);
-  p.setPen(isSelected ? m_colours.accent.onFill : m_colours.textSecondary);
+  p.setPen(isSelected ? c.accent.onFill : c.textSecondary);
   // On to the words of the health: under the numbers between there is nothing.
   double right = cell.right();
   if (const auto* view = qobject_cast<const QTreeView*>(option.widget)) {
@@ -107,14 +106,14 @@ void DeviceDelegate::paintDevice(QPainter& p, const QRectF& cell, const QModelIn
 }
 
 // The sign in its column; the words end there and begin under the columns before.
-void DeviceDelegate::paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected,
-                                 double left) const {
-  const auto severity = static_cast<HealthSeverity>(index.data(DeviceModel::HealthRole).toInt());
-  const QColor ink = isSelected ? m_colours.accent.onFill : toneOf(m_colours, severity).ink;
+void DeviceDelegate::paintHealth(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
+                                 bool isSelected, double left) const {
+  const auto severity = static_cast<Severity>(index.data(DeviceModel::HealthRole).toInt());
+  const QColor ink = isSelected ? c.accent.onFill : inkOf(c, inkOf(severity));
   const double middle = cell.center().y();
   const double x = cell.center().x();
-  drawGlyph(p, QRectF(x - kGlyph / 2, middle - 3 - kGlyph, kGlyph, kGlyph), glyphOf(severity), ink,
-            Qt::transparent, m_colours.stroke);
+  drawGlyph(p, QRectF(x - kGlyph / 2, middle - 3 - kGlyph, kGlyph, kGlyph), healthGlyph(severity), ink,
+            Qt::transparent, c.stroke);
   const QFont small = secondaryFont(p.font());
   const QFontMetricsF metrics(small);
   const double right = cell.right() - kPad;
@@ -124,7 +123,7 @@ void DeviceDelegate::paintHealth(QPainter& p, const QRectF& cell, const QModelIn
   p.drawText(QPointF(right - metrics.horizontalAdvance(words), middle + 4 + metrics.ascent()), words);
 }
 
-void DeviceDelegate::paintNumber(QPainter& p, const QRectF& cell, const QModelIndex& index,
+void DeviceDelegate::paintNumber(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
                                  bool isSelected) const {
   QString text = index.data().toString();
   QString unit;
@@ -136,9 +135,7 @@ void DeviceDelegate::paintNumber(QPainter& p, const QRectF& cell, const QModelIn
   }
   const QFontMetricsF metrics(p.font());
   const bool isSecondary = index.column() != DeviceModel::AddressColumn;
-  const QColor ink = isSelected    ? m_colours.accent.onFill
-                     : isSecondary ? m_colours.textSecondary
-                                   : m_colours.text;
+  const QColor ink = isSelected ? c.accent.onFill : isSecondary ? c.textSecondary : c.text;
   // On the line of the device's name.
   const double baseline = cell.center().y() - 4;
   const QRectF slot(cell.left(), baseline - metrics.capHeight(), cell.width(), metrics.capHeight());

@@ -17,8 +17,7 @@ class DeviceDelegate : public QStyledItemDelegate {
   static constexpr int kRowHeight = 48;
   static constexpr int kHeadingHeight = 28;
 
-  explicit DeviceDelegate(QObject* parent = nullptr);
-  void setColours(const Colours& colours) { m_colours = colours; }
+  using QStyledItemDelegate::QStyledItemDelegate;
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   // A row that opens its group is higher by the heading.
@@ -29,13 +28,12 @@ class DeviceDelegate : public QStyledItemDelegate {
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:
-  void paintDevice(QPainter& p, const QRectF& cell, const QModelIndex& index,
+  void paintDevice(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
                    const QStyleOptionViewItem& option) const;
-  void paintHealth(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected,
-                   double left) const;
-  void paintNumber(QPainter& p, const QRectF& cell, const QModelIndex& index, bool isSelected) const;
-
-  Colours m_colours;
+  void paintHealth(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
+                   bool isSelected, double left) const;
+  void paintNumber(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
+                   bool isSelected) const;
 };
 
 }  // namespace deckpipe

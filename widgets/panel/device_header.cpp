@@ -6,6 +6,7 @@
 #include <QPolygonF>
 
 #include "model/device_model.h"
+#include "paint/app_style.h"
 #include "panel/secondary_font.h"
 
 namespace deckpipe {
@@ -16,8 +17,7 @@ constexpr double kArrow = 3.5;  // half its width
 
 }  // namespace
 
-DeviceHeader::DeviceHeader(QWidget* parent)
-    : QHeaderView(Qt::Horizontal, parent), m_colours(coloursOf(Theme::Light)) {
+DeviceHeader::DeviceHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
   setObjectName(QStringLiteral("deviceListHeader"));
   setAccessibleName(tr("Sort the devices by"));
   setSectionsMovable(false);
@@ -29,22 +29,18 @@ DeviceHeader::DeviceHeader(QWidget* parent)
   setHighlightSections(false);
 }
 
-void DeviceHeader::setColours(const Colours& colours) {
-  m_colours = colours;
-  viewport()->update();
-}
-
 // What lies beside the sections, over the scroll bar.
 void DeviceHeader::paintEvent(QPaintEvent* event) {
-  QPainter(viewport()).fillRect(viewport()->rect(), m_colours.surface);
+  QPainter(viewport()).fillRect(viewport()->rect(), coloursOf(this).surface);
   QHeaderView::paintEvent(event);
 }
 
 void DeviceHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+  const Colours& c = coloursOf(this);
   QPainter& p = *painter;
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
-  p.fillRect(rect, m_colours.surface);
+  p.fillRect(rect, c.surface);
   const QFont small = secondaryFont(font());
   const QFontMetricsF metrics(small);
   const QString text = model()->headerData(section, orientation()).toString();
@@ -58,18 +54,18 @@ void DeviceHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
   }
   const double baseline = rect.center().y() + metrics.capHeight() / 2;
   p.setFont(small);
-  p.setPen(isSorted ? m_colours.accent.ink : m_colours.textSecondary);
+  p.setPen(isSorted ? c.accent.ink : c.textSecondary);
   p.drawText(QPointF(left, baseline), text);
   if (isSorted) {
     // Under the word, where it takes no room from it.
     const QPointF tip(left + width / 2, rect.bottom() - 3);
     const double down = sortIndicatorOrder() == Qt::DescendingOrder ? 1 : -1;
     p.setPen(Qt::NoPen);
-    p.setBrush(m_colours.accent.ink);
+    p.setBrush(c.accent.ink);
     p.drawPolygon(QPolygonF{tip + QPointF(-kArrow, -2 * down), tip + QPointF(kArrow, -2 * down),
                             tip + QPointF(0, 2.5 * down)});
   }
-  p.setPen(QPen(m_colours.stale.fill, 1));
+  p.setPen(QPen(c.stale.fill, 1));
   p.setRenderHint(QPainter::Antialiasing, false);
   p.drawLine(rect.bottomLeft(), rect.bottomRight());
   p.restore();

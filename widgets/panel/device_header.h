@@ -5,8 +5,6 @@
 
 #include <QHeaderView>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class DeviceHeader : public QHeaderView {
@@ -14,14 +12,12 @@ class DeviceHeader : public QHeaderView {
 
  public:
   explicit DeviceHeader(QWidget* parent = nullptr);
-  void setColours(const Colours& colours);
 
  protected:
   void paintSection(QPainter* painter, const QRect& rect, int section) const override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  Colours m_colours;
 };
 
 }  // namespace deckpipe

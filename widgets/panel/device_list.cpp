@@ -10,6 +10,7 @@
 
 #include "model/device_model.h"
 #include "model/device_order.h"
+#include "paint/app_style.h"
 #include "panel/device_delegate.h"
 #include "panel/device_header.h"
 #include "panel/secondary_font.h"
@@ -22,10 +23,7 @@ constexpr int kCellPad = 8;
 }  // namespace
 
 DeviceList::DeviceList(QWidget* parent)
-    : QTreeView(parent),
-      m_delegate(new DeviceDelegate(this)),
-      m_header(new DeviceHeader(this)),
-      m_colours(coloursOf(Theme::Light)) {
+    : QTreeView(parent), m_delegate(new DeviceDelegate(this)), m_header(new DeviceHeader(this)) {
   setObjectName(QStringLiteral("deviceList"));
   setAccessibleName(tr("Devices"));
   setItemDelegate(m_delegate);
@@ -53,13 +51,6 @@ void DeviceList::setModel(QAbstractItemModel* model) {
   setColumnHidden(DeviceModel::TypeColumn, true);  // it stands under the device
   connect(this, &QAbstractItemView::doubleClicked, this, &DeviceList::editLabel);
   layOutColumns();
-}
-
-void DeviceList::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_delegate->setColours(colours);
-  m_header->setColours(colours);
-  viewport()->update();
 }
 
 void DeviceList::resizeEvent(QResizeEvent* event) {
@@ -113,30 +104,30 @@ void DeviceList::keyPressEvent(QKeyEvent* event) {
 
 void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
                          const QModelIndex& index) const {
+  const Colours& c = coloursOf(this);
   QStyleOptionViewItem row = option;
   const auto* order = qobject_cast<const DeviceOrder*>(model());
   if (order != nullptr && order->startsGroup(index.row())) {
     QRect heading = option.rect;
     heading.setHeight(DeviceDelegate::kHeadingHeight);
     painter->save();
-    painter->fillRect(heading, m_colours.surfaceAlternate);
+    painter->fillRect(heading, c.surfaceAlternate);
     painter->setFont(secondaryFont(font()));
-    painter->setPen(m_colours.textSecondary);
+    painter->setPen(c.textSecondary);
     painter->drawText(heading.adjusted(kCellPad, 0, -kCellPad, 0), Qt::AlignVCenter | Qt::AlignLeft,
                       index.data(DeviceModel::GroupTextRole).toString());
     painter->restore();
     row.rect.setTop(heading.bottom() + 1);
   }
   // Once for all cells: the line under the device reaches into the next ones.
-  painter->fillRect(row.rect,
-                    selectionModel()->isSelected(index) ? m_colours.accent.fill : m_colours.surface);
+  painter->fillRect(row.rect, selectionModel()->isSelected(index) ? c.accent.fill : c.surface);
   QTreeView::drawRow(painter, row, index);
   painter->save();
-  painter->setPen(QPen(m_colours.stale.fill, 1));
+  painter->setPen(QPen(c.stale.fill, 1));
   painter->drawLine(row.rect.bottomLeft(), row.rect.bottomRight());
   if (hasFocus() && index.row() == currentIndex().row()) {
     const bool isSelected = selectionModel()->isSelected(index);
-    painter->setPen(QPen(isSelected ? m_colours.accent.onFill : m_colours.accent.ink, 1));
+    painter->setPen(QPen(isSelected ? c.accent.onFill : c.accent.ink, 1));
     painter->drawRect(QRectF(row.rect).adjusted(2.5, 2.5, -2.5, -2.5));
   }
   painter->restore();

@@ -5,8 +5,6 @@
 
 #include <QTreeView>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class DeviceDelegate;
@@ -18,7 +16,6 @@ class DeviceList : public QTreeView {
  public:
   explicit DeviceList(QWidget* parent = nullptr);
   void setModel(QAbstractItemModel* model) override;  // a DeviceOrder
-  void setColours(const Colours& colours);
   // Opens the label of a row for editing, or says why it has none.
   void editLabel(const QModelIndex& index);
 
@@ -34,7 +31,6 @@ class DeviceList : public QTreeView {
 
   DeviceDelegate* m_delegate;
   DeviceHeader* m_header;
-  Colours m_colours;
 };
 
 }  // namespace deckpipe

@@ -18,8 +18,9 @@
 #include "model/device_model.h"
 #include "model/device_order.h"
 #include "model/device_rows.h"
+#include "paint/app_style.h"
 #include "panel/device_list.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 
 namespace deckpipe {
 
@@ -43,9 +44,11 @@ DevicePanel::DevicePanel(QWidget* parent)
   m_empty->setMargin(24);
   m_empty->setAutoFillBackground(true);
   m_empty->setBackgroundRole(QPalette::Base);
+  setInk(*m_empty, Ink::Secondary);
   m_untracked->setObjectName(QStringLiteral("untrackedDevices"));
   m_untracked->setAccessibleName(tr("What is not listed"));
   m_untracked->setWordWrap(true);
+  setInk(*m_untracked, Ink::Attend);
   m_untracked->setMargin(8);
   m_untracked->hide();
   m_pages->setObjectName(QStringLiteral("devicePages"));
@@ -204,14 +207,6 @@ void DevicePanel::showSelection() {
   }
   if (m_list->currentIndex().row() != at.row() || !m_list->selectionModel()->isRowSelected(at.row()))
     m_list->setCurrentIndex(at);
-}
-
-void DevicePanel::setColours(const Colours& colours) {
-  setPalette(qtPalette(colours));
-  setInk(*m_empty, colours.textSecondary);
-  setInk(*m_untracked, colours.attend.ink);
-  m_filter->setPalette(qtPalette(colours));
-  m_list->setColours(colours);
 }
 
 }  // namespace deckpipe

@@ -8,7 +8,6 @@
 #include <QWidget>
 
 #include "model/device_labels.h"
-#include "paint/palette.h"
 #include "state/log_view.h"
 
 class QLabel;
@@ -28,7 +27,6 @@ class DevicePanel : public QWidget {
   explicit DevicePanel(QWidget* parent = nullptr);
 
   void setView(const LogView& view);
-  void setColours(const Colours& colours);
   void setLabels(const DeviceLabels& labels);
 
   // Chooses a device; it need not be there yet.

@@ -6,7 +6,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
-#include "paint/density_style.h"
+#include "paint/app_style.h"
 #include "panel/elided_label.h"
 
 namespace deckpipe {
@@ -15,16 +15,10 @@ class DockTitle::Button : public QAbstractButton {
  public:
   enum class Sign { Float, Close };
 
-  Button(Sign sign, QWidget* parent)
-      : QAbstractButton(parent), m_sign(sign), m_colours(coloursOf(Theme::Light)) {
+  Button(Sign sign, QWidget* parent) : QAbstractButton(parent), m_sign(sign) {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     setFocusPolicy(Qt::NoFocus);  // by keyboard the View menu does it
     setAttribute(Qt::WA_Hover);
-  }
-
-  void setColours(const Colours& colours) {
-    m_colours = colours;
-    update();
   }
 
   QSize sizeHint() const override { return {targetHeight(this), targetHeight(this)}; }
@@ -32,16 +26,16 @@ class DockTitle::Button : public QAbstractButton {
 
  protected:
   void paintEvent(QPaintEvent*) override {
+    const Colours& c = coloursOf(this);
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
     if (underMouse()) {
-      p.setPen(QPen(m_colours.outline, 1));
-      p.setBrush(isDown() ? m_colours.surfaceAlternate : m_colours.surface);
+      p.setPen(QPen(c.outline, 1));
+      p.setBrush(isDown() ? c.surfaceAlternate : c.surface);
       p.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), 4, 4);
     }
     p.translate(QRectF(rect()).center());
-    p.setPen(
-        QPen(m_colours.textSecondary, 1.5 * m_colours.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    p.setPen(QPen(c.textSecondary, 1.5 * c.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     p.setBrush(Qt::NoBrush);
     if (m_sign == Sign::Close) {
       p.drawLine(QPointF(-4, -4), QPointF(4, 4));
@@ -54,7 +48,6 @@ class DockTitle::Button : public QAbstractButton {
 
  private:
   Sign m_sign;
-  Colours m_colours;
 };
 
 DockTitle::DockTitle(QDockWidget* dock)
@@ -87,11 +80,6 @@ void DockTitle::setCollapsed(bool isCollapsed) {
   m_isCollapsed = isCollapsed;
   for (QWidget* child : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) child->setVisible(!isCollapsed);
   updateGeometry();
-}
-
-void DockTitle::setColours(const Colours& colours) {
-  m_float->setColours(colours);
-  m_close->setColours(colours);
 }
 
 QSize DockTitle::sizeHint() const {

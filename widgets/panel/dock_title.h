@@ -6,8 +6,6 @@
 
 #include <QWidget>
 
-#include "paint/palette.h"
-
 class QDockWidget;
 
 namespace deckpipe {
@@ -21,7 +19,6 @@ class DockTitle : public QWidget {
 
   // A collapsed title takes no room.
   void setCollapsed(bool isCollapsed);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }

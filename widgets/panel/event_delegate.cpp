@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "model/event_model.h"
-#include "paint/density_style.h"
+#include "paint/app_style.h"
 #include "paint/event_mark.h"
 #include "paint/figures.h"
-#include "paint/glyph.h"
+#include "paint/severity_look.h"
 #include "panel/flat_header.h"
 
 namespace deckpipe {
@@ -18,25 +18,7 @@ namespace {
 
 constexpr int kSign = 16, kGap = 6;
 
-struct Look {
-  std::optional<Glyph> glyph;
-  QColor ink;
-};
-
-Look lookOf(EventWeight weight, const Colours& c) {
-  switch (weight) {
-    case EventWeight::Fault: return {Glyph::Fault, c.fault.ink};
-    case EventWeight::Warning: return {Glyph::Attend, c.attend.ink};
-    case EventWeight::Info:
-    case EventWeight::Count: break;
-  }
-  return {{}, c.text};
-}
-
 }  // namespace
-
-EventDelegate::EventDelegate(QObject* parent)
-    : QStyledItemDelegate(parent), m_colours(coloursOf(Theme::Light)) {}
 
 bool EventDelegate::setLastRow(int row) { return std::exchange(m_lastRow, row) != row; }
 
@@ -46,14 +28,14 @@ QSize EventDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
 
 void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
+  const Colours& c = coloursOf(option.widget);
   const bool isSelected = (option.state & QStyle::State_Selected) != 0;
   const bool hasHappened = index.row() <= m_lastRow;
-  const QColor ground = index.row() % 2 != 0 ? m_colours.surfaceAlternate : m_colours.surface;
-  painter->fillRect(option.rect, isSelected ? m_colours.accent.fill : ground);
-  const Look look = lookOf(static_cast<EventWeight>(index.data(EventModel::WeightRole).toInt()), m_colours);
-  QColor ink = index.column() == EventModel::What ? m_colours.text : m_colours.textSecondary;
-  if (!hasHappened) ink = m_colours.stale.ink;
-  if (isSelected) ink = m_colours.accent.onFill;
+  const QColor ground = index.row() % 2 != 0 ? c.surfaceAlternate : c.surface;
+  painter->fillRect(option.rect, isSelected ? c.accent.fill : ground);
+  QColor ink = index.column() == EventModel::What ? c.text : c.textSecondary;
+  if (!hasHappened) ink = c.stale.ink;
+  if (isSelected) ink = c.accent.onFill;
   QRect area = option.rect.adjusted(FlatHeader::kPadding, 0, -FlatHeader::kPadding, 0);
   const QString text = index.data().toString();
   if (index.column() == EventModel::When) {
@@ -63,14 +45,13 @@ void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   if (index.column() == EventModel::What) {
     const QRect mark(area.left(), area.center().y() - kSign / 2, kSign, kSign);
     const auto group = static_cast<EventGroup>(index.data(EventModel::GroupRole).toInt());
-    const auto weight = static_cast<EventWeight>(index.data(EventModel::WeightRole).toInt());
+    const auto weight = static_cast<Severity>(index.data(EventModel::WeightRole).toInt());
     drawEventMark(*painter, QRectF(mark).adjusted(3, 3, -3, -3), group,
-                  isSelected || !hasHappened ? ink : eventInk(weight, m_colours));
+                  isSelected || !hasHappened ? ink : eventInk(weight, c));
     const QRect sign(mark.right() + 1 + kGap, mark.top(), kSign, kSign);
-    const QColor signInk = isSelected || !hasHappened ? ink : look.ink;
-    if (look.glyph)
-      drawGlyph(*painter, sign.adjusted(1, 1, -1, -1), *look.glyph, signInk, Qt::transparent,
-                m_colours.stroke);
+    const QColor signInk = isSelected || !hasHappened ? ink : inkOf(c, inkOf(weight));
+    if (const auto glyph = glyphOf(weight))
+      drawGlyph(*painter, sign.adjusted(1, 1, -1, -1), *glyph, signInk, Qt::transparent, c.stroke);
     area.setLeft(sign.right() + 1 + kGap);
   }
   painter->setFont(option.font);

@@ -5,16 +5,13 @@
 
 #include <QStyledItemDelegate>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class EventDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
-  explicit EventDelegate(QObject* parent = nullptr);
-  void setColours(const Colours& colours) { m_colours = colours; }
+  using QStyledItemDelegate::QStyledItemDelegate;
   // The last row that has happened. True where that changes what is drawn.
   bool setLastRow(int row);
 
@@ -22,7 +19,6 @@ class EventDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:
-  Colours m_colours;
   int m_lastRow = -1;
 };
 

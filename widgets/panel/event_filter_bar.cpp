@@ -2,6 +2,7 @@
 #include "panel/event_filter_bar.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -9,7 +10,7 @@
 #include <algorithm>
 
 #include "model/event_filter.h"
-#include "paint/density_style.h"
+#include "paint/app_style.h"
 
 namespace deckpipe {
 namespace {
@@ -63,12 +64,19 @@ EventFilterBar::EventFilterBar(EventModel* events, EventFilter* filter, QWidget*
     m_filter->setDevice(index <= 0 ? DeviceKey{} : m_devices[static_cast<std::size_t>(index) - 1]);
   });
   connect(m_weight, &QComboBox::activated, this,
-          [this](int index) { m_filter->setLeast(static_cast<EventWeight>(index)); });
+          [this](int index) { m_filter->setLeast(kEventWeights.at(static_cast<std::size_t>(index))); });
   connect(m_words, &QLineEdit::textChanged, m_filter, &EventFilter::setText);
+  drawMarks();
 }
 
-void EventFilterBar::setColours(const Colours& colours) {
-  for (const EventGroup group : kAllOf<EventGroup>) m_groups[group]->setIcon(eventMarkIcon(group, colours));
+void EventFilterBar::drawMarks() {
+  for (const EventGroup group : kAllOf<EventGroup>)
+    m_groups[group]->setIcon(eventMarkIcon(group, coloursOf(this)));
+}
+
+void EventFilterBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange) drawMarks();
 }
 
 void EventFilterBar::takeGroups() {

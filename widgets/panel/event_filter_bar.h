@@ -23,14 +23,15 @@ class EventFilterBar : public QWidget {
  public:
   EventFilterBar(EventModel* events, EventFilter* filter, QWidget* parent = nullptr);
 
-  void setColours(const Colours& colours);
   // The devices of the events may be others, or have other names.
   void updateDevices();
 
  protected:
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void drawMarks();
   void takeGroups();
 
   EventModel* m_events;

@@ -11,11 +11,12 @@
 #include <cmath>
 
 #include "model/event_filter.h"
+#include "paint/app_style.h"
 #include "paint/figures.h"
 #include "panel/event_delegate.h"
 #include "panel/event_filter_bar.h"
 #include "panel/flat_header.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 
 namespace deckpipe {
 
@@ -56,6 +57,7 @@ EventPanel::EventPanel(QWidget* parent)
   m_empty->setMargin(16);
   m_empty->setAutoFillBackground(true);
   m_empty->setBackgroundRole(QPalette::Base);
+  setInk(*m_empty, Ink::Secondary);
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_list);
   auto* column = new QVBoxLayout(this);
@@ -126,15 +128,6 @@ void EventPanel::goToPrevious() {
 void EventPanel::goBefore() {
   const int chosen = chosenRow();
   goTo(chosen >= 0 ? chosen : m_filter->rowAt(m_model->view().cursor.time), kBefore);
-}
-
-void EventPanel::setColours(const Colours& colours) {
-  setPalette(qtPalette(colours));
-  m_bar->setColours(colours);
-  setInk(*m_empty, colours.textSecondary);
-  m_delegate->setColours(colours);
-  m_header->setColours(colours);
-  m_list->viewport()->update();
 }
 
 void EventPanel::showPage() {

@@ -7,7 +7,6 @@
 #include <QWidget>
 
 #include "base/time.h"
-#include "paint/palette.h"
 #include "state/log_view.h"
 
 class QLabel;
@@ -31,7 +30,6 @@ class EventPanel : public QWidget {
 
   void setView(const LogView& view);
   void setLabels(const DeviceLabels& labels);
-  void setColours(const Colours& colours);
   // Puts the cursor at the next or the previous event of the list, or kBefore before the event at which it stands,
   // or which it has passed last.
   void goToNext();

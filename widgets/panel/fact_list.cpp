@@ -5,43 +5,17 @@
 #include <algorithm>
 
 #include "model/page_sources.h"
+#include "paint/app_style.h"
+#include "paint/severity_look.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/section_title.h"
 #include "text/age_text.h"
 
 namespace deckpipe {
-namespace {
-
-std::optional<Glyph> glyphOf(FactTone tone) {
-  switch (tone) {
-    case FactTone::Plain: return {};
-    case FactTone::Fine: return Glyph::Fine;
-    case FactTone::Attend: return Glyph::Attend;
-    case FactTone::Fault: return Glyph::Fault;
-    case FactTone::Stale: return Glyph::NoData;
-  }
-  return {};
-}
-
-QColor inkOf(const Colours& c, FactTone tone) {
-  switch (tone) {
-    case FactTone::Plain: return c.text;
-    case FactTone::Fine: return c.fine.ink;
-    case FactTone::Attend: return c.attend.ink;
-    case FactTone::Fault: return c.fault.ink;
-    case FactTone::Stale: return c.stale.ink;
-  }
-  return c.text;
-}
-
-}  // namespace
 
 FactList::FactList(QWidget* parent)
-    : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
-      m_title(new SectionTitle(this)),
-      m_grid(new QGridLayout(this)) {
+    : QWidget(parent), m_title(new SectionTitle(this)), m_grid(new QGridLayout(this)) {
   m_grid->setContentsMargins(0, 0, 0, 0);
   m_grid->setHorizontalSpacing(8);
   m_grid->setVerticalSpacing(8);
@@ -57,6 +31,7 @@ void FactList::addLine() {
   // Wide enough for every age, so that a running one moves nothing.
   line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("99 min")));
   line.age->setAlignment(Qt::AlignRight);
+  for (QLabel* label : {line.label, line.age}) setInk(*label, Ink::Secondary);
   m_grid->addWidget(line.sign, row, 0, Qt::AlignTop);
   m_grid->addWidget(line.label, row, 1, Qt::AlignTop | Qt::AlignLeft);
   m_grid->addWidget(line.value, row, 2, Qt::AlignTop);
@@ -96,20 +71,12 @@ void FactList::setGroup(const PageFactGroup& group) {
 }
 
 void FactList::show(const Line& line, const PageFact& fact) {
-  line.sign->setGlyph(glyphOf(fact.tone), inkOf(m_colours, fact.tone), m_colours.stroke);
+  line.sign->setGlyph(glyphOf(fact.tone), inkOf(fact.tone));
   setText(*line.label, fact.label);
   setText(*line.value, fact.value);
   setText(*line.age, fact.age ? calmAge(*fact.age) : QString());
-  setInk(*line.label, m_colours.textSecondary);
-  setInk(*line.value, inkOf(m_colours, fact.tone));
-  setInk(*line.age, m_colours.textSecondary);
+  setInk(*line.value, inkOf(fact.tone));
   line.value->setAccessibleName(tr("%1: %2").arg(fact.label, fact.value));
-}
-
-void FactList::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_title->setColours(colours);
-  for (std::size_t i = 0; i < m_group.facts.size(); ++i) show(m_lines[i], m_group.facts[i]);
 }
 
 }  // namespace deckpipe

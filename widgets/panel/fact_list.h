@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "model/monitor_page_values.h"
-#include "paint/palette.h"
 
 class QGridLayout;
 class QLabel;
@@ -23,7 +22,6 @@ class FactList : public QWidget {
   explicit FactList(QWidget* parent = nullptr);
 
   void setGroup(const PageFactGroup& group);
-  void setColours(const Colours& colours);
 
  private:
   struct Line {
@@ -35,7 +33,6 @@ class FactList : public QWidget {
   void addLine();
   void show(const Line& line, const PageFact& fact);
 
-  Colours m_colours;
   PageFactGroup m_group;
   SectionTitle* m_title;
   QGridLayout* m_grid;

@@ -8,7 +8,7 @@
 #include <QPushButton>
 
 #include "panel/elided_label.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "text/age_text.h"
 #include "text/service_text.h"
 

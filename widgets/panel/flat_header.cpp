@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "paint/app_style.h"
+
 namespace deckpipe {
 
-FlatHeader::FlatHeader(QWidget* parent)
-    : QHeaderView(Qt::Horizontal, parent), m_colours(coloursOf(Theme::Light)) {
+FlatHeader::FlatHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
   setHighlightSections(false);
   setSectionsClickable(false);
   setFixedHeight(std::max(kLeastHeight, fontMetrics().height() + 12));
@@ -21,11 +22,6 @@ void FlatHeader::changeEvent(QEvent* event) {
   QHeaderView::changeEvent(event);
   if (event->type() == QEvent::FontChange)
     setFixedHeight(std::max(kLeastHeight, fontMetrics().height() + 12));
-}
-
-void FlatHeader::setColours(const Colours& colours) {
-  m_colours = colours;
-  viewport()->update();
 }
 
 void FlatHeader::setGutter(int width) {
@@ -71,10 +67,11 @@ bool FlatHeader::restoreColumns(const QByteArray& state) {
 }
 
 void FlatHeader::paintEvent(QPaintEvent* event) {
-  const auto fill = [this](int width) {
+  const Colours& c = coloursOf(this);
+  const auto fill = [&](int width) {
     QPainter p(viewport());
-    p.fillRect(QRect(0, 0, width, viewport()->height()), m_colours.window);
-    p.fillRect(QRect(0, viewport()->height() - 1, width, 1), m_colours.outline);
+    p.fillRect(QRect(0, 0, width, viewport()->height()), c.window);
+    p.fillRect(QRect(0, viewport()->height() - 1, width, 1), c.outline);
   };
   fill(viewport()->width());
   QHeaderView::paintEvent(event);
@@ -82,10 +79,11 @@ void FlatHeader::paintEvent(QPaintEvent* event) {
 }
 
 void FlatHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
-  painter->fillRect(rect, m_colours.window);
-  painter->fillRect(QRect(rect.left(), rect.bottom(), rect.width(), 1), m_colours.outline);
+  const Colours& c = coloursOf(this);
+  painter->fillRect(rect, c.window);
+  painter->fillRect(QRect(rect.left(), rect.bottom(), rect.width(), 1), c.outline);
   // A short line where a column can be taken and made wider.
-  painter->fillRect(QRect(rect.right(), rect.top() + 8, 1, rect.height() - 16), m_colours.outline);
+  painter->fillRect(QRect(rect.right(), rect.top() + 8, 1, rect.height() - 16), c.outline);
   const QRect text = rect.adjusted(kPadding, 0, -kPadding, 0);
   const auto wanted =
       model()->headerData(section, Qt::Horizontal, Qt::TextAlignmentRole).value<Qt::Alignment>();
@@ -94,7 +92,7 @@ void FlatHeader::paintSection(QPainter* painter, const QRect& rect, int section)
   if (isSortIndicatorShown() && sortIndicatorSection() == section)
     title += sortIndicatorOrder() == Qt::AscendingOrder ? QStringLiteral(" ▲") : QStringLiteral(" ▼");
   painter->setFont(font());
-  painter->setPen(m_colours.textSecondary);
+  painter->setPen(c.textSecondary);
   painter->drawText(text, static_cast<int>(alignment) | Qt::TextSingleLine,
                     fontMetrics().elidedText(title, Qt::ElideRight, text.width()));
 }

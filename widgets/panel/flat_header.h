@@ -6,8 +6,6 @@
 #include <QHeaderView>
 #include <QList>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class FlatHeader : public QHeaderView {
@@ -18,7 +16,6 @@ class FlatHeader : public QHeaderView {
   static constexpr int kLeastHeight = 32;
 
   explicit FlatHeader(QWidget* parent = nullptr);
-  void setColours(const Colours& colours);
   // So much at the left belongs to no column; sections begin behind it and are scrolled under it.
   void setGutter(int width);
   void scrollTo(int offset) { setOffset(offset - m_gutter); }
@@ -37,7 +34,6 @@ class FlatHeader : public QHeaderView {
   void changeEvent(QEvent* event) override;
 
  private:
-  Colours m_colours;
   int m_gutter = 0;
   QList<int> m_usual;
 };

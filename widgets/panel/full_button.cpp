@@ -3,9 +3,11 @@
 
 #include <QPainter>
 
+#include "paint/app_style.h"
+
 namespace deckpipe {
 
-FullButton::FullButton(QWidget* parent) : QAbstractButton(parent), m_colours(coloursOf(Theme::Light)) {
+FullButton::FullButton(QWidget* parent) : QAbstractButton(parent) {
   setObjectName(QStringLiteral("fullButton"));
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   setFocusPolicy(Qt::StrongFocus);
@@ -19,19 +21,15 @@ void FullButton::setFull(bool isFull) {
   update();
 }
 
-void FullButton::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 void FullButton::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   const QRectF box = QRectF(rect()).adjusted(2.5, 2.5, -2.5, -2.5);
-  p.setPen(QPen(hasFocus() ? m_colours.accent.ink : m_colours.outline, hasFocus() ? 2 : 1));
-  p.setBrush(isDown() ? m_colours.surfaceAlternate : m_colours.surface);
+  p.setPen(QPen(hasFocus() ? c.accent.ink : c.outline, hasFocus() ? 2 : 1));
+  p.setBrush(isDown() ? c.surfaceAlternate : c.surface);
   p.drawRoundedRect(box, 6, 6);
-  p.setPen(QPen(m_colours.accent.ink, 2 * m_colours.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  p.setPen(QPen(c.accent.ink, 2 * c.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   p.setBrush(Qt::NoBrush);
   const double arm = 6, far = 9;
   const QPointF middle = box.center();

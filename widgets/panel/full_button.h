@@ -5,8 +5,6 @@
 
 #include <QAbstractButton>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class FullButton : public QAbstractButton {
@@ -16,7 +14,6 @@ class FullButton : public QAbstractButton {
   explicit FullButton(QWidget* parent = nullptr);
 
   void setFull(bool isFull);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override { return {44, 44}; }
   QSize minimumSizeHint() const override { return sizeHint(); }
@@ -25,7 +22,6 @@ class FullButton : public QAbstractButton {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  Colours m_colours;
   bool m_isFull = false;
 };
 

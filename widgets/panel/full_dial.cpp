@@ -6,9 +6,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "paint/app_style.h"
 #include "paint/dial.h"
-#include "panel/dial_adapter.h"
-#include "panel/label_ink.h"
 #include "panel/page_header.h"
 
 namespace deckpipe {
@@ -27,6 +26,7 @@ FullDial::FullDial(QWidget* window)
   m_message->setMargin(24);
   m_message->setAutoFillBackground(true);
   m_message->setBackgroundRole(QPalette::Base);
+  setInk(*m_message, Ink::Secondary);
   m_message->setText(tr("Not heard up to this place of the log."));
   m_message->hide();
   auto* layout = new QVBoxLayout(this);
@@ -44,17 +44,10 @@ void FullDial::setPage(const MonitorPageValues& page) {
   const bool hasDial = page.isFound && page.dial;
   if (hasDial) {
     m_header->setPage(page);
-    m_dial->setValues(dialValuesOf(*page.dial));
+    m_dial->setValues(*page.dial);
   }
   m_dial->setVisible(hasDial);
   m_message->setVisible(!hasDial);
-}
-
-void FullDial::setColours(const Colours& colours) {
-  setPalette(qtPalette(colours));
-  setInk(*m_message, colours.textSecondary);
-  m_header->setColours(colours);
-  m_dial->setColours(colours);
 }
 
 void FullDial::setAnimated(bool animated) { m_dial->setAnimated(animated); }

@@ -7,7 +7,6 @@
 #include <QWidget>
 
 #include "model/monitor_page_values.h"
-#include "paint/palette.h"
 
 class QLabel;
 
@@ -24,7 +23,6 @@ class FullDial : public QWidget {
 
   // A page without a dial, or of a device that is not there at the cursor, is said in words: the view stays.
   void setPage(const MonitorPageValues& page);
-  void setColours(const Colours& colours);
   void setAnimated(bool animated);
 
  Q_SIGNALS:

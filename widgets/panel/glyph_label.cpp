@@ -3,6 +3,8 @@
 
 #include <QPainter>
 
+#include "paint/app_style.h"
+
 namespace deckpipe {
 
 GlyphLabel::GlyphLabel(QWidget* parent) : QWidget(parent) {
@@ -10,18 +12,19 @@ GlyphLabel::GlyphLabel(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
-void GlyphLabel::setGlyph(std::optional<Glyph> glyph, const QColor& ink, double weight) {
-  if (glyph == m_glyph && ink == m_ink && weight == m_weight) return;
+void GlyphLabel::setGlyph(std::optional<Glyph> glyph, Ink ink) {
+  if (glyph == m_glyph && ink == m_ink) return;
   m_glyph = glyph;
   m_ink = ink;
-  m_weight = weight;
   update();
 }
 
 void GlyphLabel::paintEvent(QPaintEvent*) {
   if (!m_glyph) return;
   QPainter painter(this);
-  drawGlyph(painter, QRectF(rect()).adjusted(1, 1, -1, -1), *m_glyph, m_ink, Qt::transparent, m_weight);
+  const Colours& c = coloursOf(this);
+  drawGlyph(painter, QRectF(rect()).adjusted(1, 1, -1, -1), *m_glyph, inkOf(c, m_ink), Qt::transparent,
+            c.stroke);
 }
 
 }  // namespace deckpipe

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "paint/glyph.h"
+#include "paint/palette.h"
 
 namespace deckpipe {
 
@@ -17,7 +18,7 @@ class GlyphLabel : public QWidget {
   explicit GlyphLabel(QWidget* parent = nullptr);
 
   // Nothing: the place stays empty, so that words beside it do not move.
-  void setGlyph(std::optional<Glyph> glyph, const QColor& ink, double weight);
+  void setGlyph(std::optional<Glyph> glyph, Ink ink);
 
   QSize sizeHint() const override { return {16, 16}; }
 
@@ -26,8 +27,7 @@ class GlyphLabel : public QWidget {
 
  private:
   std::optional<Glyph> m_glyph;
-  QColor m_ink;
-  double m_weight = 1;
+  Ink m_ink = Ink::Text;
 };
 
 }  // namespace deckpipe

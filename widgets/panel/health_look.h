@@ -5,31 +5,12 @@
 #include <QFontMetricsF>
 
 #include "model/device_health.h"
-#include "paint/glyph.h"
-#include "paint/palette.h"
+#include "paint/severity_look.h"
 
 namespace deckpipe {
 
-inline Glyph glyphOf(HealthSeverity severity) {
-  switch (severity) {
-    case HealthSeverity::Fine: return Glyph::Fine;
-    case HealthSeverity::Unknown: return Glyph::NotAvailable;
-    case HealthSeverity::Attend: return Glyph::Attend;
-    case HealthSeverity::Fault: return Glyph::Fault;
-    case HealthSeverity::Silent: return Glyph::Stale;
-  }
-  return Glyph::Unknown;
-}
-
-inline const Tone& toneOf(const Colours& colours, HealthSeverity severity) {
-  switch (severity) {
-    case HealthSeverity::Fine: return colours.fine;
-    case HealthSeverity::Attend: return colours.attend;
-    case HealthSeverity::Fault: return colours.fault;
-    case HealthSeverity::Unknown:
-    case HealthSeverity::Silent: break;
-  }
-  return colours.stale;
+inline Glyph healthGlyph(Severity severity) {
+  return severity == Severity::Unknown ? Glyph::NotAvailable : glyphOf(severity).value_or(Glyph::Unknown);
 }
 
 // Of the line under a device's name: this much at most is for the words.

@@ -8,7 +8,8 @@
 #include <QTextDocumentFragment>
 #include <QVBoxLayout>
 
-#include "panel/label_ink.h"
+#include "paint/app_style.h"
+#include "panel/label_text.h"
 #include "panel/scrolled.h"
 #include "panel/trace_view.h"
 
@@ -51,6 +52,7 @@ HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
   m_title->setFont(strong);
   m_now = words("helpNow", inside);
   m_story = words("helpStory", inside);
+  setInk(*m_story, Ink::Secondary);
   auto* column = new QVBoxLayout(inside);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(6);
@@ -103,12 +105,6 @@ void HelpPanel::showExplanation() {
 
 QString HelpPanel::text() const {
   return QStringList{m_title->text(), m_now->text(), m_story->text()}.join(QLatin1Char('\n'));
-}
-
-void HelpPanel::setColours(const Colours& colours) {
-  setPalette(qtPalette(colours));
-  for (QLabel* label : {m_title, m_now}) setInk(*label, colours.text);
-  setInk(*m_story, colours.textSecondary);
 }
 
 // What was explained may have changed while this was closed.

@@ -9,8 +9,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "paint/palette.h"
-
 class QAbstractItemView;
 class QLabel;
 
@@ -24,7 +22,6 @@ class HelpPanel : public QWidget {
 
   // Null: nothing has the focus.
   void explain(QWidget* widget);
-  void setColours(const Colours& colours);
   QString text() const;
 
   QSize sizeHint() const override { return {320, 200}; }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "paint/app_style.h"
 #include "panel/flat_header.h"
 
 namespace deckpipe {
@@ -45,9 +46,8 @@ bool isFigures(int column) {
 class IdDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
-  Colours colours = coloursOf(Theme::Light);
-
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const Colours& colours = coloursOf(option.widget);
     const bool isSelected = (option.state & QStyle::State_Selected) != 0;
     painter->fillRect(option.rect, isSelected             ? colours.accent.fill
                                    : index.row() % 2 != 0 ? colours.surfaceAlternate
@@ -157,12 +157,6 @@ void IdView::resetColumns() {
 void IdView::setView(const LogView& view) {
   m_rows->setView(view);
   tellCurrent();
-}
-
-void IdView::setColours(const Colours& colours) {
-  static_cast<IdDelegate*>(itemDelegate())->colours = colours;
-  m_header->setColours(colours);
-  viewport()->update();
 }
 
 std::optional<std::uint64_t> IdView::currentFrame() const {

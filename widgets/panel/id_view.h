@@ -6,7 +6,6 @@
 #include <QTableView>
 
 #include "model/id_model.h"
-#include "paint/palette.h"
 
 class QSortFilterProxyModel;
 
@@ -22,7 +21,6 @@ class IdView : public QTableView {
 
   IdModel* rows() const { return m_rows; }
   void setView(const LogView& view);
-  void setColours(const Colours& colours);
   // The last frame of the row that is chosen.
   std::optional<std::uint64_t> currentFrame() const;
   FlatHeader* header() const { return m_header; }

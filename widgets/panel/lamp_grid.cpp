@@ -14,39 +14,17 @@ constexpr int kColumnGap = 16;  // between columns
 constexpr int kNarrowest = 168;
 constexpr int kUsual = 208;  // the same for neighbouring groups, so that their words line up
 
-StatusLamp::State stateOf(const std::optional<Status2>& status) {
-  if (!status) return StatusLamp::State::Unknown;
-  switch (*status) {
-    case Status2::Off: return StatusLamp::State::Off;
-    case Status2::On: return StatusLamp::State::On;
-    case Status2::Error: return StatusLamp::State::Error;
-    case Status2::NotAvailable: break;
-  }
-  return StatusLamp::State::NotAvailable;
-}
-
-StatusLamp::WhenOn whenOnOf(LampTone tone) {
-  switch (tone) {
-    case LampTone::Plain: return StatusLamp::WhenOn::Plain;
-    case LampTone::Fine: return StatusLamp::WhenOn::Fine;
-    case LampTone::Attend: return StatusLamp::WhenOn::Attend;
-    case LampTone::Stop: break;
-  }
-  return StatusLamp::WhenOn::Stop;
-}
-
 }  // namespace
 
 void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale, const QString& groupKey) {
   lamp.setLabel(values.label, values.spoken);
   const QString source = pageSourceText(groupKey);
   lamp.setToolTip(values.spoken.isEmpty() ? source : values.spoken + QStringLiteral("\n\n") + source);
-  lamp.setWhenOn(whenOnOf(values.whenOn));
-  lamp.setState(stateOf(values.state), isStale);
+  lamp.setWhenOn(values.whenOn);
+  lamp.setState(values.state, isStale);
 }
 
-LampGrid::LampGrid(QWidget* parent)
-    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_title(new SectionTitle(this)) {
+LampGrid::LampGrid(QWidget* parent) : QWidget(parent), m_title(new SectionTitle(this)) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -65,7 +43,6 @@ void LampGrid::setGroup(const PageLampGroup& group) {
   }
   while (m_lamps.size() < group.lamps.size()) {
     auto* lamp = new StatusLamp(this);
-    lamp->setColours(m_colours);
     lamp->show();
     m_lamps.push_back(lamp);
   }
@@ -80,12 +57,6 @@ void LampGrid::setGroup(const PageLampGroup& group) {
   if (!isOther) return;
   updateGeometry();
   layOut();
-}
-
-void LampGrid::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_title->setColours(colours);
-  for (StatusLamp* lamp : m_lamps) lamp->setColours(colours);
 }
 
 // As wide as the widest label with its word wants, so that columns of one group line up.

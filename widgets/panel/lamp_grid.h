@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/monitor_page_values.h"
-#include "paint/palette.h"
 
 namespace deckpipe {
 
@@ -21,7 +20,6 @@ class LampGrid : public QWidget {
   explicit LampGrid(QWidget* parent = nullptr);
 
   void setGroup(const PageLampGroup& group);
-  void setColours(const Colours& colours);
 
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
@@ -36,7 +34,6 @@ class LampGrid : public QWidget {
   int lampHeight() const;
   void layOut();
 
-  Colours m_colours;
   PageLampGroup m_group;
   SectionTitle* m_title;
   std::vector<StatusLamp*> m_lamps;

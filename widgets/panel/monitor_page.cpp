@@ -9,11 +9,11 @@
 #include <algorithm>
 
 #include "model/page_sources.h"
+#include "paint/app_style.h"
 #include "paint/dial.h"
-#include "panel/dial_adapter.h"
 #include "panel/fact_list.h"
 #include "panel/full_dial.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/lamp_grid.h"
 #include "panel/page_content.h"
 #include "panel/page_header.h"
@@ -34,7 +34,6 @@ bool standsBeside(const PageLampGroup& group) {
 
 MonitorPage::MonitorPage(QWidget* parent)
     : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
       m_header(new PageHeader(this)),
       m_message(new QLabel(this)),
       m_scroll(new QScrollArea(this)),
@@ -51,6 +50,7 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_message->setMargin(24);
   m_message->setAutoFillBackground(true);
   m_message->setBackgroundRole(QPalette::Base);
+  setInk(*m_message, Ink::Secondary);
   m_scroll->setObjectName(QStringLiteral("pageScroll"));
   m_scroll->setAccessibleName(tr("Values of the device"));
   m_scroll->setWidgetResizable(true);
@@ -71,7 +71,6 @@ MonitorPage::MonitorPage(QWidget* parent)
   layout->addWidget(m_header);
   layout->addWidget(m_message, 1);
   layout->addWidget(m_scroll, 1);
-  setColours(m_colours);
   showValues();
 }
 
@@ -144,7 +143,7 @@ QString MonitorPage::missingText() const {
 void MonitorPage::showParts() {
   PageContent::Parts parts;
   if (m_values.dial) {
-    m_dial->setValues(dialValuesOf(*m_values.dial));
+    m_dial->setValues(*m_values.dial);
     parts.dial = m_dial;
   }
   for (std::size_t i = 0; i < m_values.sticks.size() && i < m_sticks.size(); ++i) {
@@ -158,18 +157,12 @@ void MonitorPage::showParts() {
   }
   const bool hasMain = m_values.dial || !m_values.sticks.empty();
   for (std::size_t i = 0; i < m_values.lamps.size(); ++i) {
-    if (i == m_lamps.size()) {
-      m_lamps.push_back(new LampGrid(m_content));
-      m_lamps.back()->setColours(m_colours);
-    }
+    if (i == m_lamps.size()) m_lamps.push_back(new LampGrid(m_content));
     m_lamps[i]->setGroup(m_values.lamps[i]);
     (hasMain && standsBeside(m_values.lamps[i]) ? parts.beside : parts.below).push_back(m_lamps[i]);
   }
   for (std::size_t i = 0; i < m_values.facts.size(); ++i) {
-    if (i == m_facts.size()) {
-      m_facts.push_back(new FactList(m_content));
-      m_facts.back()->setColours(m_colours);
-    }
+    if (i == m_facts.size()) m_facts.push_back(new FactList(m_content));
     m_facts[i]->setGroup(m_values.facts[i]);
     parts.facts.push_back(m_facts[i]);
   }
@@ -188,19 +181,6 @@ bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void MonitorPage::setColours(const Colours& colours) {
-  m_colours = colours;
-  setPalette(qtPalette(colours));
-  setInk(*m_message, colours.textSecondary);
-  m_header->setColours(colours);
-  m_dial->setColours(colours);
-  for (StickBox* stick : m_sticks) stick->setColours(colours);
-  m_stops->setColours(colours);
-  for (LampGrid* lamps : m_lamps) lamps->setColours(colours);
-  for (FactList* facts : m_facts) facts->setColours(colours);
-  if (m_full != nullptr) m_full->setColours(colours);
-}
-
 void MonitorPage::setAnimated(bool animated) {
   m_isAnimated = animated;
   m_dial->setAnimated(animated);
@@ -216,7 +196,6 @@ void MonitorPage::toggleFull() {
   }
   if (!m_values.isFound || !m_values.dial) return;
   m_full = new FullDial(m_stage != nullptr ? m_stage : window());
-  m_full->setColours(m_colours);
   m_full->setAnimated(m_isAnimated);
   m_full->setPage(m_values);
   connect(m_full, &FullDial::closed, this, [this] {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "model/monitor_page_of.h"
-#include "paint/palette.h"
 
 class QLabel;
 class QScrollArea;
@@ -36,7 +35,6 @@ class MonitorPage : public QWidget {
   void setDevice(const DeviceKey& key);
   void setView(const LogView& view);
   void setLabels(const DeviceLabels& labels);
-  void setColours(const Colours& colours);
   // Whether an oscillating band moves by itself; off while the cursor stands still.
   void setAnimated(bool animated);
 
@@ -71,7 +69,6 @@ class MonitorPage : public QWidget {
   DeviceLabels m_labels;
   DeviceKey m_key;
   MonitorPageValues m_values;
-  Colours m_colours;
   bool m_isAnimated = true;
 
   PageHeader* m_header;

@@ -7,9 +7,9 @@
 #include <QPainter>
 #include <cmath>
 
+#include "paint/app_style.h"
 #include "paint/dial.h"
 #include "paint/glyph.h"
-#include "panel/dial_adapter.h"
 #include "panel/health_look.h"
 #include "panel/secondary_font.h"
 #include "text/age_text.h"
@@ -32,8 +32,7 @@ QString ageText(const OverviewMonitor& monitor) { return monitor.age ? calmAge(*
 
 }  // namespace
 
-MonitorTile::MonitorTile(QWidget* parent)
-    : QAbstractButton(parent), m_colours(coloursOf(Theme::Light)), m_dial(new Dial(this)) {
+MonitorTile::MonitorTile(QWidget* parent) : QAbstractButton(parent), m_dial(new Dial(this)) {
   setObjectName(QStringLiteral("monitorTile"));
   setFocusPolicy(Qt::StrongFocus);
   m_dial->setAttribute(Qt::WA_TransparentForMouseEvents);  // the tile takes the click
@@ -41,7 +40,7 @@ MonitorTile::MonitorTile(QWidget* parent)
 }
 
 void MonitorTile::setMonitor(const OverviewMonitor& monitor) {
-  m_dial->setValues(dialValuesOf(monitor.dial));
+  m_dial->setValues(monitor.dial);
   // Ages run on; what counts is what is written of them. The dial looks after itself.
   const bool isSame = monitor.key == m_monitor.key && monitor.title == m_monitor.title &&
                       monitor.detail == m_monitor.detail && monitor.health == m_monitor.health &&
@@ -58,12 +57,6 @@ void MonitorTile::setChosen(bool chosen) {
   if (chosen == m_isChosen) return;
   m_isChosen = chosen;
   describe();
-  update();
-}
-
-void MonitorTile::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_dial->setColours(colours);
   update();
 }
 
@@ -106,14 +99,13 @@ void MonitorTile::leaveEvent(QEvent* event) {
 }
 
 void MonitorTile::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   const double stroke = hasFocus() ? kFrame : m_isChosen ? 2 : 1;
-  const QColor frame = hasFocus() || m_isChosen ? m_colours.accent.ink
-                       : underMouse()           ? m_colours.text
-                                                : m_colours.outline;
+  const QColor frame = hasFocus() || m_isChosen ? c.accent.ink : underMouse() ? c.text : c.outline;
   p.setPen(QPen(frame, stroke));
-  p.setBrush(m_colours.surface);
+  p.setBrush(c.surface);
   p.drawRoundedRect(QRectF(rect()).adjusted(stroke / 2, stroke / 2, -stroke / 2, -stroke / 2), 6, 6);
 
   const QFont strong = strongFont(font()), small = secondaryFont(font());
@@ -123,18 +115,18 @@ void MonitorTile::paintEvent(QPaintEvent*) {
   const double second =
       kTilePad / 2.0 + lineHeight(strong) + (lineHeight(small) + smallMetrics.capHeight()) / 2;
 
-  const QColor health = toneOf(m_colours, m_monitor.health.severity()).ink;
+  const QColor health = inkOf(c, inkOf(m_monitor.health.severity()));
   const QString age = ageText(m_monitor);
   const double signLeft = right - kTileSign;
   const double ageLeft = signLeft - kTileGap - smallMetrics.horizontalAdvance(age);
   drawGlyph(p, QRectF(signLeft, first - strongMetrics.capHeight() / 2 - kTileSign / 2, kTileSign, kTileSign),
-            glyphOf(m_monitor.health.severity()), health, Qt::transparent, m_colours.stroke);
+            healthGlyph(m_monitor.health.severity()), health, Qt::transparent, c.stroke);
   p.setFont(strong);
-  p.setPen(m_colours.text);
+  p.setPen(c.text);
   p.drawText(QPointF(left, first),
              strongMetrics.elidedText(m_monitor.title, Qt::ElideRight, ageLeft - kTileGap - left));
   p.setFont(small);
-  p.setPen(m_colours.textSecondary);
+  p.setPen(c.textSecondary);
   p.drawText(QPointF(ageLeft, first), age);
 
   const QString words =
@@ -147,9 +139,9 @@ void MonitorTile::paintEvent(QPaintEvent*) {
 
   if (m_monitor.stops.isEmpty()) return;
   const double foot = height() - kTilePad / 2.0 - lineHeight(small) / 2.0;
-  const QColor ink = m_monitor.areStopsStale ? m_colours.stale.ink : m_colours.fault.ink;
+  const QColor ink = m_monitor.areStopsStale ? c.stale.ink : c.fault.ink;
   drawGlyph(p, QRectF(left, foot - kTileSign / 2, kTileSign, kTileSign),
-            m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop, ink, Qt::transparent, m_colours.stroke);
+            m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop, ink, Qt::transparent, c.stroke);
   p.setPen(ink);
   const double textLeft = left + kTileSign + kTileGap / 2;
   p.drawText(QPointF(textLeft, foot + smallMetrics.capHeight() / 2),

@@ -6,7 +6,6 @@
 #include <QAbstractButton>
 
 #include "model/overview_of.h"
-#include "paint/palette.h"
 
 namespace deckpipe {
 
@@ -22,7 +21,6 @@ class MonitorTile : public QAbstractButton {
   const OverviewMonitor& monitor() const { return m_monitor; }
   // Whose page is shown elsewhere.
   void setChosen(bool chosen);
-  void setColours(const Colours& colours);
   void setAnimated(bool animated);
 
  protected:
@@ -36,7 +34,6 @@ class MonitorTile : public QAbstractButton {
   void describe();
 
   OverviewMonitor m_monitor;
-  Colours m_colours;
   Dial* m_dial;
   bool m_isChosen = false;
 };

@@ -9,8 +9,9 @@
 #include <QPainter>
 #include <QPushButton>
 
+#include "paint/app_style.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 
 namespace deckpipe {
 namespace {
@@ -31,7 +32,6 @@ QString actionText(Notice::Action action) {
 
 NoticeBar::NoticeBar(QWidget* parent)
     : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
       m_sign(new GlyphLabel(this)),
       m_text(new QLabel(this)),
       m_command(new QLabel(this)),
@@ -81,16 +81,9 @@ void NoticeBar::setNotice(const Notice& notice) {
   m_act->setAccessibleName(action);
   m_act->setVisible(!action.isEmpty());
   setAccessibleDescription(notice.text);
-  setColours(m_colours);
-  setVisible(!notice.text.isEmpty());
-}
-
-void NoticeBar::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_sign->setGlyph(glyphOf(m_notice.tone), inkOf(m_notice.tone, colours), colours.stroke);
-  setInk(*m_text, colours.text);
-  setInk(*m_command, colours.text);
+  m_sign->setGlyph(glyphOf(notice.tone), inkOf(notice.tone));
   update();
+  setVisible(!notice.text.isEmpty());
 }
 
 void NoticeBar::act() {
@@ -103,10 +96,11 @@ void NoticeBar::act() {
 
 // A bar at the left in the tone's colour, beside the sign that says the same.
 void NoticeBar::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
-  p.fillRect(rect(), m_colours.surface);
-  p.fillRect(QRect(0, 0, 6, height()), inkOf(m_notice.tone, m_colours));
-  p.fillRect(QRect(0, height() - 1, width(), 1), m_colours.outline);
+  p.fillRect(rect(), c.surface);
+  p.fillRect(QRect(0, 0, 6, height()), inkOf(c, inkOf(m_notice.tone)));
+  p.fillRect(QRect(0, height() - 1, width(), 1), c.outline);
 }
 
 }  // namespace deckpipe

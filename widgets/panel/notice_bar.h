@@ -16,7 +16,7 @@ namespace deckpipe {
 struct Notice {
   enum class Action : std::uint8_t { None, GoToEnd, Reconnect, CopyDetails, ShowRecordings, AddUpTimes };
 
-  StatusTone tone = StatusTone::Plain;
+  Severity tone = Severity::Plain;
   QString text{};     // empty: no notice
   QString command{};  // for a terminal
   Action action = Action::None;
@@ -32,7 +32,6 @@ class NoticeBar : public QWidget {
 
   void setNotice(const Notice& notice);
   const Notice& notice() const { return m_notice; }
-  void setColours(const Colours& colours);
 
  Q_SIGNALS:
   void actionRequested(deckpipe::Notice::Action action);
@@ -43,7 +42,6 @@ class NoticeBar : public QWidget {
  private:
   void act();
 
-  Colours m_colours;
   Notice m_notice;
   GlyphLabel* m_sign;
   QLabel* m_text;

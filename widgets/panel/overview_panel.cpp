@@ -8,7 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "panel/label_ink.h"
+#include "paint/app_style.h"
+#include "panel/label_text.h"
 #include "panel/monitor_tile.h"
 #include "panel/overview_grid.h"
 
@@ -16,7 +17,6 @@ namespace deckpipe {
 
 OverviewPanel::OverviewPanel(QWidget* parent)
     : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
       m_empty(new QLabel(this)),
       m_untracked(new QLabel(this)),
       m_scroll(new QScrollArea(this)),
@@ -29,12 +29,14 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   m_empty->setMargin(24);
   m_empty->setAutoFillBackground(true);
   m_empty->setBackgroundRole(QPalette::Base);
+  setInk(*m_empty, Ink::Secondary);
   m_untracked->setObjectName(QStringLiteral("untrackedMonitors"));
   m_untracked->setAccessibleName(tr("What is not shown"));
   m_untracked->setWordWrap(true);
   m_untracked->setMargin(8);
   m_untracked->setAutoFillBackground(true);
   m_untracked->setBackgroundRole(QPalette::Base);
+  setInk(*m_untracked, Ink::Attend);
   m_content->setObjectName(QStringLiteral("overviewContent"));
   m_scroll->setObjectName(QStringLiteral("overviewScroll"));
   m_scroll->setAccessibleName(tr("Monitors"));
@@ -49,7 +51,6 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   layout->addWidget(m_empty, 1);
   layout->addWidget(m_scroll, 1);
   layout->addWidget(m_untracked);
-  setColours(m_colours);
   refresh();
 }
 
@@ -71,7 +72,6 @@ void OverviewPanel::showEvent(QShowEvent* event) {
 void OverviewPanel::addTile() {
   auto* tile = new MonitorTile(m_content);
   tile->setObjectName(QStringLiteral("monitorTile%1").arg(m_tiles.size() + 1));
-  tile->setColours(m_colours);
   tile->setAnimated(m_isAnimated);
   tile->installEventFilter(this);
   connect(tile, &QAbstractButton::clicked, this,
@@ -157,14 +157,6 @@ void OverviewPanel::setDevice(const DeviceKey& key) {
 void OverviewPanel::setAnimated(bool animated) {
   m_isAnimated = animated;
   for (MonitorTile* tile : m_tiles) tile->setAnimated(animated);
-}
-
-void OverviewPanel::setColours(const Colours& colours) {
-  m_colours = colours;
-  setPalette(qtPalette(colours));
-  setInk(*m_empty, colours.textSecondary);
-  setInk(*m_untracked, colours.attend.ink);
-  for (MonitorTile* tile : m_tiles) tile->setColours(colours);
 }
 
 }  // namespace deckpipe

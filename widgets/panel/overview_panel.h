@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/overview_of.h"
-#include "paint/palette.h"
 
 class QLabel;
 class QScrollArea;
@@ -24,7 +23,6 @@ class OverviewPanel : public QWidget {
 
   void setView(const LogView& view);
   void setLabels(const DeviceLabels& labels);
-  void setColours(const Colours& colours);
   // Whose page is shown elsewhere.
   void setDevice(const DeviceKey& key);
   // Whether oscillating bands move by themselves; off while the cursor stands still.
@@ -49,7 +47,6 @@ class OverviewPanel : public QWidget {
 
   LogView m_view;
   DeviceLabels m_labels;
-  Colours m_colours;
   DeviceKey m_chosen;
   bool m_isAnimated = true;
   int m_count = 0;    // tiles in use, the first ones

@@ -10,10 +10,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paint/app_style.h"
 #include "panel/full_button.h"
 #include "panel/glyph_label.h"
 #include "panel/health_look.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/secondary_font.h"
 #include "text/age_text.h"
 
@@ -33,7 +34,6 @@ QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
 
 PageHeader::PageHeader(QWidget* parent)
     : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
       m_title(makeLabel(this, "pageTitle", tr("Device"))),
       m_type(makeLabel(this, "pageType", tr("Type"))),
       m_place(makeLabel(this, "pageAddress", tr("Address"))),
@@ -58,6 +58,7 @@ PageHeader::PageHeader(QWidget* parent)
   m_word->setMinimumWidth(widest);  // no word moves the sign
   const QFont small = secondaryFont(font());
   for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
+  for (QLabel* label : {m_type, m_place, m_age, m_reason}) setInk(*label, Ink::Secondary);
   m_age->setMinimumWidth(
       m_age->fontMetrics().horizontalAdvance(tr("heard %1 ago").arg(QStringLiteral("< 99 min"))));
 
@@ -116,22 +117,13 @@ void PageHeader::setPage(const MonitorPageValues& page) {
 }
 
 void PageHeader::showHealth() {
-  const QColor ink = toneOf(m_colours, m_health.severity()).ink;
-  m_sign->setGlyph(glyphOf(m_health.severity()), ink, m_colours.stroke);
+  const Ink ink = inkOf(m_health.severity());
+  m_sign->setGlyph(healthGlyph(m_health.severity()), ink);
   setText(*m_word, healthWord(m_health));
   setInk(*m_word, ink);
   showTexts();
   m_reason->setToolTip(m_reasons.join(QLatin1Char('\n')));
   m_word->setToolTip(m_reason->toolTip());
-}
-
-void PageHeader::setColours(const Colours& colours) {
-  m_colours = colours;
-  setInk(*m_title, colours.text);
-  for (QLabel* label : {m_type, m_place, m_age, m_reason}) setInk(*label, colours.textSecondary);
-  m_full->setColours(colours);
-  showHealth();
-  update();
 }
 
 void PageHeader::showTexts() {
@@ -172,9 +164,10 @@ void PageHeader::setMarked(bool isMarked) {
 void PageHeader::setFull(bool isFull) { m_full->setFull(isFull); }
 
 void PageHeader::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter painter(this);
-  painter.fillRect(rect(), m_colours.surface);
-  const QColor line = m_isMarked ? m_colours.accent.ink : m_colours.stale.fill;
+  painter.fillRect(rect(), c.surface);
+  const QColor line = m_isMarked ? c.accent.ink : c.stale.fill;
   const int thick = m_isMarked ? 2 : 1;
   painter.fillRect(QRect(0, height() - thick, width(), thick), line);
 }

@@ -6,7 +6,6 @@
 #include <QWidget>
 
 #include "model/monitor_page_values.h"
-#include "paint/palette.h"
 
 class QLabel;
 class QToolButton;
@@ -23,7 +22,6 @@ class PageHeader : public QWidget {
   explicit PageHeader(QWidget* parent = nullptr);
 
   void setPage(const MonitorPageValues& page);
-  void setColours(const Colours& colours);
   // Whether the button is there that spreads the dial over the window, and what it does now.
   void setFullOffered(bool isOffered);
   void setTraceOffered(bool isOffered);
@@ -46,7 +44,6 @@ class PageHeader : public QWidget {
   // As much of the texts as has room; the tooltips say all.
   void showTexts();
 
-  Colours m_colours;
   Health m_health;
   QStringList m_reasons;
   QString m_typeText;

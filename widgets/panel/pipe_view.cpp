@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "model/field_text.h"
+#include "paint/app_style.h"
 
 namespace deckpipe {
 namespace {
@@ -25,8 +26,7 @@ constexpr int kMostBlocks = 20'000;
 
 }  // namespace
 
-PipeView::PipeView(QWidget* parent)
-    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_text(new QPlainTextEdit(this)) {
+PipeView::PipeView(QWidget* parent) : QWidget(parent), m_text(new QPlainTextEdit(this)) {
   m_text->setObjectName(QStringLiteral("pipeText"));
   m_text->setAccessibleName(tr("What went through the data pipe"));
   m_text->setReadOnly(true);
@@ -110,11 +110,6 @@ void PipeView::setView(const LogView& view, const Conversations& talk, const Dev
   m_saveLedger->setEnabled(m_saveText->isEnabled());
 }
 
-void PipeView::setColours(const Colours& colours) {
-  m_colours = colours;
-  rebuild();
-}
-
 void PipeView::showTools(bool isOn) { m_tools->setVisible(isOn); }
 
 void PipeView::beginSearch() {
@@ -124,6 +119,7 @@ void PipeView::beginSearch() {
 }
 
 void PipeView::rebuild() {
+  m_theme = coloursOf(this).theme;
   m_text->clear();
   m_shown = 0;
   m_lastSender = {};
@@ -141,9 +137,10 @@ void PipeView::append(std::size_t from) {
   QTextCursor cursor(m_text->document());
   cursor.movePosition(QTextCursor::End);
   QTextCharFormat format;
+  const Colours& c = coloursOf(this);
   const auto showRestart = [&] {
     if (m_isRestartShown || !tellsRestart) return;
-    format.setForeground(m_colours.attend.ink);
+    format.setForeground(c.attend.ink);
     if (std::exchange(m_isLineOpen, false)) cursor.insertText(QStringLiteral("\n"), format);
     cursor.insertText(pipeRestartText() + QLatin1Char('\n'), format);
     m_isRestartShown = true;
@@ -152,9 +149,7 @@ void PipeView::append(std::size_t from) {
     const PipePacket& packet = packets[from];
     if (packet.time > m_transcript.restarted()) showRestart();
     if (!packet.isFromDevice && !m_echo->isChecked()) continue;
-    format.setForeground(packet.isFromDevice ? m_colours.text
-                         : packet.isOurs     ? m_colours.accent.ink
-                                             : m_colours.textSecondary);
+    format.setForeground(packet.isFromDevice ? c.text : packet.isOurs ? c.accent.ink : c.textSecondary);
     if (packet.sender != m_lastSender && m_isLineOpen) {
       cursor.insertText(QStringLiteral("\n"), format);
       m_isLineOpen = false;
@@ -163,20 +158,26 @@ void PipeView::append(std::size_t from) {
     const QString text =
         m_hex->isChecked() ? pipeHex(packet.bytes) + QLatin1Char(' ') : pipeText(packet.bytes);
     QString out;
-    for (const QChar c : text) {
+    for (const QChar letter : text) {
       if (!m_isLineOpen) {
         out += packet.isFromDevice ? QStringLiteral("  ")
                : packet.isOurs     ? QStringLiteral("› ")
                                    : QStringLiteral("%1› ").arg(hexText(packet.sender.value, 2));
       }
-      out += c;
-      m_isLineOpen = c != QLatin1Char('\n');
+      out += letter;
+      m_isLineOpen = letter != QLatin1Char('\n');
     }
     cursor.insertText(out, format);
   }
   showRestart();
   m_shown = packets.size();
   if (m_isFollowing) m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
+}
+
+// The letters keep the colours that they were written in.
+void PipeView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange && coloursOf(this).theme != m_theme) rebuild();
 }
 
 bool PipeView::eventFilter(QObject* watched, QEvent* event) {
@@ -201,9 +202,7 @@ void PipeView::find(bool backwards) {
   }
   m_search->setToolTip(isFound ? QString() : tr("Not found"));
   m_search->setAccessibleDescription(m_search->toolTip());
-  QPalette palette = qtPalette(m_colours);
-  if (!isFound) palette.setColor(QPalette::Text, m_colours.fault.ink);
-  m_search->setPalette(palette);
+  setInk(*m_search, isFound ? Ink::Text : Ink::Fault);
 }
 
 void PipeView::save(const QString& title, const QString& name, const QString& text) {

@@ -25,7 +25,6 @@ class PipeView : public QWidget {
   void setView(const LogView& view, const Conversations& talk, const DeviceKey& device);
   // See PipeTranscript.
   Instant restartedSinceSent() const { return m_transcript.restartedSinceSent(); }
-  void setColours(const Colours& colours);
   // What is shown, search, and saving: a row of its own.
   void showTools(bool isOn);
   void beginSearch();
@@ -38,6 +37,7 @@ class PipeView : public QWidget {
   void failed(const QString& why);
 
  protected:
+  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -47,9 +47,9 @@ class PipeView : public QWidget {
   void find(bool backwards);
   void save(const QString& title, const QString& name, const QString& text);
 
-  Colours m_colours;
   PipeTranscript m_transcript;
-  std::size_t m_shown = 0;  // packets in the text
+  std::size_t m_shown = 0;       // packets in the text
+  Theme m_theme = Theme::Light;  // of the text
   Address m_lastSender;
   bool m_isFollowing = true;  // the end, until a person scrolls away from it
   bool m_isLineOpen = false;

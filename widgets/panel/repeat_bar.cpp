@@ -6,7 +6,8 @@
 #include <QPushButton>
 
 #include "model/device_rows.h"
-#include "panel/label_ink.h"
+#include "paint/app_style.h"
+#include "panel/label_text.h"
 #include "panel/secondary_font.h"
 #include "text/age_text.h"
 
@@ -24,6 +25,7 @@ RepeatBar::RepeatBar(QWidget* parent) : QWidget(parent), m_text(new QLabel(this)
   m_text->setWordWrap(true);
   m_text->setTextFormat(Qt::PlainText);
   m_text->setFont(secondaryFont(font()));
+  setInk(*m_text, Ink::Secondary);
   auto* end = new QPushButton(tr("End all"), this);
   end->setObjectName(QStringLiteral("repeatEnd"));
   end->setAccessibleName(tr("End all repeated polls"));
@@ -55,7 +57,5 @@ void RepeatBar::setStatus(const ServiceStatus& services, const DeviceLabels& lab
   setText(*m_text, lines.join(QLatin1Char('\n')));
   setVisible(count > 0);
 }
-
-void RepeatBar::setColours(const Colours& colours) { setInk(*m_text, colours.textSecondary); }
 
 }  // namespace deckpipe

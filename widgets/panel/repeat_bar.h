@@ -7,7 +7,6 @@
 
 #include "control/status.h"
 #include "model/device_labels.h"
-#include "paint/palette.h"
 
 class QLabel;
 
@@ -20,7 +19,6 @@ class RepeatBar : public QWidget {
   explicit RepeatBar(QWidget* parent = nullptr);
 
   void setStatus(const ServiceStatus& services, const DeviceLabels& labels);
-  void setColours(const Colours& colours);
 
  Q_SIGNALS:
   void endRequested();

@@ -18,11 +18,12 @@
 #include "model/answer_history.h"
 #include "model/device_health.h"
 #include "model/device_rows.h"
+#include "paint/app_style.h"
 #include "panel/ask_card.h"
 #include "panel/calm_combo.h"
 #include "panel/danger_dialog.h"
 #include "panel/flat_header.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/repeat_bar.h"
 #include "panel/secondary_font.h"
 #include "panel/send_hint.h"
@@ -66,8 +67,7 @@ QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) 
 
 }  // namespace
 
-RequestPanel::RequestPanel(QWidget* parent)
-    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_history(new AnswerHistory(this)) {
+RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new AnswerHistory(this)) {
   setObjectName(QStringLiteral("requestPanel"));
   setAccessibleName(tr("Ask the device"));
   m_title = new QLabel(this);
@@ -123,7 +123,6 @@ RequestPanel::RequestPanel(QWidget* parent)
   connect(m_historyView, &QTreeView::activated, this, [this](const QModelIndex& index) {
     Q_EMIT frameRequested(index.data(AnswerHistory::FrameRole).toULongLong());
   });
-  setColours(m_colours);
 }
 
 QWidget* RequestPanel::makeAsks() {
@@ -155,6 +154,7 @@ QWidget* RequestPanel::makeAsks() {
   m_none->setObjectName(QStringLiteral("requestNone"));
   m_none->setAccessibleName(tr("Why there is nothing to ask"));
   m_none->setWordWrap(true);
+  setInk(*m_none, Ink::Secondary);
   m_none->setAlignment(Qt::AlignCenter);
   m_none->setMargin(16);
   column->addWidget(m_none);
@@ -202,16 +202,6 @@ void RequestPanel::setView(const LogView& view, const Conversations& talk, const
   m_history->setView(view, talk, m_device);
   if (isAtEnd && m_history->rowCount() != rows) m_historyView->scrollToBottom();
   showState();
-}
-
-void RequestPanel::setColours(const Colours& colours) {
-  m_colours = colours;
-  setPalette(qtPalette(colours));
-  m_historyHeader->setColours(colours);
-  for (AskCard* card : m_cards) card->setColours(colours);
-  m_hint->setColours(colours);
-  m_repeats->setColours(colours);
-  setInk(*m_none, colours.textSecondary);
 }
 
 void RequestPanel::showState() {
@@ -306,11 +296,11 @@ AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
   QStringList parts;
   if (last == nullptr) {
     parts << (known != nullptr ? noAnswerText(*known, ask, now) : tr("never asked"));
-    if (known != nullptr && !askedAgainText(*known, ask, now).isEmpty()) values.tone = AskCardTone::Attend;
+    if (known != nullptr && !askedAgainText(*known, ask, now).isEmpty()) values.tone = Severity::Attend;
   } else {
     const QString again = withMissing && known != nullptr ? askedAgainText(*known, ask, now) : QString();
     if (!again.isEmpty()) {
-      values.tone = AskCardTone::Attend;
+      values.tone = Severity::Attend;
       parts << again;
     }
     values.answer = m_history->latestText(ask);
@@ -341,12 +331,12 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
       // What the log says is said too where the request does not say it: how old the answer is, and why.
       const bool isAdded = !values.answer.isEmpty() && (!isFine || values.isOld);
       values.state = isAdded ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
-      values.tone = isKept                                                 ? AskCardTone::Attend
-                    : request.progress == RequestStatus::Progress::Waiting ? AskCardTone::Waiting
-                    : request.end == RequestEnd::None                      ? AskCardTone::Plain
-                    : !isFine                                              ? AskCardTone::Attend
-                    : values.isFault || values.isOld                       ? AskCardTone::Plain
-                                                                           : AskCardTone::Fine;
+      values.tone = isKept                                                 ? Severity::Attend
+                    : request.progress == RequestStatus::Progress::Waiting ? Severity::Busy
+                    : request.end == RequestEnd::None                      ? Severity::Plain
+                    : !isFine                                              ? Severity::Attend
+                    : values.isFault || values.isOld                       ? Severity::Plain
+                                                                           : Severity::Fine;
     }
     values.isOffered = m_isLive && m_services.canAsk() && device->takes.has(card.ask()) &&
                        request.progress != RequestStatus::Progress::Waiting && !isKept;

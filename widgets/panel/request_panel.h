@@ -10,7 +10,6 @@
 #include "control/intent.h"
 #include "control/status.h"
 #include "model/device_labels.h"
-#include "paint/palette.h"
 #include "state/conversations.h"
 
 class QComboBox;
@@ -38,7 +37,6 @@ class RequestPanel : public QWidget {
   // `isLive`: the view stands at the live edge of a link.
   void setLabels(const DeviceLabels& labels);
   void setView(const LogView& view, const Conversations& talk, const ServiceStatus& services, bool isLive);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override { return {360, 560}; }
 
@@ -58,7 +56,6 @@ class RequestPanel : public QWidget {
   void repeat(int index);
   QString stateText(Ask ask, const RequestStatus& request, bool& isFine) const;
 
-  Colours m_colours;
   DeviceLabels m_labels;
   DeviceKey m_device;
   QString m_name;

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "paint/app_style.h"
 #include "paint/figures.h"
 #include "paint/glyph.h"
 #include "panel/secondary_font.h"
@@ -17,7 +18,7 @@ constexpr double kTitleGap = 8;
 
 }  // namespace
 
-SectionTitle::SectionTitle(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+SectionTitle::SectionTitle(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("sectionTitle"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
@@ -40,11 +41,6 @@ void SectionTitle::setAge(std::optional<Duration> age, bool isStale) {
   update();
 }
 
-void SectionTitle::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 void SectionTitle::describe() {
   setAccessibleName(m_remark.isEmpty() ? m_title : tr("%1, %2").arg(m_title, m_remark));
   setAccessibleDescription(m_age);
@@ -59,6 +55,7 @@ QSize SectionTitle::sizeHint() const {
 QSize SectionTitle::minimumSizeHint() const { return {80, sizeHint().height()}; }
 
 void SectionTitle::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   QFont strong = font();
@@ -69,7 +66,7 @@ void SectionTitle::paintEvent(QPaintEvent*) {
 
   double right = width();
   if (!m_age.isEmpty()) {
-    const QColor ink = m_isStale ? m_colours.stale.ink : m_colours.textSecondary;
+    const QColor ink = m_isStale ? c.stale.ink : c.textSecondary;
     const double ageWidth = figuresWidth(small, m_age);
     drawFigures(p, QRectF(0, baseline - smallMetrics.capHeight(), width(), smallMetrics.capHeight()),
                 {m_age, {}, small, small, ink, ink});
@@ -77,21 +74,21 @@ void SectionTitle::paintEvent(QPaintEvent*) {
     if (m_isStale) {
       const double side = 12;
       drawGlyph(p, QRectF(right - side + 2, height() / 2.0 - side / 2 - 1, side, side), Glyph::Stale, ink,
-                Qt::transparent, m_colours.stroke);
+                Qt::transparent, c.stroke);
       right -= side + kTitleGap;
     }
   }
   p.setFont(strong);
-  p.setPen(m_colours.text);
+  p.setPen(c.text);
   const QString title = strongMetrics.elidedText(m_title, Qt::ElideRight, right);
   p.drawText(QPointF(0, baseline), title);
   const double left = strongMetrics.horizontalAdvance(title) + kTitleGap;
   if (!m_remark.isEmpty() && right - left > 40) {
     p.setFont(small);
-    p.setPen(m_colours.textSecondary);
+    p.setPen(c.textSecondary);
     p.drawText(QPointF(left, baseline), smallMetrics.elidedText(m_remark, Qt::ElideRight, right - left));
   }
-  p.setPen(QPen(m_colours.stale.fill, 1));
+  p.setPen(QPen(c.stale.fill, 1));
   p.drawLine(QPointF(0, height() - 0.5), QPointF(width(), height() - 0.5));
 }
 

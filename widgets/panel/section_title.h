@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "base/time.h"
-#include "paint/palette.h"
 
 namespace deckpipe {
 
@@ -20,7 +19,6 @@ class SectionTitle : public QWidget {
   void setTitle(const QString& title, const QString& remark = {});
   // Nothing: the message never came, which is said, unless the section has no age at all.
   void setAge(std::optional<Duration> age, bool isStale);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -31,7 +29,6 @@ class SectionTitle : public QWidget {
  private:
   void describe();
 
-  Colours m_colours;
   QString m_title, m_remark, m_age;
   bool m_isStale = false;
 };

@@ -5,7 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "panel/label_ink.h"
+#include "paint/app_style.h"
+#include "panel/label_text.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
@@ -15,6 +16,7 @@ SendHint::SendHint(const QString& prefix, QWidget* parent)
   m_text->setObjectName(prefix + QStringLiteral("Hint"));
   m_text->setAccessibleName(tr("Why nothing can be sent"));
   m_text->setWordWrap(true);
+  setInk(*m_text, Ink::Attend);
   m_unlock->setObjectName(prefix + QStringLiteral("Unlock"));
   m_unlock->setAccessibleName(tr("Unlock sending"));
   m_unlock->setAutoDefault(false);
@@ -43,7 +45,5 @@ void SendHint::setStatus(const ServiceStatus& services, bool isLive, const QStri
   m_unlock->setVisible(isLive && services.locked);
   setVisible(!text.isEmpty());
 }
-
-void SendHint::setColours(const Colours& colours) { setInk(*m_text, colours.attend.ink); }
 
 }  // namespace deckpipe

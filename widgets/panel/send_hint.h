@@ -6,7 +6,6 @@
 #include <QWidget>
 
 #include "control/status.h"
-#include "paint/palette.h"
 
 class QLabel;
 class QPushButton;
@@ -23,7 +22,6 @@ class SendHint : public QWidget {
   // `own`: what stands in this panel's way where sending as such is possible. `trouble`: what has just gone
   // wrong, said before everything else.
   void setStatus(const ServiceStatus& services, bool isLive, const QString& own, const QString& trouble = {});
-  void setColours(const Colours& colours);
 
  Q_SIGNALS:
   void unlockRequested();

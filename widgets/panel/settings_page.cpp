@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "panel/label_ink.h"
 #include "panel/scrolled.h"
 #include "protocol/address_use.h"
 #include "text/device_text.h"
@@ -109,6 +108,7 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
   m_path->setAccessibleName(tr("Where settings are kept"));
   m_path->setTextFormat(Qt::PlainText);
   m_path->setWordWrap(true);
+  setInk(*m_path, Ink::Secondary);
   m_path->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_column->addWidget(m_path);
   m_column->addSpacing(12);
@@ -148,10 +148,15 @@ void SettingsPage::addChoice(QButtonGroup* group, int id, const char* name, cons
   addStory(story)->setIndent(kIndent);
 }
 
-QLabel* SettingsPage::addStory(const QString& story) {
+QLabel* SettingsPage::makeStory(const QString& story) {
   auto* label = new QLabel(story, this);
   label->setWordWrap(true);
-  m_stories.append(label);
+  setInk(*label, Ink::Secondary);
+  return label;
+}
+
+QLabel* SettingsPage::addStory(const QString& story) {
+  QLabel* label = makeStory(story);
   m_column->addWidget(label);
   return label;
 }
@@ -182,11 +187,8 @@ void SettingsPage::addAction(const char* name, const QString& text, const QStrin
   made->setAccessibleName(text);
   made->setAccessibleDescription(story);
   connect(made, &QPushButton::clicked, this, wish);
-  auto* label = new QLabel(story, this);
-  label->setWordWrap(true);
-  m_stories.append(label);
   row->addWidget(made);
-  row->addWidget(label, 1);
+  row->addWidget(makeStory(story), 1);
   m_column->addLayout(row);
 }
 
@@ -239,11 +241,6 @@ void SettingsPage::setRecordingLimits(int megabytes, int days) {
 }
 
 void SettingsPage::setPath(const QString& path) { m_path->setText(tr("Settings are kept in %1").arg(path)); }
-
-void SettingsPage::setColours(const Colours& colours) {
-  for (QLabel* label : m_stories) setInk(*label, colours.textSecondary);
-  setInk(*m_path, colours.textSecondary);
-}
 
 void SettingsPage::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {

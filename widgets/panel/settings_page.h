@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "paint/density_style.h"
+#include "paint/app_style.h"
 #include "paint/palette.h"
 
 class QButtonGroup;
@@ -32,7 +32,6 @@ class SettingsPage : public QWidget {
   void refuseAddress(int address);
   // Where all this is kept.
   void setPath(const QString& path);
-  void setColours(const Colours& colours);
 
  Q_SIGNALS:
   void themeChosen(deckpipe::Theme theme);
@@ -50,6 +49,7 @@ class SettingsPage : public QWidget {
  private:
   QButtonGroup* addGroup(const QString& title);
   void addChoice(QButtonGroup* group, int id, const char* name, const QString& text, const QString& story);
+  QLabel* makeStory(const QString& story);
   QLabel* addStory(const QString& story);
   QSpinBox* addNumber(QSpinBox* box, const char* name, const QString& text, const QString& story, int least,
                       int most);
@@ -68,7 +68,6 @@ class SettingsPage : public QWidget {
   QSpinBox* m_megabytes;
   QSpinBox* m_days;
   QLabel* m_path;
-  QList<QLabel*> m_stories;
 };
 
 }  // namespace deckpipe

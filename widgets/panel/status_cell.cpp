@@ -7,42 +7,15 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "paint/app_style.h"
 #include "paint/plain_tip.h"
 #include "panel/elided_label.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
 
 namespace deckpipe {
 
-std::optional<Glyph> glyphOf(StatusTone tone) {
-  switch (tone) {
-    case StatusTone::Plain: return {};
-    case StatusTone::Idle: return Glyph::NoData;
-    case StatusTone::Busy: return Glyph::Stale;
-    case StatusTone::Fine: return Glyph::Fine;
-    case StatusTone::Attend: return Glyph::Attend;
-    case StatusTone::Fault: return Glyph::Fault;
-  }
-  return {};
-}
-
-QColor inkOf(StatusTone tone, const Colours& colours) {
-  switch (tone) {
-    case StatusTone::Plain: return colours.text;
-    case StatusTone::Idle: return colours.stale.ink;
-    case StatusTone::Busy: return colours.accent.ink;
-    case StatusTone::Fine: return colours.fine.ink;
-    case StatusTone::Attend: return colours.attend.ink;
-    case StatusTone::Fault: return colours.fault.ink;
-  }
-  return colours.text;
-}
-
 StatusCell::StatusCell(const char* name, const QString& label, QWidget* parent)
-    : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
-      m_sign(new GlyphLabel(this)),
-      m_words(new ElidedLabel(this)) {
+    : QWidget(parent), m_sign(new GlyphLabel(this)), m_words(new ElidedLabel(this)) {
   setObjectName(QLatin1String(name) + QStringLiteral("Cell"));
   setAccessibleName(label);
   setFocusPolicy(Qt::TabFocus);
@@ -61,12 +34,7 @@ void StatusCell::setWidestText(const QString& text) {
   m_words->setMinimumWidth(m_words->fontMetrics().horizontalAdvance(text) + 2);
 }
 
-void StatusCell::setColours(const Colours& colours) {
-  m_colours = colours;
-  showSign();
-}
-
-void StatusCell::setStatus(StatusTone tone, const QString& text, const QString& story,
+void StatusCell::setStatus(Severity tone, const QString& text, const QString& story,
                            std::optional<Glyph> glyph) {
   if (tone != m_tone || glyph != m_glyph) {
     m_tone = tone;
@@ -85,9 +53,9 @@ QString StatusCell::text() const { return m_words->text(); }
 void StatusCell::showSign() {
   const auto glyph = m_glyph ? m_glyph : glyphOf(m_tone);
   m_sign->setVisible(glyph.has_value());
-  m_sign->setGlyph(glyph, inkOf(m_tone, m_colours), m_colours.stroke);
-  const bool isLoud = m_tone == StatusTone::Attend || m_tone == StatusTone::Fault;
-  setInk(*m_words, isLoud ? inkOf(m_tone, m_colours) : m_colours.text);
+  m_sign->setGlyph(glyph, inkOf(m_tone));
+  const bool isLoud = m_tone == Severity::Attend || m_tone == Severity::Fault;
+  setInk(*m_words, isLoud ? inkOf(m_tone) : Ink::Text);
 }
 
 void StatusCell::showStory() { QToolTip::showText(mapToGlobal(QPoint(0, height())), toolTip(), this); }
@@ -119,7 +87,7 @@ void StatusCell::paintEvent(QPaintEvent*) {
   if (!hasFocus()) return;
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(m_colours.accent.ink, 2));
+  p.setPen(QPen(coloursOf(this).accent.ink, 2));
   p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
 }
 

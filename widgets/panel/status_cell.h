@@ -7,18 +7,12 @@
 #include <QWidget>
 #include <optional>
 
-#include "paint/glyph.h"
-#include "paint/palette.h"
+#include "paint/severity_look.h"
 
 namespace deckpipe {
 
 class ElidedLabel;
 class GlyphLabel;
-
-// What a sign and its colour mean here.
-enum class StatusTone : std::uint8_t { Plain, Idle, Busy, Fine, Attend, Fault };
-std::optional<Glyph> glyphOf(StatusTone tone);
-QColor inkOf(StatusTone tone, const Colours& colours);
 
 class StatusCell : public QWidget {
   Q_OBJECT
@@ -29,9 +23,8 @@ class StatusCell : public QWidget {
 
   // Words that it may have to show later.
   void setWidestText(const QString& text);
-  void setColours(const Colours& colours);
-  // `glyph`: instead of the tone's own.
-  void setStatus(StatusTone tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
+  // `glyph`: instead of the severity's own.
+  void setStatus(Severity tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
   QString text() const;
 
  protected:
@@ -46,11 +39,10 @@ class StatusCell : public QWidget {
   void showSign();
   void showStory();
 
-  Colours m_colours;
   GlyphLabel* m_sign;
   ElidedLabel* m_words;
   QString m_widest;
-  StatusTone m_tone = StatusTone::Plain;
+  Severity m_tone = Severity::Plain;
   std::optional<Glyph> m_glyph;
 };
 

@@ -2,17 +2,17 @@
 #include "panel/stick_box.h"
 
 #include <QGridLayout>
+#include <QLabel>
 #include <utility>
 
+#include "paint/app_style.h"
 #include "paint/stick_view.h"
-#include "panel/label_ink.h"
 #include "panel/section_title.h"
 
 namespace deckpipe {
 
 StickBox::StickBox(const QString& key, QWidget* parent)
     : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
       m_title(new SectionTitle(this)),
       m_view(new StickView(this)),
       m_x(new QLabel(this)),
@@ -35,7 +35,8 @@ StickBox::StickBox(const QString& key, QWidget* parent)
     auto* axis = new QLabel(name, this);
     axis->setObjectName(value->objectName() + QStringLiteral("Name"));
     value->setMinimumWidth(value->fontMetrics().horizontalAdvance(tr("100.0 % forward")));
-    m_names.push_back(axis);
+    setInk(*axis, Ink::Secondary);
+    if (value == m_theta) m_thetaName = axis;
     grid->addWidget(axis, row, 0, Qt::AlignRight);
     grid->addWidget(value, row++, 1);
   }
@@ -48,7 +49,7 @@ void StickBox::setStick(const PageStick& stick) {
   m_title->setTitle(stick.title);
   setAccessibleName(stick.title);
   m_title->setAge(stick.age, stick.isStale);
-  m_view->setValues({stick.x, stick.y, stick.isStale});
+  m_view->setValues(stick);
   const auto show = [&](QLabel& label, const QString& name, const QString& text) {
     if (label.text() == text) return;
     label.setText(text);
@@ -59,18 +60,11 @@ void StickBox::setStick(const PageStick& stick) {
   show(*m_theta, tr("Theta"), stick.thetaText);
   const bool hasTheta = !stick.thetaText.isEmpty();
   m_theta->setVisible(hasTheta);
-  m_names.back()->setVisible(hasTheta);
+  m_thetaName->setVisible(hasTheta);
   m_view->setAccessibleName(stick.title);
   m_view->setAccessibleDescription(tr("X %1, Y %2").arg(stick.xText, stick.yText));
-  const QColor ink = stick.isStale ? m_colours.stale.ink : m_colours.text;
+  const Ink ink = stick.isStale ? Ink::Stale : Ink::Text;
   for (QLabel* label : {m_x, m_y, m_theta}) setInk(*label, ink);
-}
-
-void StickBox::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_title->setColours(colours);
-  m_view->setColours(colours);
-  for (QLabel* name : m_names) setInk(*name, colours.textSecondary);
 }
 
 }  // namespace deckpipe

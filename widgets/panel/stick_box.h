@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "model/monitor_page_values.h"
-#include "paint/palette.h"
 
 class QLabel;
 
@@ -25,16 +24,14 @@ class StickBox : public QWidget {
   explicit StickBox(const QString& key, QWidget* parent = nullptr);
 
   void setStick(const PageStick& stick);
-  void setColours(const Colours& colours);
 
  private:
-  Colours m_colours;
   SectionTitle* m_title;
   StickView* m_view;
-  std::vector<QLabel*> m_names;
   QLabel* m_x;
   QLabel* m_y;
   QLabel* m_theta;  // hidden where there is none
+  QLabel* m_thetaName = nullptr;
 };
 
 }  // namespace deckpipe

@@ -12,10 +12,7 @@
 namespace deckpipe {
 
 StopsGrid::StopsGrid(QWidget* parent)
-    : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
-      m_title(new SectionTitle(this)),
-      m_grid(new QGridLayout(this)) {
+    : QWidget(parent), m_title(new SectionTitle(this)), m_grid(new QGridLayout(this)) {
   setObjectName(QStringLiteral("stops"));
   setAccessibleName(tr("Hard stops"));
   setToolTip(pageSourceText(QStringLiteral("stops")));
@@ -35,7 +32,6 @@ void StopsGrid::addLine() {
   line.axis->setObjectName(QStringLiteral("stopAxis%1").arg(number));
   line.minus->setObjectName(QStringLiteral("stopMinus%1").arg(number));
   line.plus->setObjectName(QStringLiteral("stopPlus%1").arg(number));
-  for (StatusLamp* lamp : {line.minus, line.plus}) lamp->setColours(m_colours);
   m_grid->addWidget(line.axis, number, 0);
   m_grid->addWidget(line.minus, number, 1);
   m_grid->addWidget(line.plus, number, 2);
@@ -59,15 +55,6 @@ void StopsGrid::setStops(const PageStops& stops) {
     m_lines[i].axis->setToolTip(stop.remark);
     setLamp(*m_lines[i].minus, stop.minus, stops.isStale, QStringLiteral("stops"));
     setLamp(*m_lines[i].plus, stop.plus, stops.isStale, QStringLiteral("stops"));
-  }
-}
-
-void StopsGrid::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_title->setColours(colours);
-  for (const Line& line : m_lines) {
-    line.minus->setColours(colours);
-    line.plus->setColours(colours);
   }
 }
 

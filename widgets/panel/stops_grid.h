@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "model/monitor_page_values.h"
-#include "paint/palette.h"
 
 class QGridLayout;
 class QLabel;
@@ -23,7 +22,6 @@ class StopsGrid : public QWidget {
   explicit StopsGrid(QWidget* parent = nullptr);
 
   void setStops(const PageStops& stops);
-  void setColours(const Colours& colours);
 
  private:
   struct Line {
@@ -33,7 +31,6 @@ class StopsGrid : public QWidget {
   };
   void addLine();
 
-  Colours m_colours;
   PageStops m_stops;
   SectionTitle* m_title;
   QGridLayout* m_grid;

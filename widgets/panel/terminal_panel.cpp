@@ -8,9 +8,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "paint/app_style.h"
 #include "panel/elided_label.h"
 #include "panel/file_send_bar.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/pipe_input.h"
 #include "panel/pipe_view.h"
 #include "panel/secondary_font.h"
@@ -61,7 +62,6 @@ TerminalPanel::TerminalPanel(QWidget* parent)
   connect(m_input, &PipeInput::findRequested, m_text, &PipeView::beginSearch);
   connect(m_sendFile, &SendFileButton::wished, this, &TerminalPanel::wished);
   connect(m_sendFile, &SendFileButton::failed, this, &TerminalPanel::say);
-  setColours(coloursOf(Theme::Light));
   showState();
 }
 
@@ -89,6 +89,7 @@ QLayout* TerminalPanel::makeTop() {
   m_caution->setAccessibleName(m_caution->text());
   m_caution->setWordWrap(true);
   m_caution->setFont(secondaryFont(font()));
+  setInk(*m_caution, Ink::Secondary);
   auto* row = new QHBoxLayout;
   m_title->setMaximumWidth(kTitleLetters * fontMetrics().averageCharWidth());
   row->setSpacing(16);
@@ -105,6 +106,7 @@ QWidget* TerminalPanel::makeStallBar() {
   m_stall->setObjectName(QStringLiteral("pipeStallText"));
   m_stall->setAccessibleName(tr("Why sending stopped"));
   m_stall->setWordWrap(true);
+  setInk(*m_stall, Ink::Fault);
   auto* row = new QHBoxLayout(m_stallBar);
   row->setContentsMargins(0, 0, 0, 0);
   m_forTheRest = new QCheckBox(m_stallBar);
@@ -165,15 +167,6 @@ void TerminalPanel::setView(const LogView& view, const Conversations& talk, cons
   m_isLive = isLive;
   m_text->setView(view, talk, m_device);
   showState();
-}
-
-void TerminalPanel::setColours(const Colours& colours) {
-  setPalette(qtPalette(colours));
-  setInk(*m_title, colours.text);
-  setInk(*m_caution, colours.textSecondary);
-  setInk(*m_stall, colours.fault.ink);
-  m_hint->setColours(colours);
-  m_text->setColours(colours);
 }
 
 // What is said for the rest once is not said the next time.

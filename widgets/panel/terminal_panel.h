@@ -13,7 +13,6 @@
 
 #include "control/intent.h"
 #include "control/status.h"
-#include "paint/palette.h"
 #include "state/conversations.h"
 
 class QCheckBox;
@@ -37,7 +36,6 @@ class TerminalPanel : public QWidget {
 
   void setDevice(const DeviceKey& device, const QString& name);
   void setView(const LogView& view, const Conversations& talk, const ServiceStatus& services, bool isLive);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override { return {900, 300}; }
 

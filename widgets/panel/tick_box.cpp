@@ -5,6 +5,7 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "paint/app_style.h"
 #include "paint/glyph.h"
 
 namespace deckpipe {
@@ -14,13 +15,7 @@ constexpr int kBox = 18, kBoxGap = 8, kBoxMargin = 2, kLeastHeight = 32;
 
 }  // namespace
 
-TickBox::TickBox(const QString& text, QWidget* parent)
-    : QCheckBox(text, parent), m_colours(coloursOf(Theme::Light)) {}
-
-void TickBox::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
+TickBox::TickBox(const QString& text, QWidget* parent) : QCheckBox(text, parent) {}
 
 QSize TickBox::sizeHint() const {
   const QFontMetrics metrics(font());
@@ -29,25 +24,24 @@ QSize TickBox::sizeHint() const {
 }
 
 void TickBox::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const auto placed = [&](const QRect& r) { return QStyle::visualRect(layoutDirection(), rect(), r); };
   const QRectF box = QRectF(placed({kBoxMargin, (height() - kBox) / 2, kBox, kBox})).adjusted(1, 1, -1, -1);
-  const QColor& line = isEnabled() ? m_colours.accent.ink : m_colours.stale.ink;
-  painter.setPen(
-      QPen(isChecked() || hasFocus() || underMouse() ? line : m_colours.outline, 1.5 * m_colours.stroke));
-  painter.setBrush(isChecked() ? m_colours.accent.fill : m_colours.surface);
+  const QColor& line = isEnabled() ? c.accent.ink : c.stale.ink;
+  painter.setPen(QPen(isChecked() || hasFocus() || underMouse() ? line : c.outline, 1.5 * c.stroke));
+  painter.setBrush(isChecked() ? c.accent.fill : c.surface);
   painter.drawRoundedRect(box, 3, 3);
   if (isChecked())
-    drawGlyph(painter, box.adjusted(2, 2, -2, -2), Glyph::Fine, m_colours.accent.onFill, Qt::transparent,
-              1.5);
+    drawGlyph(painter, box.adjusted(2, 2, -2, -2), Glyph::Fine, c.accent.onFill, Qt::transparent, 1.5);
   const int left = kBoxMargin + kBox + kBoxGap;
   const QRect words = placed({left, 0, width() - left, height()});
-  painter.setPen(isEnabled() ? m_colours.text : m_colours.textSecondary);
+  painter.setPen(isEnabled() ? c.text : c.textSecondary);
   painter.drawText(words, static_cast<int>(Qt::AlignVCenter | Qt::AlignLeading | Qt::TextShowMnemonic),
                    text());
   if (!hasFocus()) return;
-  painter.setPen(QPen(m_colours.accent.ink, m_colours.stroke));
+  painter.setPen(QPen(c.accent.ink, c.stroke));
   painter.setBrush(Qt::NoBrush);
   const int length = std::min(words.width(), QFontMetrics(font()).horizontalAdvance(text()) + 4);
   painter.drawRoundedRect(

@@ -5,8 +5,6 @@
 
 #include <QCheckBox>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class TickBox : public QCheckBox {
@@ -14,8 +12,6 @@ class TickBox : public QCheckBox {
 
  public:
   explicit TickBox(const QString& text, QWidget* parent = nullptr);
-
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
@@ -25,7 +21,6 @@ class TickBox : public QCheckBox {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  Colours m_colours;
 };
 
 }  // namespace deckpipe

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paint/app_style.h"
 #include "paint/figures.h"
 
 namespace deckpipe {
@@ -29,7 +30,7 @@ std::optional<std::int64_t> stampAt(const LogView& view) {
   return __builtin_add_overflow(frame.stamp, since.count(), &stamp) ? frame.stamp : stamp;
 }
 
-TimeReadout::TimeReadout(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+TimeReadout::TimeReadout(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("timeReadout"));
   setAccessibleName(tr("Time of the cursor"));
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -52,11 +53,6 @@ void TimeReadout::setView(const LogView& view) {
   update();
 }
 
-void TimeReadout::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
-}
-
 QFont TimeReadout::elapsedFont() const {
   QFont large = font();
   large.setPixelSize(QFontInfo(font()).pixelSize() * 3 / 2);
@@ -72,16 +68,17 @@ QSize TimeReadout::sizeHint() const {
 }
 
 void TimeReadout::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
   const double upper = height() * 0.56;
   Figures figures;
   figures.number = m_elapsed;
   figures.numberFont = elapsedFont();
-  figures.numberColour = m_absolute == m_elapsed ? m_colours.textSecondary : m_colours.text;
+  figures.numberColour = m_absolute == m_elapsed ? c.textSecondary : c.text;
   drawFigures(p, QRectF(0, 0, width() - 2, upper), figures);
   figures.number = m_absolute;
   figures.numberFont = font();
-  figures.numberColour = m_colours.textSecondary;
+  figures.numberColour = c.textSecondary;
   drawFigures(p, QRectF(0, upper, width() - 2, height() - upper), figures);
 }
 

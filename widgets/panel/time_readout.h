@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "base/time.h"
-#include "paint/palette.h"
 #include "state/log_view.h"
 #include "text/elapsed_text.h"
 
@@ -27,7 +26,6 @@ class TimeReadout : public QWidget {
   explicit TimeReadout(QWidget* parent = nullptr);
 
   void setView(const LogView& view);
-  void setColours(const Colours& colours);
   QString elapsed() const { return m_elapsed; }
   QString absolute() const { return m_absolute; }
 
@@ -40,7 +38,6 @@ class TimeReadout : public QWidget {
  private:
   QFont elapsedFont() const;
 
-  Colours m_colours;
   QString m_elapsed;
   QString m_absolute;
 };

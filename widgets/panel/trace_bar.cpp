@@ -12,7 +12,8 @@
 #include <QToolButton>
 
 #include "model/filter_keys.h"
-#include "panel/label_ink.h"
+#include "paint/app_style.h"
+#include "panel/label_text.h"
 #include "panel/trace_filter_edit.h"
 
 namespace deckpipe {
@@ -24,6 +25,7 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   m_count = new QLabel(this);
   m_count->setObjectName(QStringLiteral("traceCount"));
   m_count->setTextFormat(Qt::PlainText);
+  setInk(*m_count, Ink::Secondary);
   m_count->setMinimumWidth(fontMetrics().horizontalAdvance(
       tr("%1 of %2").arg(QLocale().toString(10'000'000), QLocale().toString(10'000'000))));
   m_time = new QComboBox(this);
@@ -92,7 +94,5 @@ void TraceBar::setTimeMode(int mode) {
 void TraceBar::setFollowing(bool isFollowing) { m_follow->setChecked(isFollowing); }
 
 void TraceBar::setCount(const QString& text) { setText(*m_count, text); }
-
-void TraceBar::setColours(const Colours& colours) { setInk(*m_count, colours.textSecondary); }
 
 }  // namespace deckpipe

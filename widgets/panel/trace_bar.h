@@ -5,8 +5,6 @@
 
 #include <QWidget>
 
-#include "paint/palette.h"
-
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -31,7 +29,6 @@ class TraceBar : public QWidget {
   void setTimeMode(int mode);
   void setFollowing(bool isFollowing);
   void setCount(const QString& text);
-  void setColours(const Colours& colours);
 
  Q_SIGNALS:
   void orderChosen(int order);

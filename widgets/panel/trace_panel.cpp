@@ -13,6 +13,7 @@
 
 #include "model/cell_filters.h"
 #include "model/field_text.h"
+#include "paint/app_style.h"
 #include "panel/id_view.h"
 #include "panel/trace_bar.h"
 #include "panel/trace_filter_edit.h"
@@ -26,8 +27,7 @@ constexpr int kStateVersion = 2;
 
 }  // namespace
 
-TracePanel::TracePanel(QWidget* parent)
-    : QWidget(parent), m_colours(coloursOf(Theme::Light)), m_model(new TraceModel(this)) {
+TracePanel::TracePanel(QWidget* parent) : QWidget(parent), m_model(new TraceModel(this)) {
   setObjectName(QStringLiteral("tracePanel"));
   setAccessibleName(tr("Trace"));
   m_view = new TraceView(this);
@@ -102,6 +102,8 @@ void TracePanel::layOut() {
   m_error->setFrameShape(QFrame::Box);
   m_error->setMargin(6);
   m_error->setAutoFillBackground(true);
+  m_error->setBackgroundRole(QPalette::Base);
+  setInk(*m_error, Ink::Fault);
   m_error->setAttribute(Qt::WA_TransparentForMouseEvents);
   m_error->hide();
   m_pages = new QStackedWidget(this);
@@ -157,16 +159,6 @@ void TracePanel::setView(const LogView& view) {
     m_bar->filter()->setChannels(channels);
   }
   showCount();
-}
-
-void TracePanel::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_view->setColours(colours);
-  m_ids->setColours(colours);
-  m_search->setColours(colours);
-  m_bar->setColours(colours);
-  showError();
-  update();
 }
 
 void TracePanel::setFilter(const QString& expression) { m_bar->filter()->setExpression(expression); }
@@ -237,10 +229,6 @@ void TracePanel::showError() {
   m_error->setVisible(error.has_value());
   if (!error) return;
   m_error->setText(tr("Character %1: %2").arg(error->at + 1).arg(error->text));
-  QPalette inks = m_error->palette();
-  inks.setColor(QPalette::Window, m_colours.surface);
-  inks.setColor(QPalette::WindowText, m_colours.fault.ink);
-  m_error->setPalette(inks);
   const QRect line = m_bar->filter()->geometry();  // the bar begins where the panel does
   m_error->setFixedSize(line.width(), m_error->heightForWidth(line.width()));
   m_error->move(line.left(), line.bottom());
@@ -336,7 +324,7 @@ void TracePanel::keyPressEvent(QKeyEvent* event) {
 
 void TracePanel::paintEvent(QPaintEvent*) {
   QPainter p(this);
-  p.fillRect(rect(), m_colours.window);
+  p.fillRect(rect(), coloursOf(this).window);
 }
 
 }  // namespace deckpipe

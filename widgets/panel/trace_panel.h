@@ -11,7 +11,6 @@
 #include <QWidget>
 
 #include "model/trace_model.h"
-#include "paint/palette.h"
 #include "panel/trace_view.h"
 
 class QLabel;
@@ -30,7 +29,6 @@ class TracePanel : public QWidget {
   explicit TracePanel(QWidget* parent = nullptr);
 
   void setView(const LogView& view);
-  void setColours(const Colours& colours);
 
   // Of what is shown: a row of the trace, or the last frame of an identifier.
   std::optional<std::uint64_t> currentFrame() const;
@@ -88,7 +86,6 @@ class TracePanel : public QWidget {
   TraceSearchBar* makeSearch();
   void closeSearch();
 
-  Colours m_colours;
   QString m_expression;  // of the filter in force
   // While the frames of a row of the traffic by identifier are looked at: the filter before, and theirs.
   struct Row {

@@ -7,7 +7,8 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "panel/label_ink.h"
+#include "paint/app_style.h"
+#include "panel/label_text.h"
 
 namespace deckpipe {
 namespace {
@@ -16,8 +17,7 @@ constexpr int kTickMs = 100;
 
 }  // namespace
 
-TraceSearchBar::TraceSearchBar(Where where, QWidget* parent)
-    : QWidget(parent), m_where(std::move(where)), m_colours(coloursOf(Theme::Light)) {
+TraceSearchBar::TraceSearchBar(Where where, QWidget* parent) : QWidget(parent), m_where(std::move(where)) {
   setObjectName(QStringLiteral("traceSearchBar"));
   setAccessibleName(tr("Search in the trace"));
   m_edit = new QLineEdit(this);
@@ -73,11 +73,6 @@ void TraceSearchBar::open() {
   m_edit->selectAll();
 }
 
-void TraceSearchBar::setColours(const Colours& colours) {
-  m_colours = colours;
-  say(m_said->text(), m_isAttend);
-}
-
 void TraceSearchBar::forget() {
   m_search.cancel();
   say({});
@@ -86,8 +81,7 @@ void TraceSearchBar::forget() {
 QString TraceSearchBar::said() const { return m_said->text(); }
 
 void TraceSearchBar::say(const QString& text, bool isAttend) {
-  m_isAttend = isAttend;
-  setInk(*m_said, isAttend ? m_colours.attend.ink : m_colours.textSecondary);
+  setInk(*m_said, isAttend ? Ink::Attend : Ink::Secondary);
   setText(*m_said, text);
 }
 

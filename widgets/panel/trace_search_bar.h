@@ -10,7 +10,6 @@
 #include <functional>
 
 #include "model/trace_search.h"
-#include "paint/palette.h"
 
 class QLabel;
 class QLineEdit;
@@ -28,7 +27,6 @@ class TraceSearchBar : public QWidget {
   explicit TraceSearchBar(Where where, QWidget* parent = nullptr);
 
   void open();
-  void setColours(const Colours& colours);
   void findNext() { find(false, false); }
   void findPrevious() { find(true, false); }
   // What Escape does, here and in the rows.
@@ -54,8 +52,6 @@ class TraceSearchBar : public QWidget {
   TraceSearch m_search;
   QTimer m_tick;
   bool m_isBackwards = false;
-  bool m_isAttend = false;  // what is said wants a look
-  Colours m_colours;
   QLineEdit* m_edit;
   QToolButton* m_previous;
   QToolButton* m_next;

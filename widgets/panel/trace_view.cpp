@@ -9,6 +9,7 @@
 #include <string>
 
 #include "log/candump.h"
+#include "paint/app_style.h"
 
 namespace deckpipe {
 namespace {
@@ -34,8 +35,7 @@ QString widestText(int column) {
 
 }  // namespace
 
-TraceView::TraceView(QWidget* parent)
-    : QAbstractScrollArea(parent), m_colours(coloursOf(Theme::Light)), m_fonts(font()) {
+TraceView::TraceView(QWidget* parent) : QAbstractScrollArea(parent), m_fonts(font()) {
   setObjectName(QStringLiteral("traceView"));
   setAccessibleName(tr("Trace"));
   setFocusPolicy(Qt::StrongFocus);
@@ -71,12 +71,6 @@ void TraceView::setModel(TraceModel* model) {
   m_header->setSectionResizeMode(QHeaderView::Interactive);
   setUsualWidths();
   takeView();
-}
-
-void TraceView::setColours(const Colours& colours) {
-  m_colours = colours;
-  m_header->setColours(colours);
-  viewport()->update();
 }
 
 // The model has other rows from now on. The numbers of the rows before are still known here, no more what
@@ -259,18 +253,19 @@ QModelIndex TraceView::indexOfFrame(std::uint64_t frame, int column) const {
 }
 
 void TraceView::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(viewport());
-  p.fillRect(viewport()->rect(), m_colours.surface);
+  p.fillRect(viewport()->rect(), c.surface);
   if (m_scroll.rows == 0) {
     const bool isFiltered = m_model != nullptr && m_model->isFiltered() && m_model->view().frameCount > 0;
-    p.setPen(m_colours.textSecondary);
+    p.setPen(c.textSecondary);
     p.drawText(viewport()->rect(), Qt::AlignCenter,
                !isFiltered              ? tr("No frames")
                : m_model->isFiltering() ? tr("Looking for frames that pass the filter…")
                                         : tr("No frame passes the filter"));
     return;
   }
-  TracePainter painter(p, m_colours, m_fonts, columns());
+  TracePainter painter(p, c, m_fonts, columns());
   const int width = viewport()->width();
   std::uint64_t row = m_scroll.top;
   int y = 0;
@@ -283,8 +278,8 @@ void TraceView::paintEvent(QPaintEvent*) {
                  .isOdd = row % 2 != 0,
                  .hasFocus = hasFocus() && m_current == frame});
   }
-  p.fillRect(QRect(0, y, TracePainter::kGutter, viewport()->height() - y), m_colours.surfaceAlternate);
-  if (hasFocus()) p.fillRect(QRect(0, 0, width, 2), m_colours.accent.ink);
+  p.fillRect(QRect(0, y, TracePainter::kGutter, viewport()->height() - y), c.surfaceAlternate);
+  if (hasFocus()) p.fillRect(QRect(0, 0, width, 2), c.accent.ink);
 }
 
 QString TraceView::copyText() const {

@@ -11,7 +11,7 @@
 //   4. What is current and selected are frames, which a filter does not change; what is scrolled are rows.
 //   When
 //      the filter changes, the frame that was looked at, or the next one that is let through, stays in place.
-//   5. Colours and the application's palette come from the console; nothing here sends anything.
+//   5. Nothing here sends anything.
 #pragma once
 
 #include <QAbstractScrollArea>
@@ -39,7 +39,6 @@ class TraceView : public QAbstractScrollArea {
   // Not owned; it lives longer than the view.
   void setModel(TraceModel* model);
   TraceModel* model() const { return m_model; }
-  void setColours(const Colours& colours);
 
   std::optional<std::uint64_t> currentFrame() const { return m_current; }
   void setCurrentFrame(std::optional<std::uint64_t> frame);
@@ -125,7 +124,6 @@ class TraceView : public QAbstractScrollArea {
 
   TraceModel* m_model = nullptr;
   FlatHeader* m_header = nullptr;
-  Colours m_colours;
   TraceFonts m_fonts;
   int m_rowHeight = 24;
   TraceScroll m_scroll;

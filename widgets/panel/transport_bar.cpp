@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "model/event_text.h"
+#include "paint/app_style.h"
 #include "paint/event_mark.h"
 #include "paint/timeline.h"
 #include "panel/time_readout.h"
@@ -26,7 +27,7 @@ constexpr int kPixelsABin = 3;
 
 }  // namespace
 
-TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_colours(coloursOf(Theme::Light)) {
+TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("transportBar"));
   setAccessibleName(tr("Timeline"));
   const auto button = [this](TransportButton::Sign sign, const char* name, const QString& label) {
@@ -94,14 +95,6 @@ void TransportBar::setView(const LogView& view, const Playback& playback) {
 void TransportBar::setLabels(const DeviceLabels& labels) {
   m_marks.setLabels(labels);
   showTimeline();
-}
-
-void TransportBar::setColours(const Colours& colours) {
-  m_colours = colours;
-  for (TransportButton* button : {m_back, m_play, m_forward, m_end}) button->setColours(colours);
-  m_readout->setColours(colours);
-  m_timeline->setColours(colours);
-  update();
 }
 
 void TransportBar::showControls() {
@@ -203,7 +196,7 @@ void TransportBar::showMenu(const QPoint& at) {
   // What each mark stands for, and which are drawn.
   menu->addSection(tr("Marks"));
   for (const EventGroup group : kAllOf<EventGroup>) {
-    QAction* shown = menu->addAction(eventMarkIcon(group, m_colours), eventGroupText(group), this,
+    QAction* shown = menu->addAction(eventMarkIcon(group, coloursOf(this)), eventGroupText(group), this,
                                      [this, group](bool isOn) { m_timeline->hide(group, !isOn); });
     shown->setCheckable(true);
     shown->setChecked(!m_timeline->hidden().has(group));
@@ -243,9 +236,10 @@ void TransportBar::resizeEvent(QResizeEvent* event) {
 }
 
 void TransportBar::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
   QPainter p(this);
-  p.fillRect(rect(), m_colours.window);
-  p.fillRect(QRect(0, 0, width(), 1), m_colours.outline);
+  p.fillRect(rect(), c.window);
+  p.fillRect(QRect(0, 0, width(), 1), c.outline);
 }
 
 }  // namespace deckpipe

@@ -7,7 +7,6 @@
 
 #include <QWidget>
 
-#include "paint/palette.h"
 #include "panel/log_marks.h"
 #include "state/log_view.h"
 
@@ -34,7 +33,6 @@ class TransportBar : public QWidget {
 
   void setView(const LogView& view, const Playback& playback);
   void setLabels(const DeviceLabels& labels);
-  void setColours(const Colours& colours);
   // Whether the trace shows only some of the frames.
   void setFiltered(bool isFiltered);
 
@@ -62,7 +60,6 @@ class TransportBar : public QWidget {
   void showTimeline();
   void showControls();
 
-  Colours m_colours;
   LogView m_view;
   Playback m_playback;
   LogMarks m_marks;

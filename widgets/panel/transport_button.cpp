@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "paint/app_style.h"
+
 namespace deckpipe {
 namespace {
 
@@ -43,8 +45,7 @@ void drawSign(QPainter& p, const QRectF& box, TransportButton::Sign sign, const 
 
 }  // namespace
 
-TransportButton::TransportButton(Sign sign, QWidget* parent)
-    : QAbstractButton(parent), m_colours(coloursOf(Theme::Light)), m_sign(sign) {
+TransportButton::TransportButton(Sign sign, QWidget* parent) : QAbstractButton(parent), m_sign(sign) {
   setFocusPolicy(Qt::TabFocus);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
@@ -62,11 +63,6 @@ void TransportButton::setOn(bool isOn) {
 void TransportButton::setWidestText(const QString& text) {
   m_widest = text;
   updateGeometry();
-}
-
-void TransportButton::setColours(const Colours& colours) {
-  m_colours = colours;
-  update();
 }
 
 QSize TransportButton::sizeHint() const {
@@ -88,7 +84,7 @@ void TransportButton::leaveEvent(QEvent* event) {
 void TransportButton::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const Colours& c = m_colours;
+  const Colours& c = coloursOf(this);
   const bool isFilled = isEnabled() && (m_isOn || isDown());
   const QColor ground = isFilled                      ? c.accent.fill
                         : isEnabled() && underMouse() ? c.surfaceAlternate

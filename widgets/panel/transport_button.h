@@ -6,8 +6,6 @@
 #include <QAbstractButton>
 #include <cstdint>
 
-#include "paint/palette.h"
-
 namespace deckpipe {
 
 class TransportButton : public QAbstractButton {
@@ -25,7 +23,6 @@ class TransportButton : public QAbstractButton {
   bool isOn() const { return m_isOn; }
   // Words that may be shown later, so that changing them moves nothing.
   void setWidestText(const QString& text);
-  void setColours(const Colours& colours);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
@@ -36,7 +33,6 @@ class TransportButton : public QAbstractButton {
   void leaveEvent(QEvent* event) override;
 
  private:
-  Colours m_colours;
   Sign m_sign;
   QString m_widest;
   bool m_isOn = false;

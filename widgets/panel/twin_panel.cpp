@@ -11,8 +11,9 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include "paint/app_style.h"
 #include "panel/glyph_label.h"
-#include "panel/label_ink.h"
+#include "panel/label_text.h"
 #include "panel/secondary_font.h"
 #include "panel/tick_box.h"
 #include "text/device_text.h"
@@ -90,7 +91,6 @@ constexpr EnumTable<TwinFault, FaultText> kFaults{{
 
 TwinPanel::TwinPanel(QWidget* parent)
     : QWidget(parent),
-      m_colours(coloursOf(Theme::Light)),
       m_pages(new QStackedLayout(this)),
       m_empty(new QLabel(tr("No simulated truck is running."), this)) {
   setObjectName(QStringLiteral("twinPanel"));
@@ -100,10 +100,10 @@ TwinPanel::TwinPanel(QWidget* parent)
   m_empty->setAlignment(Qt::AlignCenter);
   m_empty->setWordWrap(true);
   m_empty->setMargin(24);
+  setInk(*m_empty, Ink::Secondary);
   m_pages->addWidget(m_empty);
   m_pages->addWidget(makeControls());
   setFocusProxy(m_devices);
-  setColours(m_colours);
 }
 
 QPushButton* TwinPanel::makeButton(const char* name, const QString& text, QVBoxLayout* layout) {
@@ -124,6 +124,7 @@ QWidget* TwinPanel::makeControls() {
   m_remark = new QLabel(tr("What is set here goes wrong on the simulated truck alone."), page);
   m_remark->setWordWrap(true);
   m_remark->setFont(secondaryFont(font()));
+  setInk(*m_remark, Ink::Secondary);
   m_devices = new QComboBox(page);
   m_devices->setObjectName(QStringLiteral("twinDevices"));
   m_devices->setAccessibleName(tr("Simulated device"));
@@ -259,23 +260,14 @@ void TwinPanel::showDevice() {
 void TwinPanel::showState(const TwinDevice& d) {
   if (!d.isPowered) {
     setText(*m_state, tr("No power"));
-    m_sign->setGlyph(Glyph::Off, m_colours.stale.ink, m_colours.stroke);
+    m_sign->setGlyph(Glyph::Off, Ink::Stale);
   } else if (d.address == kNullAddress) {
     setText(*m_state, tr("Powered, without an address"));
-    m_sign->setGlyph(Glyph::Attend, m_colours.attend.ink, m_colours.stroke);
+    m_sign->setGlyph(Glyph::Attend, Ink::Attend);
   } else {
     setText(*m_state, tr("On the bus at %1").arg(addressText(d.address)));
-    m_sign->setGlyph(Glyph::On, m_colours.fine.ink, m_colours.stroke);
+    m_sign->setGlyph(Glyph::On, Ink::Fine);
   }
-}
-
-void TwinPanel::setColours(const Colours& colours) {
-  m_colours = colours;
-  setPalette(qtPalette(colours));
-  setInk(*m_remark, colours.textSecondary);
-  setInk(*m_empty, colours.textSecondary);
-  for (TickBox* box : m_faults) box->setColours(colours);
-  if (const TwinDevice* d = device()) showState(*d);
 }
 
 }  // namespace deckpipe

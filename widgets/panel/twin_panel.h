@@ -8,7 +8,6 @@
 #include <array>
 
 #include "control/twin_control.h"
-#include "paint/palette.h"
 
 class QAbstractButton;
 class QComboBox;
@@ -29,8 +28,6 @@ class TwinPanel : public QWidget {
  public:
   explicit TwinPanel(QWidget* parent = nullptr);
 
-  void setColours(const Colours& colours);
-
   QSize sizeHint() const override { return {320, 560}; }
 
  public Q_SLOTS:
@@ -50,7 +47,6 @@ class TwinPanel : public QWidget {
   void showDevice();
   void showState(const TwinDevice& device);
 
-  Colours m_colours;
   TwinStatus m_status;
   QStackedLayout* m_pages;
   QLabel* m_empty;

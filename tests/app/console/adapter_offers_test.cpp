@@ -24,9 +24,9 @@ AdapterOffers offers(const AdapterList& list, int bitRate = 250'000, bool isHear
 TEST(AdapterOffers, SayWhetherFramesAreHeard) {
   const auto heard = offers(listOf({canInterface(true, 250'000)}), 250'000, true).adapters.at(0);
   EXPECT_EQ(heard.state.toStdString(), "up at 250 kbit/s, frames are heard now");
-  EXPECT_EQ(heard.tone, StatusTone::Fine);
+  EXPECT_EQ(heard.tone, Severity::Fine);
   EXPECT_TRUE(heard.canConnect);
-  EXPECT_EQ(offers(listOf({canInterface(true, 250'000)})).adapters.at(0).tone, StatusTone::Idle);
+  EXPECT_EQ(offers(listOf({canInterface(true, 250'000)})).adapters.at(0).tone, Severity::Unknown);
 }
 
 TEST(AdapterOffers, GiveTheCommandThatSetsAnInterfaceUp) {

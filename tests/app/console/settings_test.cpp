@@ -16,7 +16,7 @@
 #include "console/recordings_list.h"
 #include "console/sending_actions.h"
 #include "model/field_text.h"
-#include "paint/density_style.h"
+#include "paint/app_style.h"
 #include "panel/help_panel.h"
 #include "panel/status_cell.h"
 #include "panel/trace_panel.h"

@@ -58,19 +58,19 @@ TEST(RecordingFact, IsSaidOnlyWhileAFileGrows) {
     Progress progress;
     std::optional<JournalStatus> recording;
     const char* text;
-    StatusTone tone;
+    Severity tone;
     const char* story;
   };
   for (const Row& row :
-       {Row{"growing", Progress::Running, growing, "Recording 0:00:00 · 2 frames", StatusTone::Plain,
+       {Row{"growing", Progress::Running, growing, "Recording 0:00:00 · 2 frames", Severity::Plain,
             "/data/2026-11-28_14-03-22.deckpipe"},
-        Row{"no frame yet", Progress::Running, JournalStatus{}, "Recorded ", StatusTone::Plain, "in memory"},
-        Row{"no folder", Progress::Running, {}, "Recorded ", StatusTone::Plain, "in memory"},
-        Row{"link lost", Progress::Lost, growing, "Recorded ", StatusTone::Plain, "/data/"},
-        Row{"ended", Progress::Running, ended, "Recorded ", StatusTone::Plain, "in memory"},
-        Row{"disk full", Progress::Running, full, "Not recorded: disk full", StatusTone::Fault,
+        Row{"no frame yet", Progress::Running, JournalStatus{}, "Recorded ", Severity::Plain, "in memory"},
+        Row{"no folder", Progress::Running, {}, "Recorded ", Severity::Plain, "in memory"},
+        Row{"link lost", Progress::Lost, growing, "Recorded ", Severity::Plain, "/data/"},
+        Row{"ended", Progress::Running, ended, "Recorded ", Severity::Plain, "in memory"},
+        Row{"disk full", Progress::Running, full, "Not recorded: disk full", Severity::Fault,
             "No space left on device"},
-        Row{"no file", Progress::Running, none, "Not recorded", StatusTone::Fault, "Permission denied"}}) {
+        Row{"no file", Progress::Running, none, "Not recorded", Severity::Fault, "Permission denied"}}) {
     SCOPED_TRACE(row.name);
     Snapshot snapshot = link(row.progress);
     snapshot.source.recording = row.recording;
@@ -78,7 +78,7 @@ TEST(RecordingFact, IsSaidOnlyWhileAFileGrows) {
     EXPECT_TRUE(says(fact.text.toStdString(), row.text)) << fact.text.toStdString();
     EXPECT_EQ(fact.tone, row.tone);
     EXPECT_TRUE(says(fact.story.toStdString(), row.story)) << fact.story.toStdString();
-    EXPECT_EQ(says(notice(snapshot), "kept in memory only"), row.tone == StatusTone::Fault);
+    EXPECT_EQ(says(notice(snapshot), "kept in memory only"), row.tone == Severity::Fault);
   }
 }
 
@@ -97,12 +97,12 @@ TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
 TEST(SourceFact, NamesTheLinkItsRateAndItsState) {
   SourceStatus source = link(Progress::Running).source;
   EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – connected");
-  EXPECT_EQ(sourceFact(source).tone, StatusTone::Fine);
+  EXPECT_EQ(sourceFact(source).tone, Severity::Fine);
   source.isListenOnly = true;
   EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – connected, listen-only");
   source.controller = ControllerState::BusOff;
   EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – bus-off");
-  EXPECT_EQ(sourceFact(source).tone, StatusTone::Fault);
+  EXPECT_EQ(sourceFact(source).tone, Severity::Fault);
 }
 
 TEST(NoticeText, SaysThatNothingWasSentAndWhy) {
@@ -154,7 +154,7 @@ TEST(LockFact, SaysThatNothingIsSent) {
   unlocked.locked = false;
   snapshot.services = std::make_shared<const ServiceStatus>(unlocked);
   EXPECT_EQ(lockFact(snapshot).text.toStdString(), "Unlocked, no address");
-  EXPECT_EQ(lockFact(snapshot).tone, StatusTone::Attend);
+  EXPECT_EQ(lockFact(snapshot).tone, Severity::Attend);
 }
 
 TEST(LockFact, SaysThatALockIsNotCompleteYet) {
@@ -171,7 +171,7 @@ struct SentRow {
   const char* name;
   void (*set)(ServiceStatus& services);
   const char* text;
-  StatusTone tone;
+  Severity tone;
   const char* story;
 };
 void PrintTo(const SentRow& row, std::ostream* out) { *out << row.name; }
@@ -192,23 +192,23 @@ TEST_P(SentFact, SaysWhatIsNotOnTheBus) {
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, SentFact,
-    ::testing::Values(SentRow{"AllWell", [](ServiceStatus&) {}, "", StatusTone::Plain, ""},
+    ::testing::Values(SentRow{"AllWell", [](ServiceStatus&) {}, "", Severity::Plain, ""},
                       SentRow{"CannotTell", [](ServiceStatus& s) { s.echoes = false; },
-                              "On the bus: cannot tell", StatusTone::Idle, "does not tell whether"},
+                              "On the bus: cannot tell", Severity::Unknown, "does not tell whether"},
                       SentRow{"LockedItIsNoQuestion",
                               [](ServiceStatus& s) {
                                 s.echoes = false;
                                 s.locked = true;
                               },
-                              "", StatusTone::Plain, ""},
+                              "", Severity::Plain, ""},
                       SentRow{"Refused", [](ServiceStatus& s) { s.notTaken = 2; }, "2 frames not sent",
-                              StatusTone::Attend, "2 frames were not taken by the adapter"},
+                              Severity::Attend, "2 frames were not taken by the adapter"},
                       SentRow{"Waiting",
                               [](ServiceStatus& s) {
                                 s.unconfirmed = 3;
                                 s.notTaken = 1;
                               },
-                              "3 frames not on the bus yet", StatusTone::Fault,
+                              "3 frames not on the bus yet", Severity::Fault,
                               "may still go out, after a lock too"},
                       SentRow{"ACommandAfterALock",
                               [](ServiceStatus& s) {
@@ -217,9 +217,9 @@ INSTANTIATE_TEST_SUITE_P(
                                 s.waitingCommands.push_back(
                                     {DeviceKey::of(*Pin::parse("1032AE100801035")), Ask::Reset, Instant{}});
                               },
-                              "Reset: not on the bus yet", StatusTone::Fault, "Reset of 1032AE100801035"},
+                              "Reset: not on the bus yet", Severity::Fault, "Reset of 1032AE100801035"},
                       SentRow{"Commands", [](ServiceStatus& s) { s.waitingCommands.resize(2); },
-                              "2 commands not on the bus yet", StatusTone::Fault, ""}),
+                              "2 commands not on the bus yet", Severity::Fault, ""}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(NoticeText, SaysWhyAListenOnlyAdapterIsNotUnlocked) {
@@ -238,7 +238,7 @@ TEST(CompletenessFact, CountsWhatIsMissing) {
   Snapshot lossy = link(Progress::Running);
   lossy.source.notKept = 12;
   EXPECT_EQ(completenessFact(lossy).text.toStdString(), "12 frames missing");
-  EXPECT_EQ(completenessFact(lossy).tone, StatusTone::Attend);
+  EXPECT_EQ(completenessFact(lossy).tone, Severity::Attend);
 }
 
 TEST(CompletenessFact, IsSaidOnlyOfWhatWasReadToItsEnd) {
@@ -282,7 +282,7 @@ TEST(CompletenessFact, OfALinkRemembersThatItWasDown) {
     const StatusFact fact =
         completenessFact(snapshotWithOutages(row.kind, row.progress, row.outages, row.isUpAgain));
     EXPECT_EQ(fact.text.toStdString(), row.text);
-    EXPECT_EQ(fact.tone == StatusTone::Fine, fact.text == QLatin1String("Complete"));
+    EXPECT_EQ(fact.tone == Severity::Fine, fact.text == QLatin1String("Complete"));
     EXPECT_FALSE(says(fact.story.toStdString(), "Nothing is known to be missing"));
     EXPECT_FALSE(says(fact.story.toStdString(), "could be read;"));
   }
@@ -293,7 +293,7 @@ TEST(CompletenessFact, OfALinkWithoutRoomSaysThatTheEndIsMissing) {
   full.source.error = StoreFull{};
   const StatusFact fact = completenessFact(full);
   EXPECT_EQ(fact.text.toStdString(), "Store full");
-  EXPECT_EQ(fact.tone, StatusTone::Attend);
+  EXPECT_EQ(fact.tone, Severity::Attend);
   EXPECT_TRUE(says(fact.story.toStdString(), "What came after the last frame is missing"));
 }
 

@@ -39,8 +39,8 @@ TEST(Typed, PositionAgreesWithTheCatalogueForAnyBytes) {
   for (int i = 0; i < 2000; ++i) {
     const Frame f = randomFrame(random, kId);
     const PositionLimitStatus s = PositionLimitStatus::of(f);
-    EXPECT_EQ(field(f, kId, "rotation_state").text(), keyOf(s.rotation.state));
-    EXPECT_EQ(field(f, kId, "elevation_state").text(), keyOf(s.elevation.state));
+    EXPECT_EQ(field(f, kId, "rotation_state").text(), kPositionStateKeys[s.rotation.state]);
+    EXPECT_EQ(field(f, kId, "elevation_state").text(), kPositionStateKeys[s.elevation.state]);
     const Value rotation = field(f, kId, "rotation_deg");
     EXPECT_EQ(rotation.isNull(), s.rotation.state != PositionState::Ok);
     if (!rotation.isNull()) {

@@ -284,12 +284,12 @@ TEST(WhoIsADevice, WhoeverAnswersAsOne) {
 TEST(Health, KnowsTheWorstAndItsKey) {
   Health health;
   EXPECT_EQ(health.key(), "fine");
-  EXPECT_EQ(health.severity(), HealthSeverity::Fine);
+  EXPECT_EQ(health.severity(), Severity::Fine);
   health.causes.add(HealthCause::Late);
   health.causes.add(HealthCause::SensorError);
   EXPECT_EQ(health.worst(), HealthCause::SensorError);
   EXPECT_EQ(health.key(), "sensor_error");
-  EXPECT_EQ(health.severity(), HealthSeverity::Fault);
+  EXPECT_EQ(health.severity(), Severity::Fault);
 }
 
 TEST(Health, KeepsOldFaultsAndANewErrorCodeApart) {

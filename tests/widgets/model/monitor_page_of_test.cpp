@@ -57,16 +57,17 @@ TEST(MonitorPageOf, GivesAMonitorItsDialFromFeedback) {
   EXPECT_EQ(page.address, QStringLiteral("address 80 hex"));
   EXPECT_EQ(page.age, 50ms);
   ASSERT_TRUE(page.dial);
-  const PageAxis& rotation = page.dial->rotation;
-  EXPECT_EQ(rotation.reading, (PositionReading{PositionState::Ok, 473}));
+  const DialAxis& rotation = page.dial->rotation;
+  EXPECT_EQ(rotation.reading, PositionState::Ok);
+  EXPECT_EQ(rotation.degrees, 47.3);
   EXPECT_EQ(rotation.age, 50ms);
   EXPECT_FALSE(rotation.isStale);
-  ASSERT_TRUE(rotation.limits);
-  EXPECT_EQ(rotation.limits->low, -300);
-  EXPECT_EQ(rotation.limits->high, 450);
-  EXPECT_FALSE(rotation.limits->oscillating);
-  EXPECT_EQ(page.dial->elevation.reading, (PositionReading{PositionState::Ok, -55}));
-  EXPECT_EQ(page.dial->elevation.limits->high, 900);
+  EXPECT_EQ(rotation.limitLow, -30);
+  EXPECT_EQ(rotation.limitHigh, 45);
+  EXPECT_FALSE(rotation.isOscillating);
+  EXPECT_EQ(page.dial->elevation.reading, PositionState::Ok);
+  EXPECT_EQ(page.dial->elevation.degrees, -5.5);
+  EXPECT_EQ(page.dial->elevation.limitHigh, 90);
   EXPECT_EQ(page.dial->enable, true);
   EXPECT_EQ(page.dial->stowed, false);
   EXPECT_FALSE(rotation.command);
@@ -86,7 +87,7 @@ TEST(MonitorPageOf, MakesEachPartStaleByItsOwnPeriod) {
   page = pageOf(bus);
   EXPECT_TRUE(page.dial->rotation.isStale);
   EXPECT_TRUE(page.stops.isStale);
-  EXPECT_EQ(page.dial->rotation.reading, (PositionReading{PositionState::Ok, 473})) << "kept, but as old";
+  EXPECT_EQ(page.dial->rotation.degrees, 47.3) << "kept, but as old";
 }
 
 TEST(MonitorPageOf, KnowsNothingOfEnableOnceOutputsAreStaleOrNeverCame) {
@@ -112,7 +113,7 @@ TEST_P(Readings, ComeThroughAsTheControllerSaidThem) {
   bus.monitor(GetParam().frame);
   const MonitorPageValues page = pageOf(bus);
   ASSERT_TRUE(page.dial && page.dial->rotation.reading);
-  EXPECT_EQ(page.dial->rotation.reading->state, GetParam().state);
+  EXPECT_EQ(page.dial->rotation.reading, GetParam().state);
 }
 INSTANTIATE_TEST_SUITE_P(OfTheSensor, Readings,
                          testing::Values(ReadingCase{"Ok", kPosition, PositionState::Ok},
@@ -135,7 +136,7 @@ TEST_P(Commands, AreOfTheHighestSourceThatDeflectsTheAxis) {
   bus.monitor();
   GetParam().story(bus);
   const MonitorPageValues page = pageOf(bus);
-  const auto check = [](const std::optional<PageAxis::Command>& command, double speed, const char* by) {
+  const auto check = [](const std::optional<DialAxis::Command>& command, double speed, const char* by) {
     EXPECT_EQ(command.has_value(), by[0] != '\0');
     if (!command) return;
     EXPECT_NEAR(command->speed, speed, 1e-9);
@@ -229,7 +230,7 @@ TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
   const MonitorPageValues page = pageOf(bus);
   EXPECT_EQ(fact(page, "Fault bits").value,
             QStringLiteral("Reserved bit 20 (older manuals: pCode fault 4)\nInternal fuse"));
-  EXPECT_EQ(fact(page, "Fault bits").tone, FactTone::Fault);
+  EXPECT_EQ(fact(page, "Fault bits").tone, Severity::Fault);
   EXPECT_EQ(fact(page, "Fault bits").age, 90s);
   EXPECT_EQ(fact(page, "pCode error").value, QStringLiteral("Error 11: rotation sensor error"));
   EXPECT_EQ(fact(page, "Firmware").value, QStringLiteral("system 1.5, bootloader 1.2, fixed boot 1.0"));
@@ -245,7 +246,7 @@ TEST(MonitorPageOf, TellsNeverAskedFromNoAnswer) {
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("asked just now"));
   bus.pass(2s).statuses();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("no answer, asked 2.0 s ago"));
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Attend);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Attend);
   EXPECT_EQ(fact(pageOf(bus), "Firmware").value, QStringLiteral("never asked"));
   bus.hear("18EF80F9", "02").hear("18EFF980", "02000000000000").hear("18EF80F9", "02").pass(2s).statuses();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
@@ -256,13 +257,13 @@ TEST(MonitorPageOf, DrawsAnAnswerAsOldAfterASilenceAndAfterARestart) {
   Heard bus;
   bus.monitor().faults().pass(93s);
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set\nasked 93 s ago, silent since"));
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Stale);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Unknown);
   bus.monitor();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
             QStringLiteral("none set\nasked 93 s ago, restarted since"));
   bus.faults();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set"));
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, FactTone::Fine);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Fine);
 }
 
 TEST(MonitorPageOf, ListsEveryCauseOfTheHealth) {
@@ -353,7 +354,7 @@ TEST(MonitorPageOf, ShowsAJoystickWithItsStickAndTiming) {
   EXPECT_EQ(lamp(page, "switches", "5 Flow high"), Status2::On);
   EXPECT_EQ(fact(page, "Priority").value, QStringLiteral("1 of 6, the highest on CAN"));
   EXPECT_EQ(fact(page, "Worst gap").value, QStringLiteral("140 ms, more than 100 ms"));
-  EXPECT_EQ(fact(page, "Worst gap").tone, FactTone::Attend);
+  EXPECT_EQ(fact(page, "Worst gap").tone, Severity::Attend);
   bus.pass(200ms);
   EXPECT_TRUE(pageOf(bus, page.key).sticks[0].isStale);
 }
@@ -477,7 +478,7 @@ TEST(MonitorPageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
 TEST(MonitorPageOf, SaysThatAnotherSourceMovesNothing) {
   Heard bus;
   bus.monitor().hear("0CFDD640", kStickLeft);
-  EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, FactTone::Attend);
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, Severity::Attend);
 }
 
 TEST(MonitorPageOf, ShowsAGripWithItsDetentsAndSwitches) {

@@ -23,11 +23,11 @@ TEST(OverviewOf, ListsMonitorsAloneInOrderOfAppearance) {
   EXPECT_EQ(monitors[0].title, QStringLiteral("Node 25"));
   EXPECT_EQ(monitors[1].key, keyOfA());
   EXPECT_EQ(monitors[1].detail, QStringLiteral("6032 Universal II · 80 hex"));
-  EXPECT_EQ(monitors[1].dial.rotation.reading, (PositionReading{PositionState::Ok, 473}));
+  EXPECT_EQ(monitors[1].dial.rotation.degrees, 47.3);
   ASSERT_TRUE(monitors[1].dial.rotation.command);
   EXPECT_EQ(monitors[1].dial.rotation.command->source, QStringLiteral("Joystick 33"));
   EXPECT_EQ(monitors[2].title, QStringLiteral("No PIN, address 90"));
-  EXPECT_EQ(monitors[2].dial.rotation.reading->state, PositionState::NotFitted);
+  EXPECT_EQ(monitors[2].dial.rotation.reading, PositionState::NotFitted);
 }
 
 TEST(OverviewOf, NamesTheStopsThatADialDoesNotShow) {

@@ -6,14 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "support/enums.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
 namespace {
-
-using Reading = DialAxis::Reading;
-using Stop = DialAxis::Stop;
 
 const QRectF kUsual(0, 0, 640, 400);
 
@@ -75,7 +71,8 @@ TEST(DialNeedle, ElevationIsHeldAtTheScalesEndAndMarked) {
 }
 
 TEST(DialNeedle, IsThereForAReadingThatIsOkAndForNoOther) {
-  for (const Reading reading : test::allBut(Reading::Ok)) {
+  for (const auto& reading : allReadings()) {
+    if (reading == PositionState::Ok) continue;
     DialValues v = usualValues();
     v.rotation.reading = v.elevation.reading = reading;
     const DialGeometry g = dialGeometry(v, kUsual);
@@ -124,7 +121,7 @@ TEST(DialStop, StandsAgainstTheNeedleOnItsOwnSide) {
   for (const double degrees : {-170.0, -90.0, 0.0, 45.0, 120.0}) {
     DialValues v = usualValues();
     v.rotation.degrees = degrees;
-    v.rotation.plusStop = v.rotation.minusStop = Stop::On;
+    v.rotation.plusStop = v.rotation.minusStop = Status2::On;
     const DialView view = dialGeometry(v, kUsual).rotation;
     ASSERT_TRUE(view.plusStop && view.minusStop);
     for (const QPointF& p : view.plusStop->shape) {
@@ -139,11 +136,11 @@ TEST(DialStop, StandsAgainstTheNeedleOnItsOwnSide) {
 }
 
 TEST(DialStop, IsDrawnWhenOnOrInErrorOnly) {
-  for (const auto& [stop, drawn] : {std::pair{Stop::Unknown, false},
-                                    {Stop::Off, false},
-                                    {Stop::On, true},
-                                    {Stop::Error, true},
-                                    {Stop::NotAvailable, false}}) {
+  for (const auto& [stop, drawn] : {std::pair{std::optional<Status2>(), false},
+                                    {Status2::Off, false},
+                                    {Status2::On, true},
+                                    {Status2::Error, true},
+                                    {Status2::NotAvailable, false}}) {
     DialValues v = usualValues();
     v.elevation.plusStop = stop;
     EXPECT_EQ(dialGeometry(v, kUsual).elevation.plusStop.has_value(), drawn);
@@ -152,9 +149,9 @@ TEST(DialStop, IsDrawnWhenOnOrInErrorOnly) {
 
 TEST(DialStop, WithoutANeedleSaysWhichEndBesideTheHub) {
   DialValues v = usualValues();
-  v.rotation.reading = v.elevation.reading = Reading::NotFitted;
-  v.rotation.plusStop = v.elevation.plusStop = Stop::On;
-  v.rotation.minusStop = v.elevation.minusStop = Stop::On;
+  v.rotation.reading = v.elevation.reading = PositionState::NotFitted;
+  v.rotation.plusStop = v.elevation.plusStop = Status2::On;
+  v.rotation.minusStop = v.elevation.minusStop = Status2::On;
   const DialGeometry g = dialGeometry(v, kUsual);
   EXPECT_GT(g.rotation.plusStop->glyph.center().x(), g.rotation.pivot.x());
   EXPECT_LT(g.rotation.minusStop->glyph.center().x(), g.rotation.pivot.x());
@@ -162,7 +159,7 @@ TEST(DialStop, WithoutANeedleSaysWhichEndBesideTheHub) {
   EXPECT_GT(g.elevation.minusStop->glyph.center().y(), g.elevation.pivot.y());
 }
 
-double commandedLength(double speed, Reading reading = Reading::Ok) {
+double commandedLength(double speed, PositionState reading = PositionState::Ok) {
   DialValues v = usualValues();
   v.rotation.reading = reading;
   v.rotation.command = DialAxis::Command{speed, QStringLiteral("Joystick 33")};
@@ -170,7 +167,7 @@ double commandedLength(double speed, Reading reading = Reading::Ok) {
 }
 
 TEST(DialCommand, LengthIsTheSpeed) {
-  for (const Reading reading : {Reading::Ok, Reading::NotFitted}) {
+  for (const PositionState reading : {PositionState::Ok, PositionState::NotFitted}) {
     EXPECT_LT(commandedLength(0.1, reading), commandedLength(0.5, reading));
     EXPECT_LT(commandedLength(0.5, reading), commandedLength(1, reading));
     EXPECT_DOUBLE_EQ(commandedLength(-0.5, reading), commandedLength(0.5, reading));
@@ -294,7 +291,7 @@ TEST_P(DialAtSize, ShapesStayInTheirOwnDrawingAtEveryAngle) {
       v.rotation.degrees = degrees;
       v.elevation.degrees = degrees;
       for (DialAxis* axis : {&v.rotation, &v.elevation}) {
-        axis->plusStop = axis->minusStop = Stop::On;
+        axis->plusStop = axis->minusStop = Status2::On;
         axis->command = DialAxis::Command{speed, QString()};
       }
       const DialGeometry g = dialGeometry(v, bounds());

@@ -14,12 +14,19 @@ struct DialSample {
   DialValues values;
 };
 
+// And none.
+inline std::vector<std::optional<PositionState>> allReadings() {
+  std::vector<std::optional<PositionState>> all{std::nullopt};
+  for (const PositionState state : kAllOf<PositionState>) all.emplace_back(state);
+  return all;
+}
+
 inline DialAxis readingOf(double degrees) {
   DialAxis axis;
-  axis.reading = DialAxis::Reading::Ok;
+  axis.reading = PositionState::Ok;
   axis.degrees = degrees;
   axis.age = 100ms;
-  axis.plusStop = axis.minusStop = DialAxis::Stop::Off;
+  axis.plusStop = axis.minusStop = Status2::Off;
   return axis;
 }
 
@@ -31,21 +38,19 @@ inline DialValues usualValues() {
   v.elevation = readingOf(22.5);
   v.elevation.limitLow = -15;
   v.elevation.limitHigh = 75;
-  v.enable = DialValues::Flag::On;
-  v.stowed = DialValues::Flag::Off;
+  v.enable = true;
+  v.stowed = false;
   return v;
 }
 
 inline std::vector<DialSample> dialSamples() {
-  using Reading = DialAxis::Reading;
-  using Stop = DialAxis::Stop;
   std::vector<DialSample> samples;
   const auto add = [&](const char* name, auto change) {
     DialValues v = usualValues();
     change(v);
     samples.push_back({name, v});
   };
-  const auto both = [](DialValues& v, Reading reading) {
+  const auto both = [](DialValues& v, PositionState reading) {
     v.rotation.reading = v.elevation.reading = reading;
     v.rotation.degrees = v.elevation.degrees = 0;
   };
@@ -58,21 +63,21 @@ inline std::vector<DialSample> dialSamples() {
     v.elevation.degrees = -12.6;
   });
   add("stale", [](DialValues& v) {
-    v.rotation.stale = v.elevation.stale = true;
+    v.rotation.isStale = v.elevation.isStale = true;
     v.rotation.age = v.elevation.age = 2400ms;
   });
-  add("limits_stale", [](DialValues& v) { v.rotation.limitsStale = v.elevation.limitsStale = true; });
+  add("limits_stale", [](DialValues& v) { v.rotation.areLimitsStale = v.elevation.areLimitsStale = true; });
   add("no_data", [](DialValues& v) { v = DialValues(); });
-  add("not_fitted", [&](DialValues& v) { both(v, Reading::NotFitted); });
-  add("sensor_error", [&](DialValues& v) { both(v, Reading::SensorError); });
-  add("invalid", [&](DialValues& v) { both(v, Reading::Invalid); });
+  add("not_fitted", [&](DialValues& v) { both(v, PositionState::NotFitted); });
+  add("sensor_error", [&](DialValues& v) { both(v, PositionState::SensorError); });
+  add("invalid", [&](DialValues& v) { both(v, PositionState::Invalid); });
   add("sensor_error_stale", [&](DialValues& v) {
-    both(v, Reading::SensorError);
-    v.rotation.stale = v.elevation.stale = true;
+    both(v, PositionState::SensorError);
+    v.rotation.isStale = v.elevation.isStale = true;
     v.rotation.age = v.elevation.age = 47s;
   });
   add("oscillating", [](DialValues& v) {
-    v.rotation.oscillating = true;
+    v.rotation.isOscillating = true;
     v.rotation.limitLow = -35;
     v.rotation.limitHigh = 62.5;
   });
@@ -86,23 +91,23 @@ inline std::vector<DialSample> dialSamples() {
   });
   add("stops", [](DialValues& v) {
     v.rotation.degrees = 90;
-    v.rotation.plusStop = Stop::On;
+    v.rotation.plusStop = Status2::On;
     v.rotation.command = DialAxis::Command{0.8, QStringLiteral("Joystick 33")};
     v.elevation.degrees = -15;
-    v.elevation.minusStop = Stop::On;
+    v.elevation.minusStop = Status2::On;
   });
   add("stops_stale", [](DialValues& v) {
-    v.rotation.plusStop = v.elevation.plusStop = Stop::On;
-    v.rotation.stale = v.elevation.stale = true;
+    v.rotation.plusStop = v.elevation.plusStop = Status2::On;
+    v.rotation.isStale = v.elevation.isStale = true;
     v.rotation.age = v.elevation.age = 12s;
   });
   add("stop_errors", [](DialValues& v) {
-    v.rotation.minusStop = Stop::Error;
-    v.elevation.plusStop = Stop::Error;
+    v.rotation.minusStop = Status2::Error;
+    v.elevation.plusStop = Status2::Error;
   });
   add("not_fitted_stop_command", [&](DialValues& v) {
-    both(v, Reading::NotFitted);
-    v.rotation.minusStop = v.elevation.plusStop = Stop::On;
+    both(v, PositionState::NotFitted);
+    v.rotation.minusStop = v.elevation.plusStop = Status2::On;
     v.rotation.command = DialAxis::Command{0.5, QStringLiteral("Joystick 34")};
     v.elevation.command = DialAxis::Command{-0.5, QStringLiteral("Joystick 34")};
   });
@@ -114,10 +119,10 @@ inline std::vector<DialSample> dialSamples() {
     v.elevation.limitLow = -90;
     v.elevation.limitHigh = 90;
   });
-  add("disabled", [](DialValues& v) { v.enable = DialValues::Flag::Off; });
+  add("disabled", [](DialValues& v) { v.enable = false; });
   add("stowed", [](DialValues& v) {
-    v.enable = DialValues::Flag::Off;
-    v.stowed = DialValues::Flag::On;
+    v.enable = false;
+    v.stowed = true;
     v.rotation.degrees = 0;
     v.elevation.degrees = 0;
   });

@@ -9,18 +9,16 @@
 #include <cmath>
 
 #include "paint/dial_geometry.h"
-#include "support/enums.h"
+#include "support/look.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
 namespace {
 
-using Reading = DialAxis::Reading;
-
 QImage picture(const DialValues& values, Theme theme = Theme::Light, QSize size = {640, 360},
                double phase = 0) {
+  const test::Look look(theme);
   Dial dial;
-  dial.setColours(coloursOf(theme));
   dial.setValues(values);
   dial.setPhase(phase);
   dial.resize(size);
@@ -62,21 +60,22 @@ class DialInTheme : public testing::TestWithParam<Theme> {};
 TEST_P(DialInTheme, ANeedleIsPaintedForAFreshReadingOnly) {
   const Colours colours = coloursOf(GetParam());
   for (const QSize size : {QSize(640, 360), QSize(200, 200)}) {
-    for (const Reading reading : test::allOf<Reading>()) {
+    for (const auto& reading : allReadings()) {
       for (const bool stale : {false, true}) {
         DialValues v = usualValues();
         for (DialAxis* axis : {&v.rotation, &v.elevation}) {
           axis->reading = reading;
-          axis->stale = stale;
+          axis->isStale = stale;
         }
         const QImage image = picture(v, GetParam(), size);
         const DialGeometry g = dialGeometry(v, QRectF(QPointF(0, 0), size));
         for (const DialView* view : {&g.rotation, &g.elevation}) {
           const int pixels = needlePixels(image, *view, colours.text);
-          if (reading == Reading::Ok && !stale)
+          if (reading == PositionState::Ok && !stale)
             EXPECT_GT(pixels, 40) << size.width();
           else
-            EXPECT_EQ(pixels, 0) << size.width() << ", reading " << static_cast<int>(reading);
+            EXPECT_EQ(pixels, 0) << size.width() << ", reading "
+                                 << (reading ? static_cast<int>(*reading) : -1);
         }
       }
     }
@@ -104,11 +103,11 @@ TEST_P(DialInTheme, EveryReadingHasItsOwnDrawingWithoutItsWords) {
   const DialLayout layout = layOutDial(QRectF(QPointF(0, 0), size));
   std::vector<std::vector<bool>> drawings;
   for (const bool stale : {false, true}) {
-    for (const Reading reading : test::allOf<Reading>()) {
-      if (stale && reading != Reading::Ok) continue;
+    for (const auto& reading : allReadings()) {
+      if (stale && reading != PositionState::Ok) continue;
       DialValues v = usualValues();
       v.rotation.reading = v.elevation.reading = reading;
-      v.rotation.stale = v.elevation.stale = stale;
+      v.rotation.isStale = v.elevation.isStale = stale;
       const QRectF part = layout.rotation.drawing | layout.elevation.drawing;
       drawings.push_back(
           blackAndWhite(picture(v, GetParam(), size).copy(part.toRect()), coloursOf(GetParam()).surface));
@@ -124,7 +123,7 @@ TEST_P(DialInTheme, AStaleReadingIsUnmistakable) {
   DialValues fresh = usualValues();
   fresh.rotation.age = fresh.elevation.age = 2400ms;
   DialValues stale = fresh;
-  stale.rotation.stale = stale.elevation.stale = true;
+  stale.rotation.isStale = stale.elevation.isStale = true;
   for (const QSize size : {QSize(640, 360), QSize(200, 120)}) {
     const QColor ground = coloursOf(GetParam()).surface;
     EXPECT_GT(differences(blackAndWhite(picture(fresh, GetParam(), size), ground),
@@ -145,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Dial, DialInTheme, testing::ValuesIn(kThemes), [](const
 TEST(Dial, TheBandMovesWhileOscillatingOnly) {
   DialValues v = usualValues();
   EXPECT_EQ(picture(v, Theme::Light, {640, 360}, 0), picture(v, Theme::Light, {640, 360}, 0.2));
-  v.rotation.oscillating = true;
+  v.rotation.isOscillating = true;
   EXPECT_NE(picture(v, Theme::Light, {640, 360}, 0), picture(v, Theme::Light, {640, 360}, 0.2));
 }
 
@@ -153,7 +152,7 @@ TEST(Dial, OneAxisDoesNotDisturbTheOther) {
   DialValues v = usualValues();
   const QImage before = picture(v);
   v.rotation.degrees = -118.4;
-  v.rotation.plusStop = DialAxis::Stop::On;
+  v.rotation.plusStop = Status2::On;
   v.rotation.command = DialAxis::Command{1, QStringLiteral("A source with a very long name indeed")};
   const QImage after = picture(v);
   const DialLayout layout = layOutDial(QRectF(0, 0, 640, 360));
@@ -164,7 +163,7 @@ TEST(Dial, OneAxisDoesNotDisturbTheOther) {
 TEST(Dial, TimerRunsOnlyWhileVisibleAndOscillating) {
   Dial dial;
   DialValues v = usualValues();
-  v.rotation.oscillating = true;
+  v.rotation.isOscillating = true;
   dial.setValues(v);
   EXPECT_FALSE(dial.isAnimating());
   dial.show();
@@ -172,10 +171,10 @@ TEST(Dial, TimerRunsOnlyWhileVisibleAndOscillating) {
   dial.setAnimated(false);
   EXPECT_FALSE(dial.isAnimating());
   dial.setAnimated(true);
-  v.rotation.limitsStale = true;
+  v.rotation.areLimitsStale = true;
   dial.setValues(v);
   EXPECT_FALSE(dial.isAnimating());
-  v.rotation.limitsStale = false;
+  v.rotation.areLimitsStale = false;
   dial.setValues(v);
   EXPECT_TRUE(dial.isAnimating());
   dial.hide();
@@ -205,7 +204,7 @@ TEST(DialSpoken, HasANameAndAnObjectName) {
 TEST(DialSpoken, SaysValuesLimitsStopsAndWhoCommands) {
   DialValues v = usualValues();
   v.rotation.degrees = -47.3;
-  v.rotation.minusStop = DialAxis::Stop::On;
+  v.rotation.minusStop = Status2::On;
   v.rotation.command = DialAxis::Command{-0.5, QStringLiteral("Joystick 33")};
   const QString text = described(v);
   EXPECT_TRUE(says(text, "Rotation: 47.3 degrees left."));
@@ -218,16 +217,17 @@ TEST(DialSpoken, SaysValuesLimitsStopsAndWhoCommands) {
 
 TEST(DialSpoken, NeverSpeaksAnOldValueAsASteadyOne) {
   DialValues v = usualValues();
-  v.rotation.stale = true;
+  v.rotation.isStale = true;
   v.rotation.age = 2400ms;
   EXPECT_TRUE(says(described(v), "Rotation: 47.3 degrees right, stale, 2.4 s old."));
 }
 
 TEST(DialSpoken, NamesEveryReasonForNoValue) {
-  const std::pair<Reading, const char*> reasons[] = {{Reading::NoData, "no data received"},
-                                                     {Reading::SensorError, "sensor error"},
-                                                     {Reading::NotFitted, "no position sensor fitted"},
-                                                     {Reading::Invalid, "invalid position value"}};
+  const std::pair<std::optional<PositionState>, const char*> reasons[] = {
+      {std::nullopt, "no data received"},
+      {PositionState::SensorError, "sensor error"},
+      {PositionState::NotFitted, "no position sensor fitted"},
+      {PositionState::Invalid, "invalid position value"}};
   for (const auto& [reading, words] : reasons) {
     DialValues v = usualValues();
     v.elevation.reading = reading;

@@ -5,13 +5,12 @@
 #include <QDir>
 #include <QImage>
 #include <QPainter>
-#include <QStyleFactory>
 #include <cstdio>
 
+#include "paint/app_style.h"
 #include "paint/dial.h"
 #include "paint/status_lamp.h"
 #include "paint/timeline.h"
-#include "support/enums.h"
 #include "widgets/paint/dial_samples.h"
 
 namespace deckpipe {
@@ -36,7 +35,6 @@ QImage picture(QWidget& widget, QSize size, const QColor& ground) {
 
 QImage dialPicture(const DialSample& sample, Theme theme, QSize size) {
   Dial dial;
-  dial.setColours(coloursOf(theme));
   dial.setValues(sample.values);
   dial.setPhase(0.1);
   return picture(dial, size, coloursOf(theme).surface);
@@ -65,28 +63,25 @@ QImage sheet(Theme theme, QSize size, int columns, size_t first, size_t count) {
 }
 
 QImage lamps(Theme theme) {
-  using State = StatusLamp::State;
-  using WhenOn = StatusLamp::WhenOn;
   const Colours colours = coloursOf(theme);
   QImage image(4 * 208 + 8, 7 * 40 + 8, QImage::Format_RGB32);
   image.fill(colours.surface);
   QPainter painter(&image);
   int column = 0;
-  for (const WhenOn whenOn : test::allOf<WhenOn>()) {
+  for (const Severity whenOn : {Severity::Plain, Severity::Fine, Severity::Attend, Severity::Fault}) {
     int row = 0;
-    const auto draw = [&](State state, bool stale) {
+    const auto draw = [&](std::optional<Status2> state, bool stale) {
       StatusLamp lamp;
-      lamp.setColours(colours);
-      lamp.setPalette(qtPalette(colours));
       lamp.setLabel(QStringLiteral("Right"));
       lamp.setWhenOn(whenOn);
       lamp.setState(state, stale);
       painter.drawImage(QPoint(8 + column * 208, 8 + row++ * 40),
                         picture(lamp, QSize(200, 32), colours.surface));
     };
-    for (const State state : test::allOf<State>()) draw(state, false);
-    draw(State::On, true);
-    draw(State::Off, true);
+    draw(std::nullopt, false);
+    for (const Status2 state : kAllOf<Status2>) draw(state, false);
+    draw(Status2::On, true);
+    draw(Status2::Off, true);
     ++column;
   }
   return image;
@@ -123,12 +118,11 @@ std::vector<TimelineSample> timelineSamples() {
   TimelineValues marked = usual;
   marked.marks = {{TimelineMark::Kind::TimeJump, at(17)}};
   for (const EventGroup group : kAllOf<EventGroup>) {
-    for (const EventWeight weight : kAllOf<EventWeight>)
-      marked.marks.push_back({TimelineMark::Kind::Event,
-                              at(4 + 6 * static_cast<double>(group) + 1.5 * static_cast<double>(weight)),
-                              {},
-                              group,
-                              weight});
+    double second = 4 + 6 * static_cast<double>(group);
+    for (const Severity weight : kEventWeights) {
+      marked.marks.push_back({TimelineMark::Kind::Event, at(second), {}, group, weight});
+      second += 1.5;
+    }
   }
   TimelineValues gap = thin(usual, 12, 20);
   gap.gaps = {{TimelineGap::Kind::Silence, {at(12), at(20)}}};
@@ -162,8 +156,6 @@ QImage timelines(Theme theme, int width) {
   int y = 0;
   for (const TimelineSample& sample : samples) {
     Timeline timeline;
-    timeline.setColours(colours);
-    timeline.setPalette(qtPalette(colours));
     timeline.setValues(sample.values);
     if (sample.shown) timeline.showSpan(*sample.shown);
     timeline.select(sample.selection);
@@ -186,6 +178,7 @@ int run(const QString& folder) {
     saved = image.save(dir.filePath(name + QStringLiteral(".png"))) && saved;
   };
   for (const Theme theme : kThemes) {
+    QApplication::setStyle(new AppStyle(Density::Desk, theme));
     const QString prefix = QString::fromLatin1(nameOf(theme));
     save(sheet(theme, {200, 200}, 7, 0, 100), prefix + QStringLiteral("_200x200"));
     save(sheet(theme, {200, 120}, 7, 0, 100), prefix + QStringLiteral("_200x120"));
@@ -206,7 +199,6 @@ int run(const QString& folder) {
 int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   if (argc != 2) {
     std::fprintf(stderr, "usage: paint_gallery FOLDER\n");
     return 2;

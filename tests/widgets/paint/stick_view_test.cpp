@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paint/stick_view.h"
+#include "support/look.h"
 
 #include <gtest/gtest.h>
 
@@ -27,8 +28,8 @@ TEST(StickGeometry, KeepsTheKnobInsideWhateverIsSaid) {
 }
 
 int inkPixels(const StickValues& values, Theme theme) {
+  const test::Look look(theme);
   StickView view;
-  view.setColours(coloursOf(theme));
   view.setValues(values);
   view.resize(176, 176);
   QImage image(view.size(), QImage::Format_RGB32);

@@ -236,7 +236,7 @@ TEST_F(TimelineTest, DrawsAMarkOfItsOwnForEachGroup) {
   TimelineValues values = timeline.values();
   std::vector<QImage> pictures;
   for (const EventGroup group : kAllOf<EventGroup>) {
-    values.marks = {{TimelineMark::Kind::Event, at(120), QStringLiteral("x"), group, EventWeight::Fault}};
+    values.marks = {{TimelineMark::Kind::Event, at(120), QStringLiteral("x"), group, Severity::Fault}};
     timeline.setValues(values);
     const QImage picture = timeline.grab().toImage();
     for (const QImage& other : pictures) EXPECT_NE(picture, other) << static_cast<int>(group);

@@ -95,7 +95,7 @@ TEST(BarOfNotices, TakesNoRoomWithoutWordsAndActsOnAClick) {
   NoticeBar bar;
   bar.resize(900, 60);
   EXPECT_TRUE(bar.isHidden());
-  Notice notice{StatusTone::Fault, QStringLiteral("The link is lost.")};
+  Notice notice{Severity::Fault, QStringLiteral("The link is lost.")};
   notice.action = Notice::Action::Reconnect;
   bar.setNotice(notice);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar));

@@ -10,6 +10,7 @@
 #include "paint/payload_bits.h"
 #include "support/frames.h"
 #include "support/logs.h"
+#include "support/look.h"
 #include "support/raw_frames.h"
 
 namespace deckpipe {
@@ -131,7 +132,7 @@ TEST_F(DecodePanelTest, KeepsTheFieldWhileOneStepsThroughOneMessage) {
 
 TEST_F(DecodePanelTest, DrawsWhateverComesAtEveryWidth) {
   for (const Theme theme : kThemes) {
-    panel.setColours(coloursOf(theme));
+    const test::Look look(theme);
     for (const QSize size : {QSize(1366, 300), QSize(520, 600), QSize(300, 300), QSize(1, 1)}) {
       panel.resize(size);
       for (std::uint64_t frame = 0; frame <= log->frames.count(); ++frame) {

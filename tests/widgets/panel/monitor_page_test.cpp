@@ -86,11 +86,11 @@ TEST_F(PageTest, ShowsAMonitor) {
   EXPECT_EQ(dial->values().elevation.limitHigh, 90.0);
   ASSERT_TRUE(dial->values().elevation.command);
   EXPECT_NEAR(dial->values().elevation.command->speed, 0.4, 1e-9);
-  EXPECT_EQ(dial->values().enable, DialValues::Flag::On);
+  EXPECT_EQ(dial->values().enable, true);
   EXPECT_EQ(text("stopAxis3"), QStringLiteral("Pattern"));
-  EXPECT_EQ(lamp("stopPlus5")->state(), StatusLamp::State::On);
+  EXPECT_EQ(lamp("stopPlus5")->state(), Status2::On);
   EXPECT_EQ(lamp("stopPlus5")->accessibleName(), QStringLiteral("Discharge valve, Open stop"));
-  EXPECT_EQ(lamp("outputsLamp1")->state(), StatusLamp::State::On);
+  EXPECT_EQ(lamp("outputsLamp1")->state(), Status2::On);
   EXPECT_TRUE(isShown("healthFacts"));
   EXPECT_TRUE(isShown("faultsFacts"));
   EXPECT_TRUE(isShown("versionsFacts"));
@@ -104,8 +104,8 @@ TEST_F(PageTest, GreysWhatIsOverdueWhileTimePasses) {
   show();
   EXPECT_TRUE(lamp("stopPlus1")->isStale());
   EXPECT_TRUE(lamp("outputsLamp1")->isStale());
-  EXPECT_TRUE(find<Dial>("dial")->values().rotation.stale);
-  EXPECT_EQ(find<Dial>("dial")->values().enable, DialValues::Flag::Unknown);
+  EXPECT_TRUE(find<Dial>("dial")->values().rotation.isStale);
+  EXPECT_EQ(find<Dial>("dial")->values().enable, std::nullopt);
   EXPECT_EQ(text("pageHealth"), QStringLiteral("late"));
   m_bus.statuses();
   show();
@@ -303,7 +303,7 @@ TEST_F(FullDialTest, FillsTheWindowOnADoubleClickAndGoesBackOnEscape) {
   EXPECT_EQ(full->geometry(), m_window.rect());
   m_bus.hear("18EFFF80", kNotFitted);
   show();
-  EXPECT_EQ(dial->values().rotation.reading, DialAxis::Reading::NotFitted) << "it goes on with the page";
+  EXPECT_EQ(dial->values().rotation.reading, PositionState::NotFitted) << "it goes on with the page";
   QTest::keyClick(full, Qt::Key_Escape);
   EXPECT_EQ(m_page.full(), nullptr);
 }

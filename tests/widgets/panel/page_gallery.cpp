@@ -4,9 +4,9 @@
 #include <QDir>
 #include <QHBoxLayout>
 #include <QPixmap>
-#include <QStyleFactory>
 #include <cstdio>
 
+#include "paint/app_style.h"
 #include "panel/device_panel.h"
 #include "panel/full_dial.h"
 #include "panel/monitor_page.h"
@@ -25,17 +25,13 @@ const char* nameOf(Theme theme) {
   return "";
 }
 
-QPixmap picture(const test::PanelScene& scene, Theme theme, QSize size, bool hasTable) {
-  const Colours colours = coloursOf(theme);
+QPixmap picture(const test::PanelScene& scene, QSize size, bool hasTable) {
   QWidget window;
-  window.setPalette(qtPalette(colours));
   auto* layout = new QHBoxLayout(&window);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   auto* panel = new DevicePanel;
   auto* page = new MonitorPage;
-  panel->setColours(colours);
-  page->setColours(colours);
   page->setAnimated(false);
   QObject::connect(panel, &DevicePanel::deviceSelected, page, &MonitorPage::setDevice);
   panel->setFixedWidth(332);
@@ -55,10 +51,9 @@ QPixmap picture(const test::PanelScene& scene, Theme theme, QSize size, bool has
   return result;
 }
 
-QPixmap full(const test::PanelScene& scene, Theme theme, QSize size) {
+QPixmap full(const test::PanelScene& scene, QSize size) {
   QWidget window;
   MonitorPage page(&window);
-  page.setColours(coloursOf(theme));
   page.setAnimated(false);
   window.resize(size);
   window.show();
@@ -69,9 +64,8 @@ QPixmap full(const test::PanelScene& scene, Theme theme, QSize size) {
   return window.grab();
 }
 
-QPixmap overview(const LogView& view, Theme theme, QSize size) {
+QPixmap overview(const LogView& view, QSize size) {
   OverviewPanel panel;
-  panel.setColours(coloursOf(theme));
   panel.setAnimated(false);
   panel.setLabels(test::sceneLabels());
   panel.setDevice(test::keyOfA());
@@ -93,10 +87,11 @@ int run(const QString& folder, const QString& only) {
     const QString name = QString::fromStdString(scene.name);
     if (!only.isEmpty() && name != only) continue;
     for (const Theme theme : kThemes) {
+      QApplication::setStyle(new AppStyle(Density::Desk, theme));
       const auto save = [&](QSize size, bool hasTable, const char* suffix) {
         const QString file = QStringLiteral("%1_%2%3.png")
                                  .arg(name, QString::fromLatin1(nameOf(theme)), QString::fromLatin1(suffix));
-        isSaved = picture(scene, theme, size, hasTable).save(dir.filePath(file)) && isSaved;
+        isSaved = picture(scene, size, hasTable).save(dir.filePath(file)) && isSaved;
       };
       save({1366, 500}, true, "");
       if (theme == Theme::Light) {
@@ -105,16 +100,17 @@ int run(const QString& folder, const QString& only) {
       }
       const bool hasDial = monitorPageOf(scene.view, scene.device).dial.has_value();
       const QString file = QStringLiteral("%1_%2_full.png").arg(name, QString::fromLatin1(nameOf(theme)));
-      if (hasDial) isSaved = full(scene, theme, {1366, 768}).save(dir.filePath(file)) && isSaved;
+      if (hasDial) isSaved = full(scene, {1366, 768}).save(dir.filePath(file)) && isSaved;
     }
   }
   for (const int count : {0, 1, 2, 4, 7, 30}) {
     if (!only.isEmpty() && only != QStringLiteral("overview")) break;
     for (const Theme theme : kThemes) {
+      QApplication::setStyle(new AppStyle(Density::Desk, theme));
       const QString file = QStringLiteral("overview_%1_%2.png")
                                .arg(count, 2, 10, QLatin1Char('0'))
                                .arg(QString::fromLatin1(nameOf(theme)));
-      isSaved = overview(test::manyMonitors(count), theme, {1030, 500}).save(dir.filePath(file)) && isSaved;
+      isSaved = overview(test::manyMonitors(count), {1030, 500}).save(dir.filePath(file)) && isSaved;
     }
   }
   return isSaved ? 0 : 1;
@@ -127,7 +123,6 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   QLocale::setDefault(QLocale::c());
   const QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   if (argc < 2 || argc > 3) {
     std::fprintf(stderr, "usage: page_gallery FOLDER [SCENE]\n");
     return 2;

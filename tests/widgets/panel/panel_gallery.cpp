@@ -7,12 +7,12 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
-#include <QStyleFactory>
 #include <QTabBar>
 #include <QTableView>
 #include <QTest>
 #include <cstdio>
 
+#include "paint/app_style.h"
 #include "panel/decode_panel.h"
 #include "panel/id_view.h"
 #include "panel/trace_panel.h"
@@ -53,7 +53,6 @@ struct Gallery {
              std::optional<std::uint64_t> current = {}) {
     TraceModel model;
     TraceView view;
-    view.setColours(coloursOf(theme));
     view.setModel(&model);
     view.resize(kWidth, 480);
     view.show();
@@ -66,7 +65,6 @@ struct Gallery {
   void tracePanel(const char* name, const std::shared_ptr<LogDocument>& log, const char* filter,
                   const char* search = nullptr) {
     TracePanel panel;
-    panel.setColours(coloursOf(theme));
     panel.setView(test::viewOf(log));
     panel.setFilter(QString::fromUtf8(filter));
     panel.resize(kWidth, 420);
@@ -86,7 +84,6 @@ struct Gallery {
 
   void byId(const char* name, const std::shared_ptr<LogDocument>& log, const char* filter = "") {
     TracePanel panel;
-    panel.setColours(coloursOf(theme));
     panel.setView(test::viewOf(log));
     panel.setFilter(QString::fromUtf8(filter));
     panel.resize(kWidth, 420);
@@ -102,7 +99,6 @@ struct Gallery {
               const char* field, const char* pointed = nullptr) {
     DecodeModel model;
     DecodePanel panel;
-    panel.setColours(coloursOf(theme));
     panel.setModel(&model);
     model.setView(test::viewOf(log));
     model.setFrame(frame);
@@ -119,7 +115,6 @@ struct Gallery {
 
   void transport(const char* name, const LogView& view, const Playback& playback) {
     TransportBar bar;
-    bar.setColours(coloursOf(theme));
     bar.resize(kWidth, bar.sizeHint().height());
     bar.setView(view, playback);
     save(bar, {kWidth, bar.sizeHint().height()}, name);
@@ -127,13 +122,12 @@ struct Gallery {
 
   void twin(const char* name, const TwinStatus& status, QSize size) {
     TwinPanel panel;
-    panel.setColours(coloursOf(theme));
     panel.setStatus(status);
     save(panel, size, name);
   }
 
   void all() {
-    QApplication::setPalette(qtPalette(coloursOf(theme)));
+    QApplication::setStyle(new AppStyle(Density::Desk, theme));
     const auto busy = test::logOfText(test::busyText(400));
     busy->notes.append({.frame = 300, .time = busy->frames.timeAt(300), .value = note::Mark{"water on"}});
     busy->notes.append({.frame = 900, .time = busy->frames.timeAt(900), .value = note::Dropped{{}, 12}});
@@ -181,7 +175,6 @@ struct Gallery {
 int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   if (argc != 2) {
     std::fprintf(stderr, "usage: panel_gallery FOLDER\n");
     return 2;

@@ -119,7 +119,7 @@ TEST_F(AskedDevice, ShowsTheAnswerInWordsAndHowItWent) {
       << card(Ask::Fault)->values().answer.toStdString();
   EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("3 ms")));
   EXPECT_TRUE(card(Ask::Fault)->values().isFault);
-  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Plain) << "no tick beside a fault";
+  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Plain) << "no tick beside a fault";
 }
 
 TEST_F(AskedDevice, OnlyAnAnswerWithoutFaultsHasATick) {
@@ -132,7 +132,7 @@ TEST_F(AskedDevice, OnlyAnAnswerWithoutFaultsHasATick) {
                          .latency = 3ms};
   show();
   EXPECT_FALSE(card(Ask::Fault)->values().isFault);
-  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Fine);
+  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Fine);
 }
 
 TEST_F(AskedDevice, AnAnswerBeforeARestartIsDrawnAsOld) {
@@ -146,7 +146,7 @@ TEST_F(AskedDevice, AnAnswerBeforeARestartIsDrawnAsOld) {
                          .latency = 3ms};
   show();
   EXPECT_TRUE(card(Ask::Fault)->values().isOld);
-  EXPECT_NE(card(Ask::Fault)->values().tone, AskCard::Tone::Fine);
+  EXPECT_NE(card(Ask::Fault)->values().tone, Severity::Fine);
   EXPECT_TRUE(card(Ask::Fault)->values().state.endsWith(QStringLiteral("heard 93 s ago, restarted since")))
       << card(Ask::Fault)->values().state.toStdString();
 }
@@ -155,7 +155,7 @@ TEST_F(AskedDevice, ALogTellsNeverAskedFromNoAnswer) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFFF80", "011D940371000041", 0, 5 * kSecond)});
   show();
   EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("no answer, asked 3.0 s ago"));
-  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
   EXPECT_EQ(card(Ask::Firmware)->values().state, QStringLiteral("never asked"));
 }
 
@@ -163,7 +163,7 @@ TEST_F(AskedDevice, ALogTellsRefusedFromNeverAsked) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200", 0, 2 * kSecond)});
   show();
   EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("refused, or answered in a wrong length"));
-  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
 }
 
 TEST_F(AskedDevice, ALogTellsThatAnAnswerWasFollowedByARefusal) {
@@ -172,7 +172,7 @@ TEST_F(AskedDevice, ALogTellsThatAnAnswerWasFollowedByARefusal) {
   show();
   EXPECT_TRUE(card(Ask::Fault)->values().state.startsWith(QStringLiteral("asked again: refused")))
       << card(Ask::Fault)->values().state.toStdString();
-  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
 }
 
 TEST_F(AskedDevice, AResetThatWasSeenIsARestart) {
@@ -194,7 +194,7 @@ TEST_F(AskedDevice, NoAnswerIsSaidAsClearly) {
                          .sent = view.cursor.time,
                          .ended = view.cursor.time};
   show();
-  EXPECT_EQ(card(Ask::Fault)->values().tone, AskCard::Tone::Attend);
+  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
   EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("no answer")));
 }
 

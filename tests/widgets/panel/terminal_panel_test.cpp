@@ -18,8 +18,8 @@
 #include <QWheelEvent>
 
 #include "model/pipe_transcript.h"
-#include "paint/density_style.h"
 #include "panel/file_send_bar.h"
+#include "support/look.h"
 #include "widgets/panel/talk_rig.h"
 
 namespace deckpipe {
@@ -485,9 +485,7 @@ TEST_F(Terminal, AlwaysSaysWhomItTalksTo) {
 // At 1366×768 the Ask dock leaves it so much, and the letters of the field are larger.
 TEST_F(Terminal, FitsBesideTheAskPanelInFieldSize) {
   constexpr int kRoom = 960;
-  const QFont before = QApplication::font();
-  QApplication::setStyle(new DensityStyle(Density::Field));
-  QApplication::setFont(fontFor(Density::Field, before));
+  const test::Look look(Theme::Light, Density::Field);
   pipe() = {.progress = PipeStatus::Progress::Sending,
             .file = "a menu with a rather long name for a file.txt",
             .fileSize = 100'000,
@@ -502,8 +500,6 @@ TEST_F(Terminal, FitsBesideTheAskPanelInFieldSize) {
   pipe().progress = PipeStatus::Progress::Stalled;
   show();
   EXPECT_LE(panel.minimumSizeHint().width(), kRoom);
-  QApplication::setFont(before);
-  QApplication::setStyle(new DensityStyle(Density::Desk));
 }
 
 TEST_F(Terminal, TheManualsCautionIsAlwaysThere) {

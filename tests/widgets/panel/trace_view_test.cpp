@@ -14,6 +14,7 @@
 
 #include "support/frames.h"
 #include "support/logs.h"
+#include "support/look.h"
 #include "support/raw_frames.h"
 #include "widgets/panel/panel_samples.h"
 
@@ -302,7 +303,7 @@ TEST_F(TraceViewTest, DrawsWhateverComes) {
                          test::frame("000", "")};
   log = test::logOf(odd);
   for (const Theme theme : kThemes) {
-    view.setColours(coloursOf(theme));
+    const test::Look look(theme);
     tick(3);
     for (std::uint64_t row = 0; row < odd.size(); ++row) {
       view.setCurrentFrame(row);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paint/density_style.h"
+#include "paint/app_style.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <QStyleOption>
 #include <QWidget>
@@ -13,12 +14,41 @@ constexpr int kDesk = 32, kField = 44;
 constexpr int kRoomBesideText = 12;
 constexpr double kFieldFont = 1.2;
 
+constexpr char kInkProperty[] = "ink";
+
+const AppStyle* styleOf(const QWidget* widget) {
+  return widget == nullptr ? nullptr : qobject_cast<const AppStyle*>(widget->style());
+}
+
+// Changed only when it changes: a new palette lays out anew.
+void write(QWidget& words, const QColor& ink) {
+  QPalette palette = words.palette();
+  // On a window labels write in one of these, on a surface in the other.
+  if (palette.color(QPalette::WindowText) == ink && palette.color(QPalette::Text) == ink) return;
+  palette.setColor(QPalette::WindowText, ink);
+  palette.setColor(QPalette::Text, ink);
+  words.setPalette(palette);
+}
+
 }  // namespace
 
-DensityStyle::DensityStyle(Density density)
-    : QProxyStyle(QStringLiteral("Fusion")), m_target(density == Density::Field ? kField : kDesk) {}
+AppStyle::AppStyle(Density density, Theme theme)
+    : QProxyStyle(QStringLiteral("Fusion")),
+      m_target(density == Density::Field ? kField : kDesk),
+      m_colours(coloursOf(theme)) {}
 
-int DensityStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+void AppStyle::polish(QApplication* application) {
+  QProxyStyle::polish(application);
+  QApplication::setPalette(qtPalette(m_colours));
+}
+
+void AppStyle::polish(QWidget* widget) {
+  QProxyStyle::polish(widget);
+  if (const QVariant ink = widget->property(kInkProperty); ink.isValid())
+    write(*widget, inkOf(m_colours, static_cast<Ink>(ink.toInt())));
+}
+
+int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
   const int plain = QProxyStyle::pixelMetric(metric, option, widget);
   const bool isField = m_target == kField;
   switch (metric) {
@@ -35,8 +65,8 @@ int DensityStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, co
 }
 
 // Fusion's own is hard to see in the sun.
-void DensityStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
-                                 const QWidget* widget) const {
+void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const {
   if (element != PE_FrameFocusRect) return QProxyStyle::drawPrimitive(element, option, painter, widget);
   if ((option->state & State_KeyboardFocusChange) == 0) return;
   painter->save();
@@ -46,8 +76,8 @@ void DensityStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* o
   painter->restore();
 }
 
-QSize DensityStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
-                                     const QWidget* widget) const {
+QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                 const QWidget* widget) const {
   QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);
   switch (type) {
     case CT_MenuItem:
@@ -74,8 +104,18 @@ QSize DensityStyle::sizeFromContents(ContentsType type, const QStyleOption* opti
 }
 
 int targetHeight(const QWidget* widget) {
-  const auto* style = widget == nullptr ? nullptr : qobject_cast<const DensityStyle*>(widget->style());
+  const AppStyle* style = styleOf(widget);
   return style != nullptr ? style->sizeFromDensity() : kDesk;
+}
+
+const Colours& coloursOf(const QWidget* widget) {
+  const AppStyle* style = styleOf(widget);
+  return style != nullptr ? style->colours() : coloursOf(Theme::Light);
+}
+
+void setInk(QWidget& words, Ink ink) {
+  words.setProperty(kInkProperty, static_cast<int>(ink));
+  write(words, inkOf(coloursOf(&words), ink));
 }
 
 QFont fontFor(Density density, const QFont& desk) {
