@@ -24,9 +24,6 @@ class QTimer;
 
 namespace deckpipe {
 
-// CLOCK_BOOTTIME: goes on while the laptop sleeps, and does not follow the wall clock.
-Instant bootTime();
-
 class LiveBus : public QObject, private PortListener {
   Q_OBJECT
  public:

@@ -20,10 +20,10 @@ class Timeline;
 class TransportButton;
 
 // How the cursor moves by itself.
-struct Playback {
+struct PlayState {
   bool isPlaying = false;
   double speed = 1;
-  friend bool operator==(const Playback&, const Playback&) = default;
+  friend bool operator==(const PlayState&, const PlayState&) = default;
 };
 
 class TransportBar : public QWidget {
@@ -32,7 +32,7 @@ class TransportBar : public QWidget {
  public:
   explicit TransportBar(QWidget* parent = nullptr);
 
-  void setView(const LogView& view, const Playback& playback);
+  void setView(const LogView& view, const PlayState& play);
   void setLabels(const DeviceLabels& labels);
   void setColours(const Colours& colours);
   // Whether the trace shows only some of the frames.
@@ -64,7 +64,7 @@ class TransportBar : public QWidget {
 
   Colours m_colours;
   LogView m_view;
-  Playback m_playback;
+  PlayState m_playState;
   LogMarks m_marks;
   bool m_isFiltered = false;
   TransportButton* m_back;

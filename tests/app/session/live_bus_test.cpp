@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "link/virtual_bus.h"
+#include "session/clocks.h"
 #include "support/frames.h"
 #include "support/patience.h"
 #include "support/recording_listener.h"

@@ -117,11 +117,11 @@ struct Gallery {
     save(panel, size, name);
   }
 
-  void transport(const char* name, const LogView& view, const Playback& playback) {
+  void transport(const char* name, const LogView& view, const PlayState& play) {
     TransportBar bar;
     bar.setColours(coloursOf(theme));
     bar.resize(kWidth, bar.sizeHint().height());
-    bar.setView(view, playback);
+    bar.setView(view, play);
     save(bar, {kWidth, bar.sizeHint().height()}, name);
   }
 
