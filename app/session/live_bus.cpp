@@ -12,8 +12,6 @@
 namespace deckpipe {
 namespace {
 
-constexpr std::chrono::milliseconds kTick{33};
-
 // "socketcan can0, 250 kbit/s"
 std::string adapterWords(const LinkSettings& settings) {
   QString words = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
@@ -55,6 +53,7 @@ void LiveBus::start() {
   connect(m_tick, &QTimer::timeout, this, [this] {
     m_link->drain();
     publish();
+    if (!m_isTold.exchange(true)) Q_EMIT ticked();
   });
   m_tick->start(kTick);
   m_serviceTimer = new QTimer(this);

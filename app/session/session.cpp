@@ -17,10 +17,16 @@
 #include "session/state_walker.h"
 
 namespace deckpipe {
+namespace {
+
+// With a link the session ticks by itself only where the bus thread has missed its tick.
+constexpr std::chrono::milliseconds kUnlessTold = 3 * LiveBus::kTick;
+
+}  // namespace
 
 Session::Session(QObject* parent) : QObject(parent), m_buses(new BusThreads(this)) {
   m_snapshot.view.state = std::make_shared<const State>();
-  m_timer.setInterval(kTick);
+  m_timer.setTimerType(Qt::PreciseTimer);
   connect(&m_timer, &QTimer::timeout, this, &Session::tick);
   connect(m_buses, &BusThreads::ended, this,
           [this](const std::shared_ptr<LogDocument>& document) { m_recorders.endOf(document); });
@@ -74,7 +80,7 @@ void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   m_walker = std::make_unique<StateWalker>(m_document);
   m_playback = Playback(&m_document->frames);
   m_snapshot.view.document = m_document;
-  m_timer.start();
+  m_timer.start(LiveBus::kTick);
 }
 
 void Session::beginRecording() {
@@ -155,6 +161,7 @@ void Session::startLink(LinkSettings settings, const QString& channelName) {
   settings.channel = {m_document->frames.channel(channelName.toStdString())};
   m_live = new LiveBus(m_document, settings, m_claim, m_board);
   m_board = m_live->board();
+  connect(m_live, &LiveBus::ticked, this, &Session::tick);
   m_buses->start(
       m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
 }
@@ -342,7 +349,9 @@ void Session::tick() {
   followCandidate();
   if (m_document == nullptr) return;
   const Snapshot before = m_snapshot;
-  const LiveBus::Published published = grows() ? m_board->latest() : LiveBus::Published{};
+  LiveBus::Published published;
+  if (grows()) published = m_live != nullptr ? m_live->take() : m_board->latest();
+  m_timer.start(m_live != nullptr ? kUnlessTold : LiveBus::kTick);
   if (m_live != nullptr) {
     m_snapshot.services = published.services;
     takeLink(m_snapshot.source, published);

@@ -3,6 +3,9 @@
 // makes a snapshot on its tick. It composes store, bus thread, walker and bench; it lives on the window's
 // thread. It waits for no bus, nor for a bus to end. A link that is opened next waits until the old bus has
 // ended.
+//
+// With a link the bus thread's tick is the session's, so that what the bus thread published is drawn at once.
+// The session's own timer ticks where there is no link, or where the bus thread has missed its tick.
 #pragma once
 
 #include <QObject>
@@ -29,8 +32,6 @@ class StateWalker;
 class Session : public QObject {
   Q_OBJECT
  public:
-  static constexpr std::chrono::milliseconds kTick{33};
-
   // What the times of a log file are.
   enum class TimesOf : bool { Clock, Differences };
 
