@@ -3,8 +3,9 @@
 
 #include "bus/canopen.h"
 #include "bus/j1939.h"
+#include "link/can_link.h"
 #include "protocol/catalogue.h"
-#include "session/live_bus.h"
+#include "session/clocks.h"
 
 namespace deckpipe::ctl {
 

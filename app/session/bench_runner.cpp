@@ -3,21 +3,12 @@
 
 #include <QTimer>
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
+#include "session/clocks.h"
 #include "session/twin_faults.h"
 
 namespace deckpipe {
-namespace {
-
-Instant monotonicTime() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return Instant{std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec};
-}
-
-}  // namespace
 
 BenchRunner::BenchRunner(std::uint64_t seed, unsigned monitors, IsSimulated isSimulated)
     : m_bench(simulator::standardBench(seed, {}, monitors)),

@@ -4,21 +4,13 @@
 #include <QThread>
 #include <QTimer>
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
 #include "link/plugins.h"
+#include "session/clocks.h"
 
 namespace deckpipe {
 namespace {
-
-constexpr std::chrono::milliseconds kTick{33};
-
-Instant timeOf(clockid_t clock) {
-  timespec now{};
-  ::clock_gettime(clock, &now);
-  return Instant{std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec};
-}
 
 // "socketcan can0, 250 kbit/s"
 std::string adapterWords(const LinkSettings& settings) {
@@ -28,8 +20,6 @@ std::string adapterWords(const LinkSettings& settings) {
 }
 
 }  // namespace
-
-Instant bootTime() { return timeOf(CLOCK_BOOTTIME); }
 
 LiveBus::Board::Board() {
   m_published.state = std::make_shared<const State>();
@@ -63,6 +53,7 @@ void LiveBus::start() {
   connect(m_tick, &QTimer::timeout, this, [this] {
     m_link->drain();
     publish();
+    if (!m_isTold.exchange(true)) Q_EMIT ticked();
   });
   m_tick->start(kTick);
   m_serviceTimer = new QTimer(this);
@@ -153,7 +144,7 @@ void LiveBus::stop() {
 
 Arrival LiveBus::arrival() const {
   Arrival arrival{.now = bootTime(), .reached = m_state.cursor().time};
-  if (pluginStampsWallClock(m_settings.plugin)) arrival.wallOffset = arrival.now - timeOf(CLOCK_REALTIME);
+  if (pluginStampsWallClock(m_settings.plugin)) arrival.wallOffset = arrival.now - wallClockTime();
   return arrival;
 }
 

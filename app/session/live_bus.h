@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bus thread's side of a live connection: it owns the link, the writer end of the store and the live
 // State, and publishes snapshots of it. Made by the session, moved to the bus thread, started and stopped by
-// queued calls; only latest() is for other threads.
+// queued calls; only latest() and take() are for other threads.
 //
 // It runs the services too: each event of the link, an intent and their one timer are followed by writing
 // what they want sent. They get each frame with its own log time when the State has it, and are asked about
@@ -12,6 +12,7 @@
 #pragma once
 
 #include <QObject>
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -24,12 +25,10 @@ class QTimer;
 
 namespace deckpipe {
 
-// CLOCK_BOOTTIME: goes on while the laptop sleeps, and does not follow the wall clock.
-Instant bootTime();
-
 class LiveBus : public QObject, private PortListener {
   Q_OBJECT
  public:
+  static constexpr std::chrono::milliseconds kTick{33};
   static constexpr Duration kBehind = 100ms;
 
   struct Published {
@@ -59,6 +58,11 @@ class LiveBus : public QObject, private PortListener {
 
   std::shared_ptr<const Board> board() const { return m_board; }
   Published latest() const { return m_board->latest(); }
+  // The same for who draws on ticked(): the next tick tells again.
+  Published take() {
+    m_isTold = false;
+    return latest();
+  }
 
  public Q_SLOTS:
   void start();
@@ -73,6 +77,11 @@ class LiveBus : public QObject, private PortListener {
   // Ends the services, waits for what they still have to say (Services: 1 s at most), closes the link and
   // quits this thread's event loop.
   void close();
+
+ Q_SIGNALS:
+  // A tick has published: draw now. Not said again before take(), so that a window that takes long finds one
+  // tick waiting and not a row of them.
+  void ticked();
 
  private:
   Arrival arrival() const;
@@ -105,6 +114,7 @@ class LiveBus : public QObject, private PortListener {
   Instant m_nextLeftOut = kNotYet;       // no note of it before
   bool m_storeFull = false;
   bool m_isClosing = false;
+  std::atomic<bool> m_isTold = false;  // ticked(), and nobody has taken it
   std::vector<OutFrame> m_toSend;
   std::vector<Note> m_toNote;
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "session/live_bus.h"
+#include "session/clocks.h"
 
 namespace deckpipe {
 

@@ -1,56 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
-#include <QDeadlineTimer>
 #include <QFile>
 #include <QFileInfo>
-#include <QThread>
 #include <algorithm>
 #include <thread>
 #include <utility>
 
 #include "session/bench_runner.h"
+#include "session/bus_threads.h"
+#include "session/clocks.h"
 #include "session/live_bus.h"
 #include "session/log_opening.h"
 #include "session/recorder.h"
+#include "session/source_status.h"
 #include "session/state_walker.h"
-#include "session/worker_thread.h"
 
 namespace deckpipe {
 namespace {
 
-SourceError errorOf(const LiveBus::Published& published) {
-  const LinkStatus& link = published.link;
-  if (published.storeFull) return StoreFull{};
-  if (link.fault == LinkFault::None && link.reason.empty()) return {};
-  return LinkError{link.fault, link.reason};
-}
+// With a link the session ticks by itself only where the bus thread has missed its tick.
+constexpr std::chrono::milliseconds kUnlessTold = 3 * LiveBus::kTick;
 
 }  // namespace
 
-Session::Session(QObject* parent) : QObject(parent) {
+Session::Session(QObject* parent) : QObject(parent), m_buses(new BusThreads(this)) {
   m_snapshot.view.state = std::make_shared<const State>();
-  m_timer.setInterval(kTick);
+  m_timer.setTimerType(Qt::PreciseTimer);
   connect(&m_timer, &QTimer::timeout, this, &Session::tick);
+  connect(m_buses, &BusThreads::ended, this,
+          [this](const std::shared_ptr<LogDocument>& document) { m_recorders.endOf(document); });
 }
 
 Session::~Session() {
   endSource();
-  waitForEnd();
-}
-
-// Links, and in the demo the twin, live on one thread with an event loop. When it ends, each is stopped and
-// deleted there.
-void Session::startOnBusThread(QObject* worker, std::function<void()> start, std::function<void()> stop) {
-  if (m_busThread == nullptr) {
-    m_busThread = new QThread(this);
-    m_busThread->setObjectName(QStringLiteral("bus"));
-    m_busThread->start();
-  }
-  worker->moveToThread(m_busThread);
-  connect(m_busThread, &QThread::finished, worker, std::move(stop));
-  connect(m_busThread, &QThread::finished, worker, &QObject::deleteLater);
-  QMetaObject::invokeMethod(worker, std::move(start), Qt::QueuedConnection);
+  m_buses->waitForEnd();
 }
 
 void Session::closeSource() {
@@ -61,76 +45,23 @@ void Session::closeSource() {
 }
 
 void Session::endBus() {
-  LiveBus* live = std::exchange(m_live, nullptr);
   m_bench = nullptr;
-  QThread* thread = std::exchange(m_busThread, nullptr);
-  if (thread == nullptr) return;
-  const std::uint64_t number = ++m_busNumber;
-  m_ending.push_back({number, thread, m_document});
-  connect(thread, &QThread::finished, this, [this, number] { busHasEnded(number); });
-  QTimer::singleShot(kThreadPatience, this, [this, number] { busHangs(number); });
-  if (live != nullptr) {
-    QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
-  } else {
-    thread->quit();
-  }
+  m_buses->end(std::exchange(m_live, nullptr), m_document);
 }
 
-void Session::busHasEnded(std::uint64_t number) {
-  const auto ended = std::ranges::find(m_ending, number, &EndingBus::number);
-  if (ended == m_ending.end()) return;
-  const auto document = ended->document;
-  ended->thread->deleteLater();
-  m_ending.erase(ended);
-  if (!isWrittenByEndingBus(document)) {
-    for (const auto& recorder : m_oldRecorders) {
-      if (recorder->isOf(document)) recorder->end();
-    }
-  }
-  whenBusHasEnded(std::exchange(m_whenBusHasEnded, nullptr));
-}
-
-void Session::busHangs(std::uint64_t number) {
-  const auto found = std::ranges::find(m_ending, number, &EndingBus::number);
-  if (found == m_ending.end()) return;
-  found->hangs = true;
-  leaveThread(found->thread);
-  whenBusHasEnded(std::exchange(m_whenBusHasEnded, nullptr));
-}
-
-void Session::waitForEnd() {
-  const QDeadlineTimer deadline(kThreadPatience);
-  for (const EndingBus& bus : std::vector(m_ending)) {
-    if (bus.hangs) continue;
-    bus.thread->wait(deadline) ? busHasEnded(bus.number) : busHangs(bus.number);
-  }
-}
-
-bool Session::isWrittenByEndingBus(const std::shared_ptr<LogDocument>& document) const {
-  return std::ranges::find(m_ending, document, &EndingBus::document) != m_ending.end();
-}
-
-void Session::whenBusHasEnded(std::function<void()> start) {
-  m_whenBusHasEnded = std::move(start);
-  if (m_whenBusHasEnded && std::ranges::all_of(m_ending, &EndingBus::hangs))
-    std::exchange(m_whenBusHasEnded, nullptr)();
-}
+void Session::waitForEnd() { m_buses->waitForEnd(); }
 
 void Session::endSource() {
   m_timer.stop();
-  m_whenBusHasEnded = nullptr;
+  m_buses->forgetWhenEnded();
   endBus();
   m_board.reset();
-  std::optional<JournalStatus> left;
-  if (m_recorder != nullptr) {
-    left = m_recorder->status();
-    if (m_snapshot.source.simulated || left->path.empty()) left.reset();
-    if (!isWrittenByEndingBus(m_document)) m_recorder->end();
-    m_oldRecorders.push_back(std::move(m_recorder));
-  }
+  std::optional<JournalStatus> left = m_recorders.leave(m_buses->isWriting(m_document));
+  if (left && (m_snapshot.source.simulated || left->path.empty())) left.reset();
   m_opening.reset();
   m_walker.reset();
   m_document.reset();
+  m_playback = Playback();
   m_snapshot = {};
   m_snapshot.leftRecording = left;
   m_snapshot.view.state = std::make_shared<const State>();
@@ -147,27 +78,21 @@ void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   m_document = std::move(document);
   m_indexed = {};
   m_walker = std::make_unique<StateWalker>(m_document);
+  m_playback = Playback(&m_document->frames);
   m_snapshot.view.document = m_document;
-  m_timer.start();
+  m_timer.start(LiveBus::kTick);
 }
 
 void Session::beginRecording() {
   if (m_recordingFolder.isEmpty()) return;
-  m_recorder =
-      std::make_unique<Recorder>(m_document, recordingIn(m_recordingFolder), m_snapshot.source.simulated);
+  m_recorders.begin(m_document, recordingIn(m_recordingFolder), m_snapshot.source.simulated);
   m_snapshot.source.recording.emplace();
 }
 
-bool Session::holdsUnwritten() const {
-  const auto isUnwritten = [](const auto& recorder) { return recorder && recorder->status().fault; };
-  return isUnwritten(m_recorder) || std::ranges::any_of(m_oldRecorders, isUnwritten);
-}
+bool Session::holdsUnwritten() const { return m_recorders.holdUnwritten(); }
 
 void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
-  if (m_recorder != nullptr && m_recorder->isOf(document)) return m_recorder->setSaved(frames);
-  for (const auto& recorder : m_oldRecorders) {
-    if (recorder->isOf(document)) return recorder->setSaved(frames);
-  }
+  if (m_recorders.setSaved(document, frames)) return;
   // A recording of earlier that is open as a file.
   const SourceStatus& source = m_snapshot.source;
   const ReadSummary& read = source.read;
@@ -181,15 +106,15 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
 void Session::openLog(const QString& path, TimesOf times) {
   forgetSaid();
   // To open it would end it.
-  if (m_recorder != nullptr &&
-      QFileInfo(path) == QFileInfo(QFile::decodeName(m_recorder->status().path.c_str()))) {
+  if (const auto open = m_recorders.status();
+      open && QFileInfo(path) == QFileInfo(QFile::decodeName(open->path.c_str()))) {
     m_snapshot.notOpened = NotOpened{.path = path, .error = {}, .isInView = true};
     Q_EMIT changed();
     return;
   }
   Candidate log{path, times, std::make_shared<LogDocument>(), nullptr};
   log.opening = std::make_unique<LogOpening>(log.document, path, times == TimesOf::Differences);
-  const bool isWorthKeeping = m_board != nullptr || m_bench != nullptr || m_whenBusHasEnded != nullptr ||
+  const bool isWorthKeeping = m_board != nullptr || m_bench != nullptr || m_buses->isAwaited() ||
                               (m_document != nullptr && m_document->frames.count() > 0);
   if (!isWorthKeeping) return show(std::move(log));
   m_candidate = std::move(log);
@@ -228,7 +153,7 @@ void Session::openLink(const LinkSettings& wanted) {
   m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
   m_snapshot.source.bitRate = settings.bitRate;
   beginRecording();
-  whenBusHasEnded([this] { startLink(m_lastLink, m_lastLink.interfaceName); });
+  m_buses->whenEnded([this] { startLink(m_lastLink, m_lastLink.interfaceName); });
   Q_EMIT changed();
 }
 
@@ -236,7 +161,8 @@ void Session::startLink(LinkSettings settings, const QString& channelName) {
   settings.channel = {m_document->frames.channel(channelName.toStdString())};
   m_live = new LiveBus(m_document, settings, m_claim, m_board);
   m_board = m_live->board();
-  startOnBusThread(
+  connect(m_live, &LiveBus::ticked, this, &Session::tick);
+  m_buses->start(
       m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
 }
 
@@ -248,8 +174,8 @@ void Session::reconnect() {
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.error = {};
   m_snapshot.services = std::make_shared<const ServiceStatus>();
-  whenBusHasEnded([this] {
-    if (!isWrittenByEndingBus(m_document)) return startLink(m_lastLink, m_lastLink.interfaceName);
+  m_buses->whenEnded([this] {
+    if (!m_buses->isWriting(m_document)) return startLink(m_lastLink, m_lastLink.interfaceName);
     // A bus that hangs may still write into the log, and one log has one writer.
     std::optional<Candidate> candidate = std::exchange(m_candidate, {});
     openLink(m_lastLink);
@@ -286,7 +212,7 @@ void Session::openDemo() {
     m_snapshot.source.error = LinkError{LinkFault::Other, reason.toStdString()};
     Q_EMIT changed();
   });
-  startOnBusThread(
+  m_buses->start(
       m_bench, [bench = m_bench] { bench->startDemo(); }, [] {});
   Q_EMIT changed();
 }
@@ -323,63 +249,63 @@ Cursor Session::endCursor() const {
   return m_document == nullptr ? Cursor{} : endOf(m_document->frames, m_document->notes);
 }
 
-void Session::setCursor(Cursor cursor) {
-  m_snapshot.view.cursor = cursor;
-  if (m_walker != nullptr) m_walker->request(cursor);
+void Session::place() {
+  LogView& view = m_snapshot.view;
+  view.begin = m_playback.begin();
+  view.end = m_playback.end().time;
+  view.frameCount = m_playback.end().frames;
+  view.cursor = m_playback.cursor();
+  view.atEnd = m_playback.isAtEnd();
+  m_snapshot.playing = m_playback.isPlaying();
+  m_snapshot.speed = m_playback.speed();
+  if (m_walker != nullptr && !isLiveEdge()) m_walker->request(view.cursor);
 }
 
 void Session::play() {
-  if (m_document == nullptr || m_snapshot.playing) return;
+  if (m_document == nullptr || m_playback.isPlaying()) return;
   forgetSaid();
-  LogView& view = m_snapshot.view;
-  if (view.atEnd && grows()) return;  // it goes on by itself
-  const Cursor end = endCursor();
-  if (view.cursor.frames >= end.frames && !grows()) setCursor({0, view.begin});
-  view.atEnd = false;
-  m_snapshot.playing = true;
-  m_playClock.start();
+  m_playback.reach(endCursor(), grows());
+  if (!m_playback.play(monotonicTime())) return;
+  place();
   Q_EMIT changed();
 }
 
 void Session::pause() {
   if (m_document == nullptr) return;
   forgetSaid();
-  if (!m_snapshot.playing && !m_snapshot.view.atEnd) return;
-  m_snapshot.playing = false;
-  m_snapshot.view.atEnd = false;
+  if (!m_playback.pause()) return;
+  place();
   Q_EMIT changed();
 }
 
 void Session::seek(Instant time) {
   if (m_document == nullptr) return;
   forgetSaid();
-  m_snapshot.playing = false;
-  m_snapshot.view.atEnd = false;
-  setCursor(cursorAt(m_document->frames, std::clamp(time, m_snapshot.view.begin,
-                                                    std::max(m_snapshot.view.begin, m_snapshot.view.end))));
+  m_playback.seek(time);
+  place();
   Q_EMIT changed();
 }
 
 void Session::seekFrames(std::uint64_t frames) {
   if (m_document == nullptr) return;
   forgetSaid();
-  m_snapshot.playing = false;
-  m_snapshot.view.atEnd = false;
-  setCursor(cursorAfter(m_document->frames, std::min(frames, m_document->frames.count())));
+  m_playback.seekFrames(frames);
+  place();
   Q_EMIT changed();
 }
 
 void Session::step(int frames) {
-  const std::uint64_t here = m_snapshot.view.cursor.frames;
-  const auto back = static_cast<std::uint64_t>(std::abs(frames));
-  seekFrames(frames < 0 ? here - std::min(here, back) : here + back);
+  if (m_document == nullptr) return;
+  forgetSaid();
+  m_playback.step(frames);
+  place();
+  Q_EMIT changed();
 }
 
 void Session::goToEnd() {
   if (m_document == nullptr) return;
   forgetSaid();
-  m_snapshot.playing = false;
-  m_snapshot.view.atEnd = true;
+  m_playback.goToEnd();
   tick();
   Q_EMIT changed();
 }
@@ -391,23 +317,9 @@ void Session::mark(Cursor at, const QString& text) {
 }
 
 void Session::setSpeed(double speed) {
-  m_snapshot.speed = std::clamp(speed, kSlowest, kFastest);
+  m_playback.setSpeed(speed);
+  place();
   Q_EMIT changed();
-}
-
-void Session::movePlayingCursor() {
-  const Duration passed{
-      static_cast<std::int64_t>(static_cast<double>(m_playClock.nsecsElapsed()) * m_snapshot.speed)};
-  m_playClock.start();
-  const Instant target = m_snapshot.view.cursor.time + passed;
-  const Cursor end = endCursor();
-  if (target < end.time) {
-    setCursor(cursorAt(m_document->frames, target));
-    return;
-  }
-  setCursor(end);
-  m_snapshot.playing = false;
-  m_snapshot.view.atEnd = true;
 }
 
 void Session::updateSource() {
@@ -430,51 +342,27 @@ void Session::updateSource() {
       }
     }
   }
-  if (m_recorder != nullptr) source.recording = m_recorder->status();
-  if (m_live == nullptr) return;
-  const LiveBus::Published published = m_live->latest();
-  m_snapshot.services = published.services;
-  source.notKept = published.notKept;
-  source.error = errorOf(published);
-  if (const auto& hardware = published.link.hardware) {
-    source.isListenOnly = hardware->isListenOnly;
-    source.controller = hardware->controller;
-    if (hardware->bitRate != 0) source.bitRate = static_cast<int>(hardware->bitRate);
-  }
-  switch (published.link.state) {
-    case LinkState::Up: source.progress = SourceStatus::Progress::Running; break;
-    case LinkState::Connecting: source.progress = SourceStatus::Progress::Opening; break;
-    case LinkState::Lost: source.progress = SourceStatus::Progress::Lost; break;
-    case LinkState::Closed:
-      if (published.link.fault != LinkFault::None) source.progress = SourceStatus::Progress::Failed;
-      break;
-  }
-  if (published.storeFull) source.progress = SourceStatus::Progress::Failed;
+  if (const auto recording = m_recorders.status()) source.recording = recording;
 }
 
 void Session::tick() {
   followCandidate();
   if (m_document == nullptr) return;
   const Snapshot before = m_snapshot;
+  LiveBus::Published published;
+  if (grows()) published = m_live != nullptr ? m_live->take() : m_board->latest();
+  m_timer.start(m_live != nullptr ? kUnlessTold : LiveBus::kTick);
+  if (m_live != nullptr) {
+    m_snapshot.services = published.services;
+    takeLink(m_snapshot.source, published);
+  }
   updateSource();
+  const Cursor end = grows() ? published.state->cursor() : endCursor();
+  m_playback.reach(end, grows());
+  m_playback.timeCame(monotonicTime());
+  place();
   LogView& view = m_snapshot.view;
-  const FrameStore& frames = m_document->frames;
-  const Cursor end = endCursor();
-  view.frameCount = end.frames;
-  view.begin = end.frames == 0 ? end.time : frames.timeAt(0);
-  view.end = end.time;
-  if (view.atEnd) {
-    view.cursor = end;
-  } else if (m_snapshot.playing) {
-    movePlayingCursor();
-  }
-  if (view.atEnd && grows()) {
-    view.state = m_board->latest().state;
-    view.cursor = view.state->cursor();
-  } else {
-    m_walker->request(view.cursor);
-    view.state = m_walker->latest();
-  }
+  view.state = isLiveEdge() ? published.state : m_walker->latest();
   // The walker's indexes grow with the log, wherever the cursor stands, and its events with time alone.
   if (end != m_indexed) m_walker->index(end);
   m_indexed = end;

@@ -3,9 +3,11 @@
 // makes a snapshot on its tick. It composes store, bus thread, walker and bench; it lives on the window's
 // thread. It waits for no bus, nor for a bus to end. A link that is opened next waits until the old bus has
 // ended.
+//
+// With a link the bus thread's tick is the session's, so that what the bus thread published is drawn at once.
+// The session's own timer ticks where there is no link, or where the bus thread has missed its tick.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <functional>
@@ -16,23 +18,20 @@
 #include "link/can_link.h"
 #include "service/claim_service.h"
 #include "session/live_bus.h"
+#include "session/playback.h"
+#include "session/recorders.h"
 #include "session/snapshot.h"
-
-class QThread;
 
 namespace deckpipe {
 
 class BenchRunner;
+class BusThreads;
 class LogOpening;
-class Recorder;
 class StateWalker;
 
 class Session : public QObject {
   Q_OBJECT
  public:
-  static constexpr std::chrono::milliseconds kTick{33};
-  static constexpr double kSlowest = 0.25, kFastest = 16;
-
   // What the times of a log file are.
   enum class TimesOf : bool { Clock, Differences };
 
@@ -103,55 +102,37 @@ class Session : public QObject {
   void followCandidate();
   void beginDocument(std::shared_ptr<LogDocument> document);
   void startLink(LinkSettings settings, const QString& channelName);
-  // A bus that has still to end, on its thread.
-  struct EndingBus {
-    std::uint64_t number;  // never that of an earlier one
-    QThread* thread;
-    std::shared_ptr<LogDocument> document;  // it may still receive into that
-    bool hangs = false;                     // has taken longer than kThreadPatience
-  };
   void endBus();
-  void busHasEnded(std::uint64_t number);
-  void busHangs(std::uint64_t number);
-  bool isWrittenByEndingBus(const std::shared_ptr<LogDocument>& document) const;
-  // Calls `start` once each ending bus has ended, so that the adapter is free, or was given up. A source that
-  // is opened or closed before then replaces it.
-  void whenBusHasEnded(std::function<void()> start);
   // What is said until the next deed of the person.
   void forgetSaid();
   void beginRecording();
   void tick();
   void updateSource();
-  void movePlayingCursor();
-  void setCursor(Cursor cursor);
+  // Takes into the snapshot where the playback stands.
+  void place();
   Cursor endCursor() const;
   // Also between two links of reconnect().
   bool grows() const { return m_board != nullptr; }
-  // `stop` is called there before the worker is deleted.
-  void startOnBusThread(QObject* worker, std::function<void()> start, std::function<void()> stop);
+  bool isLiveEdge() const { return grows() && m_playback.isAtEnd(); }
   void endSource();
 
   Snapshot m_snapshot;
   LinkSettings m_lastLink;
   std::shared_ptr<LogDocument> m_document;
   std::unique_ptr<StateWalker> m_walker;
+  Playback m_playback;  // of m_document
   std::unique_ptr<LogOpening> m_opening;
   std::optional<Candidate> m_candidate;
-  QThread* m_busThread = nullptr;  // deletes what lives on it when it ends
+  BusThreads* m_buses;
   LiveBus* m_live = nullptr;
   std::shared_ptr<const LiveBus::Board> m_board;  // of m_live, or of the one before while the next one waits
-  std::vector<EndingBus> m_ending;
-  std::uint64_t m_busNumber = 0;
-  std::function<void()> m_whenBusHasEnded;
   BenchRunner* m_bench = nullptr;
   ClaimSettings m_claim;
   QString m_recordingFolder;
-  std::unique_ptr<Recorder> m_recorder;                   // of the live source
-  std::vector<std::unique_ptr<Recorder>> m_oldRecorders;  // some of them still at work
+  Recorders m_recorders;
   std::uint64_t m_serial = 0;
   QTimer m_timer;
-  Cursor m_indexed;           // the log's end when the walker was last told
-  QElapsedTimer m_playClock;  // since the cursor was last moved by playing
+  Cursor m_indexed;  // the log's end when the walker was last told
 };
 
 }  // namespace deckpipe

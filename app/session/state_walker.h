@@ -4,12 +4,10 @@
 // walk.
 #pragma once
 
-#include <condition_variable>
+#include <cstdint>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
 
+#include "base/latest_request_worker.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
@@ -17,33 +15,37 @@ namespace deckpipe {
 class StateWalker {
  public:
   explicit StateWalker(std::shared_ptr<LogDocument> document);
-  ~StateWalker();
 
-  // The newest request wins.
+  // The newest cursor wins.
   void request(Cursor cursor);
   // The log has grown, or its time has moved on, to `end`: index what is new, and find its events.
   void index(Cursor end);
   // Notes came at places that were walked already: what was found there is found anew.
   void notesCame();
   // The state at the last cursor that was reached; never null.
-  std::shared_ptr<const State> latest() const;
+  std::shared_ptr<const State> latest() const { return m_worker.latest(); }
 
  private:
-  void run(std::stop_token stop);
-  std::shared_ptr<const State> walkTo(Cursor cursor, bool isAnew, const std::stop_token& stop);
+  // A wish is whole: a newer one repeats what still holds of the older one.
+  struct Wish {
+    Cursor cursor;
+    Cursor end;                    // of the log, as last told
+    std::uint64_t generation = 0;  // counts how often notes came in the past
+  };
+  using Worker = LatestRequestWorker<Wish, State>;
+  void fulfil(const Wish& wish, const Worker::Turn& turn);
+  // Null where a newer wish or the end came between.
+  std::shared_ptr<const State> walk(const Wish& wish, const Worker::Turn& turn);
   // A step of roles, events and keyframes; false where all are complete.
-  bool indexMore();
-  bool isSuperseded() const;
+  bool indexMore(Cursor end);
 
   std::shared_ptr<LogDocument> m_document;
-  mutable std::mutex m_lock;
-  std::condition_variable_any m_wake;
-  std::optional<Cursor> m_request;
-  bool m_indexRequested = false;
-  bool m_notesCame = false;
-  Cursor m_end;  // of the log, as last told
-  std::shared_ptr<const State> m_latest;
-  std::jthread m_thread;  // last: it uses all of the above
+  Wish m_wish;  // the caller's
+  // The worker's own:
+  std::shared_ptr<const State> m_here;
+  std::uint64_t m_generation = 0;  // of the notes that it knows
+  bool m_isAnew = false;           // no state was found since notes came
+  Worker m_worker;                 // last: it uses all of the above
 };
 
 }  // namespace deckpipe

@@ -2,6 +2,7 @@
 #include "model/id_table_walker.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace deckpipe {
@@ -9,29 +10,13 @@ namespace deckpipe {
 IdTableWalker::IdTableWalker(std::shared_ptr<const LogDocument> log, const TraceFilter& filter)
     : m_log(std::move(log)),
       m_filter(filter),
-      m_latest(std::make_shared<const IdTable>()),
-      m_thread([this](const std::stop_token& stop) { run(stop); }) {}
-
-IdTableWalker::~IdTableWalker() = default;
+      m_now(begin()),
+      m_worker([this](std::uint64_t wanted, const Worker::Turn& turn) { walk(wanted, turn); },
+               std::make_shared<const IdTable>()) {}
 
 void IdTableWalker::request(std::uint64_t frames) {
-  {
-    const std::lock_guard lock(m_lock);
-    const bool isCurrent = !m_filter.needsRoles() || m_notes == m_log->notes.count();
-    if (m_latest->frames() == frames && isCurrent && !m_request) return;
-    m_request = frames;
-  }
-  m_wake.notify_one();
-}
-
-std::shared_ptr<const IdTable> IdTableWalker::latest() const {
-  const std::lock_guard lock(m_lock);
-  return m_latest;
-}
-
-bool IdTableWalker::isSuperseded() const {
-  const std::lock_guard lock(m_lock);
-  return m_request.has_value();
+  const std::pair asked(frames, m_filter.needsRoles() ? m_log->notes.count() : 0);
+  if (std::exchange(m_asked, asked) != asked || latest()->frames() != frames) m_worker.request(frames);
 }
 
 IdTableWalker::Stand IdTableWalker::begin() const {
@@ -40,36 +25,30 @@ IdTableWalker::Stand IdTableWalker::begin() const {
   return stand;
 }
 
-void IdTableWalker::run(const std::stop_token& stop) {
-  Stand now = begin();
-  while (!stop.stop_requested()) {
-    std::uint64_t wanted = 0;
-    {
-      std::unique_lock lock(m_lock);
-      if (!m_wake.wait(lock, stop, [this] { return m_request.has_value(); })) return;
-      wanted = std::min(*std::exchange(m_request, std::nullopt), m_log->frames.count());
-      if (m_filter.needsRoles() && isPastChanged(*m_log, m_notes, m_log->frames.count())) {
-        m_kept.clear();
-        now = begin();
-      }
-    }
-    // From the nearest copy, unless the table stands nearer already.
-    const auto after = m_kept.upper_bound(wanted);
-    const auto* kept = after == m_kept.begin() ? nullptr : std::prev(after)->second.get();
-    if (now.table.frames() > wanted || (kept != nullptr && kept->table.frames() > now.table.frames()))
-      now = kept != nullptr ? *kept : begin();
-    if (now.test) now.test->bind();
-    // A far way is left for a newer wish; what was walked of it is kept.
-    while (now.table.frames() < wanted && !stop.stop_requested() && !isSuperseded()) {
-      const std::uint64_t next = (now.table.frames() / kEvery + 1) * kEvery;
-      now.table.walk(m_log->frames, std::min(wanted, next), now.test ? &*now.test : nullptr);
-      if (now.table.frames() == next && !m_kept.contains(next))
-        m_kept.emplace(next, std::make_shared<const Stand>(now));
-    }
-    auto reached = std::make_shared<const IdTable>(now.table);
-    const std::lock_guard lock(m_lock);
-    if (now.table.frames() == wanted || reached->frames() > m_latest->frames()) m_latest = std::move(reached);
+void IdTableWalker::goToNearest(std::uint64_t wanted) {
+  const auto after = m_kept.upper_bound(wanted);
+  const auto* kept = after == m_kept.begin() ? nullptr : std::prev(after)->second.get();
+  if (m_now.table.frames() > wanted || (kept != nullptr && kept->table.frames() > m_now.table.frames()))
+    m_now = kept != nullptr ? *kept : begin();
+}
+
+void IdTableWalker::walk(std::uint64_t wanted, const Worker::Turn& turn) {
+  wanted = std::min(wanted, m_log->frames.count());
+  if (m_filter.needsRoles() && isPastChanged(*m_log, m_notes, m_log->frames.count())) {
+    m_kept.clear();
+    m_now = begin();
   }
+  goToNearest(wanted);
+  if (m_now.test) m_now.test->bind();
+  // A far way is left for a newer wish; what was walked of it is kept.
+  while (m_now.table.frames() < wanted && !turn.isGivenUp()) {
+    const std::uint64_t next = (m_now.table.frames() / kEvery + 1) * kEvery;
+    m_now.table.walk(m_log->frames, std::min(wanted, next), m_now.test ? &*m_now.test : nullptr);
+    if (m_now.table.frames() == next && !m_kept.contains(next))
+      m_kept.emplace(next, std::make_shared<const Stand>(m_now));
+  }
+  if (m_now.table.frames() == wanted || m_now.table.frames() > latest()->frames())
+    turn.handOver(std::make_shared<const IdTable>(m_now.table));
 }
 
 }  // namespace deckpipe

@@ -4,13 +4,13 @@
 // a few milliseconds, wherever in a log. The model asks on its tick and takes what is there.
 #pragma once
 
-#include <condition_variable>
+#include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
 
+#include "base/latest_request_worker.h"
 #include "model/frame_test.h"
 #include "model/id_table.h"
 #include "state/log_view.h"
@@ -22,14 +22,11 @@ class IdTableWalker {
   static constexpr std::uint64_t kEvery = 131'072;
 
   explicit IdTableWalker(std::shared_ptr<const LogDocument> log, const TraceFilter& filter = {});
-  ~IdTableWalker();
-  IdTableWalker(const IdTableWalker&) = delete;
-  IdTableWalker& operator=(const IdTableWalker&) = delete;
 
   // The table behind so many frames is wanted; the newest wish wins.
   void request(std::uint64_t frames);
   // The last table that was reached; never null.
-  std::shared_ptr<const IdTable> latest() const;
+  std::shared_ptr<const IdTable> latest() const { return m_worker.latest(); }
 
  private:
   // A table and the test that stands behind the same frame.
@@ -37,19 +34,20 @@ class IdTableWalker {
     IdTable table;
     std::optional<FrameTest> test;
   };
+  using Worker = LatestRequestWorker<std::uint64_t, IdTable>;
   Stand begin() const;
-  void run(const std::stop_token& stop);
-  bool isSuperseded() const;
+  // Where the walk to `wanted` frames is shortest: where the table stands, or the nearest copy.
+  void goToNearest(std::uint64_t wanted);
+  void walk(std::uint64_t wanted, const Worker::Turn& turn);
 
   const std::shared_ptr<const LogDocument> m_log;
   const TraceFilter m_filter;
-  mutable std::mutex m_lock;
-  std::condition_variable_any m_wake;
-  std::optional<std::uint64_t> m_request;
-  std::shared_ptr<const IdTable> m_latest;
-  std::size_t m_notes = 0;                                       // of the log, that the filter knows
-  std::map<std::uint64_t, std::shared_ptr<const Stand>> m_kept;  // the worker's own
-  std::jthread m_thread;                                         // last: it uses all of the above
+  std::pair<std::uint64_t, std::size_t> m_asked;  // frames, and notes where the filter needs them
+  // The worker's own:
+  Stand m_now;
+  std::size_t m_notes = 0;  // of the log, that m_now knows
+  std::map<std::uint64_t, std::shared_ptr<const Stand>> m_kept;
+  Worker m_worker;  // last: it uses all of the above
 };
 
 }  // namespace deckpipe

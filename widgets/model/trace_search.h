@@ -6,12 +6,11 @@
 
 #include <QObject>
 #include <atomic>
-#include <condition_variable>
+#include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 
+#include "base/latest_request_worker.h"
 #include "model/trace_filter.h"
 #include "state/log_view.h"
 
@@ -32,7 +31,6 @@ class TraceSearch : public QObject {
   };
 
   explicit TraceSearch(QObject* parent = nullptr);
-  ~TraceSearch() override;
 
   // What was asked before is given up.
   void find(Question question);
@@ -51,19 +49,14 @@ class TraceSearch : public QObject {
     std::optional<std::uint64_t> frame;
     bool wrapped = false;
   };
-  void run(const std::stop_token& stop);
-  std::optional<Answer> look(Question& question, const std::stop_token& stop);
-  bool isGivenUp(const std::stop_token& stop) const;
-  void tell(std::uint64_t serial, const Answer& answer);
+  using Worker = LatestRequestWorker<Question, Answer>;
+  // Nothing where it was given up.
+  std::optional<Answer> look(Question& question, const Worker::Turn& turn);
+  void tell();
 
-  mutable std::mutex m_lock;
-  std::condition_variable_any m_wake;
-  std::optional<Question> m_question;
-  std::uint64_t m_serial = 0;   // of the newest question
-  std::uint64_t m_looking = 0;  // of the one that is looked for
-  bool m_isSearching = false;   // the window's
+  bool m_isSearching = false;
   std::atomic<double> m_fraction = 0;
-  std::jthread m_thread;  // last: it uses all of the above
+  Worker m_worker;  // last: it uses all of the above
 };
 
 }  // namespace deckpipe

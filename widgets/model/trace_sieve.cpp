@@ -2,37 +2,25 @@
 #include "model/trace_sieve.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace deckpipe {
+namespace {
+
+constexpr std::size_t kAtOnce = 4096;  // frames between two glances at whether it shall go on
+
+}  // namespace
 
 TraceSieve::TraceSieve(std::shared_ptr<const LogDocument> log, TraceFilter filter)
     : m_log(std::move(log)),
       m_filter(std::move(filter)),
-      m_thread([this](const std::stop_token& stop) { run(stop); }) {}
-
-TraceSieve::~TraceSieve() = default;
-
-void TraceSieve::wake() {
-  {
-    const std::lock_guard lock(m_lock);
-    m_isWoken = true;
-  }
-  m_wake.notify_one();
+      m_worker([this](LookOn, const Worker::Turn& turn) { scan(turn); }) {
+  wake();
 }
 
-void TraceSieve::run(const std::stop_token& stop) {
-  while (!stop.stop_requested()) {
-    {
-      std::unique_lock lock(m_lock);
-      if (!m_wake.wait(lock, stop, [this] { return m_isWoken; })) return;
-      m_isWoken = false;
-    }
-    scan(stop);
-  }
-}
-
-void TraceSieve::scan(const std::stop_token& stop) {
+void TraceSieve::scan(const Worker::Turn& turn) {
   if (m_filter.needsRoles() && isPastChanged(*m_log, m_notes, m_rows.scanned())) {
     m_rows.clear();
     m_walk.reset();
@@ -43,12 +31,11 @@ void TraceSieve::scan(const std::stop_token& stop) {
   std::vector<std::uint16_t> matches;
   std::uint64_t at = m_rows.scanned();
   if (m_filter.needsRoles() && !m_walk) m_walk.emplace(*m_log, at);
-  while (!stop.stop_requested()) {
+  while (!turn.isGivenUp()) {
     const auto run = frames.run(at);
     if (run.empty()) return;
     matches.clear();
-    for (const Frame& frame : run) {
-      if (at % 4096 == 0 && stop.stop_requested()) return;
+    for (const Frame& frame : run.first(std::min(run.size(), kAtOnce))) {
       const Instant time = times.at(at);
       const Classified what = m_walk ? m_walk->take(frame, time) : Classified{};
       if (m_filter.matches({frame, at, time, what}))

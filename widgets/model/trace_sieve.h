@@ -4,12 +4,10 @@
 // filter; destroying it gives up what is not looked at yet.
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 
+#include "base/latest_request_worker.h"
 #include "model/log_walk.h"
 #include "model/matched_rows.h"
 #include "model/trace_filter.h"
@@ -20,17 +18,15 @@ namespace deckpipe {
 class TraceSieve {
  public:
   TraceSieve(std::shared_ptr<const LogDocument> log, TraceFilter filter);
-  ~TraceSieve();
-  TraceSieve(const TraceSieve&) = delete;
-  TraceSieve& operator=(const TraceSieve&) = delete;
 
   // The log may have grown, or notes in its past may have changed what frames are.
-  void wake();
+  void wake() { m_worker.request({}); }
   const MatchedRows& rows() const { return m_rows; }
 
  private:
-  void run(const std::stop_token& stop);
-  void scan(const std::stop_token& stop);
+  struct LookOn {};  // from the first frame that was not looked at
+  using Worker = LatestRequestWorker<LookOn>;
+  void scan(const Worker::Turn& turn);
 
   const std::shared_ptr<const LogDocument> m_log;
   TraceFilter m_filter;
@@ -38,10 +34,7 @@ class TraceSieve {
   // From the first frame on, never by the index of roles, which may be built later than frames come.
   std::optional<LogWalk> m_walk;
   std::size_t m_notes = 0;  // of the log, when its roles were last looked up
-  std::mutex m_lock;
-  std::condition_variable_any m_wake;
-  bool m_isWoken = true;
-  std::jthread m_thread;  // last: it uses all of the above
+  Worker m_worker;          // last: it uses all of the above
 };
 
 }  // namespace deckpipe

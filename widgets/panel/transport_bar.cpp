@@ -85,9 +85,9 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
   setView({}, {});
 }
 
-void TransportBar::setView(const LogView& view, const Playback& playback) {
+void TransportBar::setView(const LogView& view, const PlayState& play) {
   m_view = view;
-  m_playback = playback;
+  m_playState = play;
   showControls();
   showTimeline();
 }
@@ -104,7 +104,7 @@ void TransportBar::showControls() {
   m_forward->setEnabled(hasFrames && m_view.cursor.frames < m_view.frameCount);
   m_end->setEnabled(hasFrames);
   m_speed->setEnabled(hasFrames);
-  const bool isPlaying = m_playback.isPlaying;
+  const bool isPlaying = m_playState.isPlaying;
   const QString label = isPlaying ? tr("Pause") : tr("Play");
   if (m_play->accessibleName() != label) {
     m_play->setAccessibleName(label);
@@ -113,7 +113,7 @@ void TransportBar::showControls() {
   m_play->setSign(isPlaying ? TransportButton::Sign::Pause : TransportButton::Sign::Play);
   m_end->setOn(hasFrames && m_view.atEnd);
   m_end->setText(hasFrames && m_view.atEnd ? tr("At the end") : tr("To the end"));
-  const int index = m_speed->findData(m_playback.speed);
+  const int index = m_speed->findData(m_playState.speed);
   if (index != m_speed->currentIndex() && !m_speed->view()->isVisible()) {
     const QSignalBlocker blocker(m_speed);
     m_speed->setCurrentIndex(index);
@@ -206,7 +206,7 @@ void TransportBar::showMenu(const QPoint& at) {
 
 void TransportBar::playOrPause() {
   if (!m_play->isEnabled()) return;
-  if (m_playback.isPlaying) {
+  if (m_playState.isPlaying) {
     Q_EMIT pauseRequested();
   } else {
     Q_EMIT playRequested();

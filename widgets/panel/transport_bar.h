@@ -19,10 +19,10 @@ class Timeline;
 class TransportButton;
 
 // How the cursor moves by itself.
-struct Playback {
+struct PlayState {
   bool isPlaying = false;
   double speed = 1;
-  friend bool operator==(const Playback&, const Playback&) = default;
+  friend bool operator==(const PlayState&, const PlayState&) = default;
 };
 
 class TransportBar : public QWidget {
@@ -31,7 +31,7 @@ class TransportBar : public QWidget {
  public:
   explicit TransportBar(QWidget* parent = nullptr);
 
-  void setView(const LogView& view, const Playback& playback);
+  void setView(const LogView& view, const PlayState& play);
   void setLabels(const DeviceLabels& labels);
   // Whether the trace shows only some of the frames.
   void setFiltered(bool isFiltered);
@@ -61,7 +61,7 @@ class TransportBar : public QWidget {
   void showControls();
 
   LogView m_view;
-  Playback m_playback;
+  PlayState m_playState;
   LogMarks m_marks;
   bool m_isFiltered = false;
   TransportButton* m_back;

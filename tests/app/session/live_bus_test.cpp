@@ -8,11 +8,13 @@
 #include <QCanBus>
 #include <QCanBusDevice>
 #include <QSemaphore>
+#include <QSignalSpy>
 #include <QTest>
 #include <QThread>
 #include <memory>
 
 #include "link/virtual_bus.h"
+#include "session/clocks.h"
 #include "support/frames.h"
 #include "support/patience.h"
 #include "support/recording_listener.h"
@@ -50,6 +52,27 @@ TEST(LiveBus, LocksWhereTheLogTakesNoMoreAndAnswersNothingFromThenOn) {
   EXPECT_EQ(ours(), before);
   live.apply({wish::Unlock{}, bootTime(), 2});
   EXPECT_TRUE(live.latest().services->locked) << "nothing is sent on a picture that stands still";
+}
+
+TEST(LiveBus, TellsOfItsTickOnceUntilThatIsTaken) {
+  VirtualBus bus;
+  ASSERT_TRUE(bus.start());
+  LiveBus live(std::make_shared<LogDocument>(),
+               {QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}});
+  QSignalSpy ticked(&live, &LiveBus::ticked);
+  live.start();
+  const auto publishes = [&] {
+    return QTest::qWaitFor([&, before = live.latest().state] { return live.latest().state != before; },
+                           kPatience);
+  };
+  const auto ticks = [&](int times) {
+    return QTest::qWaitFor([&] { return ticked.count() == times; }, kPatience);
+  };
+  ASSERT_TRUE(ticks(1));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(publishes());
+  EXPECT_EQ(ticked.count(), 1) << "a window that takes long finds one tick waiting";
+  EXPECT_EQ(live.take().state, live.latest().state);
+  EXPECT_TRUE(ticks(2));
 }
 
 // The thread stands still for longer than an ack may take, and the ack comes meanwhile.

@@ -113,10 +113,10 @@ struct Gallery {
     save(panel, size, name);
   }
 
-  void transport(const char* name, const LogView& view, const Playback& playback) {
+  void transport(const char* name, const LogView& view, const PlayState& play) {
     TransportBar bar;
     bar.resize(kWidth, bar.sizeHint().height());
-    bar.setView(view, playback);
+    bar.setView(view, play);
     save(bar, {kWidth, bar.sizeHint().height()}, name);
   }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/source_status.h"
+
+namespace deckpipe {
+namespace {
+
+SourceError errorOf(const LiveBus::Published& published) {
+  const LinkStatus& link = published.link;
+  if (published.storeFull) return StoreFull{};
+  if (link.fault == LinkFault::None && link.reason.empty()) return {};
+  return LinkError{link.fault, link.reason};
+}
+
+}  // namespace
+
+void takeLink(SourceStatus& source, const LiveBus::Published& published) {
+  source.notKept = published.notKept;
+  source.error = errorOf(published);
+  if (const auto& hardware = published.link.hardware) {
+    source.isListenOnly = hardware->isListenOnly;
+    source.controller = hardware->controller;
+    if (hardware->bitRate != 0) source.bitRate = static_cast<int>(hardware->bitRate);
+  }
+  switch (published.link.state) {
+    case LinkState::Up: source.progress = SourceStatus::Progress::Running; break;
+    case LinkState::Connecting: source.progress = SourceStatus::Progress::Opening; break;
+    case LinkState::Lost: source.progress = SourceStatus::Progress::Lost; break;
+    case LinkState::Closed:
+      if (published.link.fault != LinkFault::None) source.progress = SourceStatus::Progress::Failed;
+      break;
+  }
+  if (published.storeFull) source.progress = SourceStatus::Progress::Failed;
+}
+
+}  // namespace deckpipe
