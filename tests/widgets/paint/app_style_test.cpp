@@ -25,11 +25,13 @@ TEST(AppStyle, AnyOtherStyleIsPaintedInTheLightTheme) {
 
 TEST(AppStyle, GivesItsThemeToWhatIsThereAndToWhatComes) {
   QWidget before;
+  before.show();
   for (const Theme theme : kThemes) {
     const test::Look look(theme);
     QWidget after;
+    after.show();
+    QCoreApplication::processEvents();  // windows get a palette by an event
     for (const QWidget* widget : {&before, &after}) {
-      widget->ensurePolished();
       EXPECT_EQ(coloursOf(widget).theme, theme);
       EXPECT_EQ(widget->palette().color(QPalette::Window), coloursOf(theme).window);
     }
