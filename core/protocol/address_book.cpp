@@ -83,8 +83,8 @@ bool AddressBook::heard(Address source) {
 bool AddressBook::exchanged(const Frame& frame, Instant time, const Classified& classified) {
   const J1939Id id = J1939Id::of(frame.identifier());
   return messageOf(classified.message).device == DeviceEnd::Sender
-             ? m_exchanges.answered(frame.data[0], id.source, id.destination, time)
-             : m_exchanges.requested(frame.data[0], id.source, id.destination, time);
+             ? m_openRequests.answered(frame.data[0], id.source, id.destination, time)
+             : m_openRequests.requested(frame.data[0], id.source, id.destination, time);
 }
 
 Instant AddressBook::sharedSince(Address a, Instant now) const {

@@ -26,9 +26,9 @@
 #include "base/time.h"
 #include "bus/frame.h"
 #include "protocol/classify.h"
-#include "protocol/exchanges.h"
 #include "protocol/lists.h"
 #include "protocol/name.h"
+#include "protocol/open_requests.h"
 
 namespace deckpipe {
 
@@ -55,7 +55,7 @@ class AddressBook {
   bool isDrive(Address a) const { return has(a, kDrive); }
   // Answered SDO 5000.01 with a part number.
   bool isAkronNode(NodeId node) const { return m_akronNodes[node.value & 0x7F]; }
-  const Exchanges& exchanges() const { return m_exchanges; }
+  const OpenRequests& openRequests() const { return m_openRequests; }
 
   // --- Who is there.
 
@@ -174,7 +174,7 @@ class AddressBook {
   std::array<Turn, kTurns> m_turns{};  // of all addresses, the latest first
   Instant m_nextDecision = kNever;
   std::bitset<128> m_akronNodes;
-  Exchanges m_exchanges;
+  OpenRequests m_openRequests;
 };
 
 }  // namespace deckpipe

@@ -51,7 +51,7 @@ MessageId requestOrAck(const TypeEntry& entry, std::uint8_t type, const J1939Id&
   bool ack;
   if (fromAkron != toAkron) {
     ack = fromAkron;
-  } else if (book.exchanges().awaitsAnswer(type, id.source, id.destination, time)) {
+  } else if (book.openRequests().awaitsAnswer(type, id.source, id.destination, time)) {
     ack = true;
   } else {
     ack = !fromAkron && isDynamicAddress(id.source) && !isDynamicAddress(id.destination);

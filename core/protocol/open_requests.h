@@ -11,7 +11,7 @@
 
 namespace deckpipe {
 
-class Exchanges {
+class OpenRequests {
  public:
   // Whether a request of this type from `to` to `from` waits for an answer at this time.
   bool awaitsAnswer(std::uint8_t type, Address from, Address to, Instant time) const {
@@ -21,7 +21,7 @@ class Exchanges {
   bool requested(std::uint8_t type, Address from, Address to, Instant time);
   bool answered(std::uint8_t type, Address from, Address to, Instant time);
 
-  friend bool operator==(const Exchanges&, const Exchanges&) = default;
+  friend bool operator==(const OpenRequests&, const OpenRequests&) = default;
 
  private:
   struct Request {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/exchanges.h"
+#include "protocol/open_requests.h"
 
 namespace deckpipe {
 namespace {
@@ -8,7 +8,7 @@ constexpr Duration kAnswerWithin = 2s;
 
 }  // namespace
 
-std::size_t Exchanges::find(std::uint8_t type, Address from, Address to, Instant time) const {
+std::size_t OpenRequests::find(std::uint8_t type, Address from, Address to, Instant time) const {
   std::size_t oldest = kRequests;
   for (std::size_t i = 0; i < kRequests; ++i) {
     const Request& r = m_requests[i];
@@ -19,7 +19,7 @@ std::size_t Exchanges::find(std::uint8_t type, Address from, Address to, Instant
   return oldest;
 }
 
-bool Exchanges::forgetOld(Instant time) {
+bool OpenRequests::forgetOld(Instant time) {
   const std::uint8_t before = m_waiting;
   for (Request& r : m_requests) {
     if (r.time != kNotYet && time - r.time > kAnswerWithin) {
@@ -30,7 +30,7 @@ bool Exchanges::forgetOld(Instant time) {
   return m_waiting != before;
 }
 
-bool Exchanges::answered(std::uint8_t type, Address from, Address to, Instant time) {
+bool OpenRequests::answered(std::uint8_t type, Address from, Address to, Instant time) {
   const bool hasForgotten = forgetOld(time);
   const std::size_t request = find(type, to, from, time);
   if (request == kRequests) return hasForgotten;
@@ -39,7 +39,7 @@ bool Exchanges::answered(std::uint8_t type, Address from, Address to, Instant ti
   return true;
 }
 
-bool Exchanges::requested(std::uint8_t type, Address from, Address to, Instant time) {
+bool OpenRequests::requested(std::uint8_t type, Address from, Address to, Instant time) {
   forgetOld(time);
   std::size_t slot = 0;  // a free one, or the oldest
   for (std::size_t i = 0; i < kRequests; ++i) {
