@@ -1,38 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is seen while a log is open: the chosen device's page in the middle, everything else in docks around
-// it. The main window gives it each snapshot and acts on what it asks for. How a person arranged the docks is
-// theirs: saved as a versioned state, and put back to the first arrangement by resetLayout().
+// it (docks.h). The main window gives it each snapshot and acts on what it asks for. How a person arranged the docks
+// is theirs: saved as a versioned state, and put back to the first arrangement by resetLayout().
 #pragma once
 
-#include <QHash>
 #include <QMainWindow>
-#include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/time.h"
 #include "control/intent.h"
 #include "control/twin_control.h"
-#include "model/device_labels.h"
+#include "docks.h"
 #include "session/snapshot.h"
-#include "state/conversations.h"
 
 class QSettings;
 class QTabWidget;
 
 namespace deckpipe {
 
-class DecodeModel;
-class DecodePanel;
-class DevicePanel;
 class DockTitle;
 class EventPanel;
 class HelpPanel;
 class MonitorPage;
-class OverviewPanel;
-class RequestPanel;
-class TerminalPanel;
 class TracePanel;
-class TwinPanel;
 
 class Workspace : public QMainWindow {
   Q_OBJECT
@@ -49,13 +40,13 @@ class Workspace : public QMainWindow {
   TracePanel* trace() const { return m_trace; }
   EventPanel* events() const { return m_events; }
   // What devices are called: by the person, and where the person has no label, by the log that is shown.
-  const DeviceLabels& labels() const { return m_shownLabels; }
+  const DeviceLabels& labels() const { return m_view.labels; }
+  // Whom all panels show.
+  const DeviceKey& device() const { return m_view.device; }
   QMenu* createPopupMenu() override;
   void resetLayout();
   // The chosen device's dial over the whole window, and back.
   void toggleFullDial();
-  // Filters the trace down to the chosen device's frames, and shows it.
-  void traceDevice();
   // Opens the dock where the chosen device is asked.
   void showRequests();
   // Opens the dock that explains what has the focus.
@@ -75,6 +66,13 @@ class Workspace : public QMainWindow {
  public Q_SLOTS:
   // Of the demo; its dock is there only while one runs.
   void setTwin(const deckpipe::TwinStatus& status);
+  // What panels ask for.
+  void selectDevice(const deckpipe::DeviceKey& key);
+  void showPageOf(const deckpipe::DeviceKey& key);
+  void showFrame(std::optional<std::uint64_t> frame);
+  void editLabel(const deckpipe::Pin& pin, const QString& label);
+  // Filters the trace down to the chosen device's frames, and shows it.
+  void traceDevice();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -85,46 +83,37 @@ class Workspace : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QList<QDockWidget*> docks() const;
-  QDockWidget* makeDock(const char* name, const QString& title, QWidget* content);
+  struct Dock {
+    const DockRow* row;
+    QDockWidget* dock;
+    DockTitle* title;
+    QAction* action;  // checked while the dock is seen
+    Panel panel;
+  };
+  Dock makeDock(const DockRow& row);
+  const Dock& dock(const char* id) const;
+  void show(const Dock& dock);
   void arrange();
   void shareRoom();
-  void showFrame(std::optional<std::uint64_t> frame);
-  void chooseFirstMonitor(const LogView& view);
-  void showPageOf(const DeviceKey& key);
-  void editLabel(const Pin& pin, const QString& label);
+  // Shows every panel the view as it is now.
+  void showView();
+  DeviceKey firstMonitor(const LogView& log) const;
   void showLabels();
   void readLabels(const LogView& view);
-  void setTalk(const Snapshot& snapshot);
   QString nameOf(const DeviceKey& key) const;
 
   LabelStorage& m_labelStorage;
   DeviceLabels m_labels;         // the person's own
-  DeviceLabels m_shownLabels;    // with those of the log
   std::size_t m_labelNotes = 0;  // notes of the log when its labels were read
-  DecodeModel* m_decodeModel;
-  DevicePanel* m_devices;
+  PanelView m_view;              // as shown; the one place that says what is chosen
+  bool m_isShowing = false;      // showView() is under way
   QTabWidget* m_centre;
+  std::vector<Panel> m_pages;  // of the middle
+  std::vector<Dock> m_docks;   // in the order of their rows
   MonitorPage* m_page;
-  OverviewPanel* m_overview;
   TracePanel* m_trace;
   EventPanel* m_events;
-  DecodePanel* m_decode;
-  RequestPanel* m_requests;
-  TerminalPanel* m_terminal;
-  TwinPanel* m_twin;
-  std::unique_ptr<Conversations> m_talk;  // of the log that is shown
-  QDockWidget* m_requestsDock;
-  QDockWidget* m_terminalDock;
-  QDockWidget* m_twinDock;
   HelpPanel* m_help;
-  QDockWidget* m_devicesDock = nullptr;
-  QDockWidget* m_traceDock;
-  QDockWidget* m_eventsDock;
-  QDockWidget* m_decodeDock;
-  QDockWidget* m_helpDock;
-  QList<DockTitle*> m_titles;                 // one a dock
-  QHash<const QWidget*, QAction*> m_actions;  // checked while the dock is seen
   double m_fontSize = 0;
   bool m_hasShared = false;              // the docks have sizes: the first, or a person's
   bool m_decodeWanted = true;            // a person did not close it

@@ -5,10 +5,11 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QTabBar>
+#include <QTabWidget>
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
-#include "model/decode_model.h"
 #include "panel/dock_title.h"
 #include "workspace.h"
 
@@ -20,14 +21,19 @@ constexpr int kDetailWidth = 520, kTraceHeight = 208;
 
 }  // namespace
 
-QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget* content) {
+// A panel that gives itself a window title has that for its dock's, as long as it does.
+Workspace::Dock Workspace::makeDock(const DockRow& row) {
+  const QString title = tr(row.title), id = QLatin1String(row.id);
+  const Panel panel = row.make(*this);
   auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(QLatin1String(name));
-  dock->setWidget(content);
-  m_titles.append(new DockTitle(dock));
+  dock->setObjectName(id);
+  dock->setWidget(panel.widget);
+  connect(panel.widget, &QWidget::windowTitleChanged, dock,
+          [dock, title](const QString& own) { dock->setWindowTitle(own.isEmpty() ? title : own); });
   // Checked while it is seen: Qt's own action hides what lies behind another's tab.
   auto* action = new QAction(title, dock);
-  action->setObjectName(QLatin1String(name) + QStringLiteral("Action"));
+  action->setObjectName(id + QStringLiteral("Action"));
+  action->setShortcut(QKeySequence(QLatin1String(row.shortcut)));
   action->setCheckable(true);
   connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
   connect(action, &QAction::triggered, dock, [dock](bool isOn) {
@@ -38,32 +44,41 @@ QDockWidget* Workspace::makeDock(const char* name, const QString& title, QWidget
     dock->show();
     dock->raise();
   });
-  m_actions.insert(dock, action);
-  return dock;
+  return {&row, dock, new DockTitle(dock), action, panel};
+}
+
+const Workspace::Dock& Workspace::dock(const char* id) const {
+  return *std::ranges::find_if(m_docks,
+                               [id](const Dock& dock) { return std::strcmp(dock.row->id, id) == 0; });
+}
+
+void Workspace::show(const Dock& dock) {
+  dock.dock->show();
+  dock.dock->raise();
 }
 
 void Workspace::arrange() {
-  for (QDockWidget* dock : docks()) {
-    dock->setFloating(false);
-    removeDockWidget(dock);
+  for (const Dock& each : m_docks) {
+    each.dock->setFloating(false);
+    removeDockWidget(each.dock);
   }
-  addDockWidget(Qt::LeftDockWidgetArea, m_devicesDock);
-  addDockWidget(Qt::BottomDockWidgetArea, m_traceDock);
-  splitDockWidget(m_traceDock, m_decodeDock, Qt::Horizontal);
-  tabifyDockWidget(m_traceDock, m_eventsDock);
-  tabifyDockWidget(m_eventsDock, m_terminalDock);
-  addDockWidget(Qt::RightDockWidgetArea, m_requestsDock);
-  tabifyDockWidget(m_requestsDock, m_twinDock);
-  addDockWidget(Qt::RightDockWidgetArea, m_helpDock);
-  m_helpDock->hide();
-  m_devicesDock->show();
-  m_eventsDock->show();
-  m_terminalDock->show();
-  m_traceDock->show();
-  m_traceDock->raise();
-  m_requestsDock->hide();  // the page has the room until somebody wants to ask
-  m_twinDock->hide();
-  m_decodeDock->setVisible(m_decodeModel->frame().has_value());
+  const auto firstOf = [this](Qt::DockWidgetArea area) {
+    return std::ranges::find(m_docks, area, [](const Dock& dock) { return dock.row->area; })->dock;
+  };
+  for (const DockRow::Place place : {DockRow::Place::Own, DockRow::Place::Beside, DockRow::Place::Tab}) {
+    for (const Dock& each : m_docks) {
+      if (each.row->place != place) continue;
+      const Qt::DockWidgetArea area = each.row->area;
+      switch (place) {
+        case DockRow::Place::Own: addDockWidget(area, each.dock); break;
+        case DockRow::Place::Beside: splitDockWidget(firstOf(area), each.dock, Qt::Horizontal); break;
+        case DockRow::Place::Tab: tabifyDockWidget(firstOf(area), each.dock); break;
+      }
+    }
+  }
+  for (const Dock& each : m_docks) each.dock->setVisible(each.row->isShownAtFirst);
+  dock("decodeDock").dock->setVisible(m_view.frame.has_value());
+  dock("traceDock").dock->raise();
   shareRoom();
 }
 
@@ -71,9 +86,11 @@ void Workspace::arrange() {
 void Workspace::shareRoom() {
   m_hasShared = isVisible();
   if (!m_hasShared) return;
-  resizeDocks({m_devicesDock}, {kDevicesLetters * fontMetrics().averageCharWidth()}, Qt::Horizontal);
-  resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
-  resizeDocks({m_traceDock}, {kTraceHeight}, Qt::Vertical);
+  QDockWidget *trace = dock("traceDock").dock, *detail = dock("decodeDock").dock;
+  resizeDocks({dock("devicesDock").dock}, {kDevicesLetters * fontMetrics().averageCharWidth()},
+              Qt::Horizontal);
+  resizeDocks({trace, detail}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
+  resizeDocks({trace}, {kTraceHeight}, Qt::Vertical);
 }
 
 void Workspace::resetLayout() {
@@ -83,28 +100,26 @@ void Workspace::resetLayout() {
 
 // The detail takes room from the trace only while there is a frame to show.
 void Workspace::showFrame(std::optional<std::uint64_t> frame) {
-  m_decodeModel->setFrame(frame);
-  const int height = m_traceDock->height();
-  m_decodeDock->setVisible(m_decodeWanted && frame.has_value());
+  m_view.frame = frame;
+  const Dock& decode = dock("decodeDock");
+  if (!m_isShowing) decode.panel.show(m_view);
+  QDockWidget *trace = dock("traceDock").dock, *detail = decode.dock;
+  const int height = trace->height();
+  detail->setVisible(m_decodeWanted && frame.has_value());
   // A dock that was never seen would come as large as it likes; its sizes count once it is laid out.
-  if (!m_decodeDock->isVisible() || std::exchange(m_hasDetailRoom, true)) return;
+  if (!detail->isVisible() || std::exchange(m_hasDetailRoom, true)) return;
   QMetaObject::invokeMethod(
       this,
-      [this, height] {
-        resizeDocks({m_traceDock, m_decodeDock}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
-        resizeDocks({m_traceDock}, {height}, Qt::Vertical);
+      [this, trace, detail, height] {
+        resizeDocks({trace, detail}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
+        resizeDocks({trace}, {height}, Qt::Vertical);
       },
       Qt::QueuedConnection);
 }
 
-QList<QDockWidget*> Workspace::docks() const {
-  return {m_devicesDock, m_traceDock,    m_eventsDock, m_terminalDock,
-          m_decodeDock,  m_requestsDock, m_twinDock,   m_helpDock};
-}
-
 QList<QAction*> Workspace::dockActions() const {
   QList<QAction*> actions;
-  for (QDockWidget* dock : docks()) actions.append(m_actions.value(dock));
+  for (const Dock& each : m_docks) actions.append(each.action);
   return actions;
 }
 
@@ -115,13 +130,18 @@ QMenu* Workspace::createPopupMenu() {
 }
 
 QList<QWidget*> Workspace::panes() const {
-  QList<QWidget*> panes{m_devicesDock, m_centre,     m_requestsDock, m_twinDock,  m_helpDock,
-                        m_traceDock,   m_eventsDock, m_terminalDock, m_decodeDock};
-  // A dock behind another's tab is not hidden, but shows nothing.
-  panes.removeIf([this](const QWidget* pane) {
-    const QAction* action = m_actions.value(pane);
-    return !pane->isVisible() || (action != nullptr && !action->isChecked());
-  });
+  QList<QWidget*> panes;
+  const auto addArea = [&](Qt::DockWidgetArea area) {
+    for (const Dock& each : m_docks) {
+      // A dock behind another's tab is not hidden, but shows nothing.
+      const bool isSeen = each.dock->isVisible() && each.action->isChecked();
+      if (each.row->area == area && isSeen) panes.append(each.dock);
+    }
+  };
+  addArea(Qt::LeftDockWidgetArea);
+  if (m_centre->isVisible()) panes.append(m_centre);
+  addArea(Qt::RightDockWidgetArea);
+  addArea(Qt::BottomDockWidgetArea);
   return panes;
 }
 
@@ -143,12 +163,11 @@ void Workspace::childEvent(QChildEvent* event) {
 // Docks were put together or taken apart: nothing else tells.
 bool Workspace::event(QEvent* event) {
   if (event->type() == QEvent::LayoutRequest) {
-    for (DockTitle* title : m_titles) {
-      auto* dock = qobject_cast<QDockWidget*>(title->parentWidget());
-      const QList<QDockWidget*> others = tabifiedDockWidgets(dock);
+    for (const Dock& each : m_docks) {
+      const QList<QDockWidget*> others = tabifiedDockWidgets(each.dock);
       const bool isTabbed =
           std::ranges::any_of(others, [](QDockWidget* other) { return !other->isHidden(); });
-      title->setCollapsed(isTabbed && !dock->isFloating());
+      each.title->setCollapsed(isTabbed && !each.dock->isFloating());
     }
   }
   return QMainWindow::event(event);

@@ -363,12 +363,14 @@ void Session::tick() {
   place();
   LogView& view = m_snapshot.view;
   view.state = isLiveEdge() ? published.state : m_walker->latest();
+  view.found = m_document->events.count() + m_document->exchanges.list()->size();
   // The walker's indexes grow with the log, wherever the cursor stands, and its events with time alone.
   if (end != m_indexed) m_walker->index(end);
   m_indexed = end;
   const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
-                    before.view.frameCount == view.frameCount && before.source == m_snapshot.source &&
-                    before.playing == m_snapshot.playing && before.services == m_snapshot.services;
+                    before.view.frameCount == view.frameCount && before.view.found == view.found &&
+                    before.source == m_snapshot.source && before.playing == m_snapshot.playing &&
+                    before.services == m_snapshot.services;
   if (!same) Q_EMIT changed();
 }
 

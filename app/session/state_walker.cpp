@@ -30,6 +30,7 @@ void StateWalker::fulfil(const Wish& wish, const Worker::Turn& turn) {
     m_isAnew = true;
     m_document->keyframes.invalidateAfter(0);
     m_document->events.restart();
+    m_document->exchanges.restart();
   }
   if (m_isAnew || m_here->cursor() != wish.cursor) {
     auto state = walk(wish, turn);
@@ -46,7 +47,8 @@ bool StateWalker::indexMore(Cursor end) {
   const bool hasRoles = m_document->roles.build(Keyframes::kEvery);
   // The walk for events makes keyframes too. What lies behind the end that it knows has none yet.
   const bool hasEvents = m_document->events.build(end);
-  return hasRoles || hasEvents || m_document->keyframes.build();
+  const bool hasExchanges = m_document->exchanges.build(Keyframes::kEvery);
+  return hasRoles || hasEvents || hasExchanges || m_document->keyframes.build();
 }
 
 std::shared_ptr<const State> StateWalker::walk(const Wish& wish, const Worker::Turn& turn) {

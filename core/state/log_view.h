@@ -9,6 +9,7 @@
 #include "log/note_store.h"
 #include "log/unkept.h"
 #include "state/events.h"
+#include "state/exchanges.h"
 #include "state/keyframes.h"
 #include "state/role_index.h"
 
@@ -24,6 +25,7 @@ struct LogDocument {
   Keyframes keyframes{frames, notes};
   RoleIndex roles{frames, notes};
   Events events{frames, notes, keyframes};
+  Exchanges exchanges{frames, roles};
 };
 
 // Immutable once made; a new one comes at most 30 times a second.
@@ -34,6 +36,7 @@ struct LogView {
   std::uint64_t frameCount = 0;  // of the log
   Instant begin, end;            // of the log, in log time
   bool atEnd = true;             // the cursor stands at the end and goes with it
+  std::uint64_t found = 0;       // moves on as events and exchanges of the log are found
 };
 
 }  // namespace deckpipe

@@ -16,7 +16,7 @@ inline void buildIndexes(LogDocument& log) {
   while (log.roles.build(100'000)) {
   }
   const Cursor end = cursorAfter(log.frames, log.frames.count());
-  while (log.events.build(end) || log.keyframes.build()) {
+  while (log.events.build(end) || log.exchanges.build(100'000) || log.keyframes.build()) {
   }
 }
 

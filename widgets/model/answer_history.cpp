@@ -20,23 +20,26 @@ Classified asAkron(MessageId message) { return {.family = Family::Akron, .messag
 
 AnswerHistory::AnswerHistory(QObject* parent) : QAbstractTableModel(parent) {}
 
-void AnswerHistory::setView(const LogView& view, const Conversations& talk, const DeviceKey& device) {
-  const bool isOther = view.document != m_view.document || device != m_device;
+void AnswerHistory::setView(const LogView& view, const DeviceKey& device) {
+  const auto exchanges = view.document != nullptr ? view.document->exchanges.list() : nullptr;
+  const bool isOther = exchanges != m_exchanges || device != m_device;
   if (isOther || view.cursor.frames < m_cursor.frames) {
     beginResetModel();
     m_rows.clear();
     m_last = {};
     m_taken = 0;
     m_device = device;
+    m_exchanges = exchanges;
     endResetModel();
   }
   m_view = view;
   m_cursor = view.cursor;
+  if (m_exchanges == nullptr) return;
   std::vector<Row> fresh;
-  for (; m_taken < talk.list().size() && talk.list()[m_taken].frame < m_cursor.frames; ++m_taken) {
-    const Utterance& said = talk.list()[m_taken];
-    if (said.device == m_device && said.isFromDevice && askAnsweredBy(said.message))
-      fresh.push_back(read(said));
+  for (; m_taken < m_exchanges->size() && (*m_exchanges)[m_taken].frame < m_cursor.frames; ++m_taken) {
+    const Exchange& exchange = (*m_exchanges)[m_taken];
+    if (exchange.device == m_device && exchange.isFromDevice && askAnsweredBy(exchange.message))
+      fresh.push_back(read(exchange));
   }
   if (fresh.empty()) return;
   const std::size_t all = m_rows.size() + fresh.size();
@@ -67,17 +70,17 @@ std::size_t AnswerHistory::dropOldest(std::size_t surplus) {
   return surplus;
 }
 
-AnswerHistory::Row AnswerHistory::read(const Utterance& said) {
-  const Frame& frame = m_view.document->frames[said.frame];
-  const Message& message = messageOf(said.message);
+AnswerHistory::Row AnswerHistory::read(const Exchange& exchange) {
+  const Frame& frame = m_view.document->frames[exchange.frame];
+  const Message& message = messageOf(exchange.message);
   Row row;
-  row.frame = said.frame;
-  row.time = said.time;
-  row.ask = *askAnsweredBy(said.message);
-  row.message = said.message;
-  row.answer = summaryText(frame, asAkron(said.message));
+  row.frame = exchange.frame;
+  row.time = exchange.time;
+  row.ask = *askAnsweredBy(exchange.message);
+  row.message = exchange.message;
+  row.answer = summaryText(frame, asAkron(exchange.message));
   if (row.answer.isEmpty()) row.answer = messageName(message.id);
-  std::optional<std::uint64_t>& last = m_last[said.message];
+  std::optional<std::uint64_t>& last = m_last[exchange.message];
   row.isFirst = !last.has_value();
   if (last) {
     const Frame& before = m_view.document->frames[*last];
@@ -92,7 +95,7 @@ AnswerHistory::Row AnswerHistory::read(const Utterance& said) {
     }
     row.changed = changes.join(QStringLiteral(", "));
   }
-  last = said.frame;
+  last = exchange.frame;
   return row;
 }
 

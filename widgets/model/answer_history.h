@@ -10,7 +10,7 @@
 
 #include "control/ask.h"
 #include "protocol/lists.h"
-#include "state/conversations.h"
+#include "state/log_view.h"
 
 namespace deckpipe {
 
@@ -25,8 +25,7 @@ class AnswerHistory : public QAbstractTableModel {
 
   explicit AnswerHistory(QObject* parent = nullptr);
 
-  // `talk` belongs to the view's log and has been taken up to its end.
-  void setView(const LogView& view, const Conversations& talk, const DeviceKey& device);
+  void setView(const LogView& view, const DeviceKey& device);
 
   struct Row {
     std::uint64_t frame = 0;
@@ -49,14 +48,15 @@ class AnswerHistory : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
  private:
-  Row read(const Utterance& said);
+  Row read(const Exchange& exchange);
   bool isLatest(const Row& row) const;
   // So many rows, but for the latest of each message; what could not be dropped is given back.
   std::size_t dropOldest(std::size_t surplus);
 
   LogView m_view;
   DeviceKey m_device;
-  std::size_t m_taken = 0;  // utterances looked at
+  std::shared_ptr<const Exchanges::List> m_exchanges;
+  std::size_t m_taken = 0;  // of them
   Cursor m_cursor;
   std::vector<Row> m_rows;
   EnumArray<MessageId, std::optional<std::uint64_t>> m_last;  // place in the log, by message

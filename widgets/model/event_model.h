@@ -43,6 +43,7 @@ class EventModel : public QAbstractTableModel {
   // Each device that an event or note concerns, in order of the first one.
   std::vector<DeviceKey> devices() const;
   QString nameOf(const DeviceKey& key) const { return deviceNameText(key, m_labels); }
+  const DeviceLabels& labels() const { return m_labels; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -39,38 +39,40 @@ QString pipeHex(std::string_view bytes) {
 
 QString pipeRestartText() { return PipeTranscriptText::tr("— the device restarted —"); }
 
-bool PipeTranscript::take(const LogView& view, const Conversations& talk, const DeviceKey& device) {
+bool PipeTranscript::take(const LogView& view, const DeviceKey& device) {
+  const auto exchanges = view.document != nullptr ? view.document->exchanges.list() : nullptr;
   const Device* known = view.state != nullptr ? findDevice(*view.state, device) : nullptr;
   const Instant restarted = known != nullptr ? known->restarted : kNotYet;
-  const bool isAnew = view.document.get() != m_log || device != m_device || view.cursor.frames < m_cursor ||
+  const bool isAnew = exchanges != m_exchanges || device != m_device || view.cursor.frames < m_cursor ||
                       restarted != m_restarted;
   if (isAnew) {
     *this = {};
-    m_log = view.document.get();
+    m_exchanges = exchanges;
     m_device = device;
     m_restarted = restarted;
   }
   m_cursor = view.cursor.frames;
   m_begin = view.begin;
-  for (; m_taken < talk.list().size() && talk.list()[m_taken].frame < m_cursor; ++m_taken) {
-    const Utterance& said = talk.list()[m_taken];
-    if (said.device != m_device) continue;
-    if (said.message == MessageId::PipeData) {
-      const Frame& frame = m_log->frames[said.frame];
+  if (m_exchanges == nullptr) return isAnew;
+  for (; m_taken < m_exchanges->size() && (*m_exchanges)[m_taken].frame < m_cursor; ++m_taken) {
+    const Exchange& exchange = (*m_exchanges)[m_taken];
+    if (exchange.device != m_device) continue;
+    if (exchange.message == MessageId::PipeData) {
+      const Frame& frame = view.document->frames[exchange.frame];
       std::string bytes(frame.data.begin() + 1, frame.data.begin() + frame.length);
-      m_open[said.isFromDevice ? 1 : 0] = m_packets.size();
-      if (!said.isFromDevice) m_lastSent = said.time;
-      m_packets.push_back({said.frame,
-                           said.time,
-                           said.isFromDevice,
+      m_open[exchange.isFromDevice ? 1 : 0] = m_packets.size();
+      if (!exchange.isFromDevice) m_lastSent = exchange.time;
+      m_packets.push_back({exchange.frame,
+                           exchange.time,
+                           exchange.isFromDevice,
                            std::move(bytes),
                            {},
                            J1939Id::of(frame.identifier()).source,
                            (frame.flags & Frame::kSent) != 0});
-    } else if (said.message == MessageId::PipeAck) {
+    } else if (exchange.message == MessageId::PipeAck) {
       // An ack answers the packet of the other direction.
-      auto& open = m_open[said.isFromDevice ? 0 : 1];
-      if (open) m_packets[*open].acknowledged = said.time;
+      auto& open = m_open[exchange.isFromDevice ? 0 : 1];
+      if (open) m_packets[*open].acknowledged = exchange.time;
       open.reset();
     }
   }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "state/conversations.h"
+#include "state/log_view.h"
 
 namespace deckpipe {
 
@@ -26,7 +26,7 @@ struct PipePacket {
 class PipeTranscript {
  public:
   // Says whether it started anew: what was shown before is not its begin any more.
-  bool take(const LogView& view, const Conversations& talk, const DeviceKey& device);
+  bool take(const LogView& view, const DeviceKey& device);
 
   const std::vector<PipePacket>& packets() const { return m_packets; }
   Instant begin() const { return m_begin; }
@@ -44,7 +44,7 @@ class PipeTranscript {
   QString ledger() const;
 
  private:
-  const LogDocument* m_log = nullptr;
+  std::shared_ptr<const Exchanges::List> m_exchanges;
   DeviceKey m_device;
   std::size_t m_taken = 0;
   std::uint64_t m_cursor = 0;

@@ -59,25 +59,25 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
   around->addStretch();
   m_layout->addLayout(around);
   m_layout->addWidget(m_list, 1);
-  connect(m_payload, &PayloadBits::bitPicked, this, &DecodePanel::pick);
-  connect(m_payload, &PayloadBits::bitPointed, this,
-          [this](std::uint64_t bit) { point(m_model == nullptr || bit == 0 ? -1 : m_model->rowOfBit(bit)); });
-  connect(m_list, &QAbstractItemView::entered, this,
-          [this](const QModelIndex& index) { point(index.row()); });
-  connect(m_list, &QAbstractItemView::viewportEntered, this, [this] { point(-1); });
-}
-
-void DecodePanel::setModel(DecodeModel* model) {
-  if (m_model != nullptr) m_model->disconnect(this);
-  m_model = model;
-  m_list->setModel(model);
-  if (m_model == nullptr) return;
+  m_model = new DecodeModel(this);
+  m_list->setModel(m_model);
   m_header->setSectionResizeMode(QHeaderView::Interactive);
   shareWidth();
   connect(m_model, &QAbstractItemModel::modelReset, this, [this] { point(-1); });
   connect(m_model, &DecodeModel::frameChanged, this, &DecodePanel::showFrame);
   connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::showBits);
   showFrame();
+  connect(m_payload, &PayloadBits::bitPicked, this, &DecodePanel::pick);
+  connect(m_payload, &PayloadBits::bitPointed, this,
+          [this](std::uint64_t bit) { point(bit == 0 ? -1 : m_model->rowOfBit(bit)); });
+  connect(m_list, &QAbstractItemView::entered, this,
+          [this](const QModelIndex& index) { point(index.row()); });
+  connect(m_list, &QAbstractItemView::viewportEntered, this, [this] { point(-1); });
+}
+
+void DecodePanel::setView(const PanelView& view) {
+  m_model->setView(view.log);
+  m_model->setFrame(view.frame);
 }
 
 void DecodePanel::showFrame() {
@@ -112,7 +112,7 @@ void DecodePanel::showBits() {
 }
 
 void DecodePanel::pick(std::uint64_t bit) {
-  const int row = m_model == nullptr ? -1 : m_model->rowOfBit(bit);
+  const int row = m_model->rowOfBit(bit);
   if (row >= 0) m_list->setCurrentIndex(m_model->index(row, 0));
 }
 
@@ -127,7 +127,6 @@ void DecodePanel::point(int row) {
 // Values get what is left, but no more than they need: what they are made of should stand beside them. Where
 // there is little room the raw bits go first, for they are drawn above.
 void DecodePanel::shareWidth() {
-  if (m_model == nullptr) return;
   const auto widthOf = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text) + 2 * FlatHeader::kPadding + 4;
   };
@@ -159,8 +158,7 @@ void DecodePanel::changeEvent(QEvent* event) {
 bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list->viewport() && event->type() == QEvent::Resize) shareWidth();
   if (watched == m_list->viewport() && event->type() == QEvent::Leave) point(-1);
-  if (watched == m_list->viewport() && event->type() == QEvent::Paint &&
-      (m_model == nullptr || m_model->rowCount() == 0)) {
+  if (watched == m_list->viewport() && event->type() == QEvent::Paint && (m_model->rowCount() == 0)) {
     QPainter p(m_list->viewport());
     const Colours& c = coloursOf(m_list);
     p.fillRect(m_list->viewport()->rect(), c.surface);

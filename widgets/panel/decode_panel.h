@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "model/decode_model.h"
+#include "panel/panel_view.h"
 
 class QBoxLayout;
 class QTableView;
@@ -24,8 +25,8 @@ class DecodePanel : public QWidget {
  public:
   explicit DecodePanel(QWidget* parent = nullptr);
 
-  // Not owned; it lives longer than the panel.
-  void setModel(DecodeModel* model);
+  void setView(const PanelView& view);
+  DecodeModel* model() const { return m_model; }
   QTableView* list() const { return m_list; }
   PayloadBits* payload() const { return m_payload; }
 
@@ -44,7 +45,7 @@ class DecodePanel : public QWidget {
   void point(int row);
   void shareWidth();
 
-  DecodeModel* m_model = nullptr;
+  DecodeModel* m_model;
   int m_pointed = -1;  // the row under the pointer, or whose bit is
   QBoxLayout* m_layout;
   PayloadBits* m_payload;

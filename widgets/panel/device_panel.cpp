@@ -112,29 +112,18 @@ void DevicePanel::choose(const DeviceKey& key) {
   Q_EMIT deviceSelected(key);
 }
 
-void DevicePanel::selectDevice(const DeviceKey& key) {
-  choose(key);
-  showSelection();
-}
-
-void DevicePanel::setView(const LogView& view) {
+void DevicePanel::setView(const PanelView& view) {
+  m_selected = view.device;
   {
     const QScopedValueRollback updating(m_isUpdating, true);
-    m_model->setView(view);
+    m_model->setLabels(view.labels);
+    m_model->setView(view.log);
   }
-  const QString untracked = view.state == nullptr ? QString() : untrackedText(*view.state);
+  const QString untracked = view.log.state == nullptr ? QString() : untrackedText(*view.log.state);
   setText(*m_untracked, untracked);
   m_untracked->setVisible(!untracked.isEmpty());
   showSelection();
   showPage();
-}
-
-void DevicePanel::setLabels(const DeviceLabels& labels) {
-  {
-    const QScopedValueRollback updating(m_isUpdating, true);
-    m_model->setLabels(labels);
-  }
-  showSelection();
 }
 
 void DevicePanel::showPage() {

@@ -7,8 +7,7 @@
 
 #include <QWidget>
 
-#include "model/device_labels.h"
-#include "state/log_view.h"
+#include "panel/panel_view.h"
 
 class QLabel;
 class QLineEdit;
@@ -26,12 +25,8 @@ class DevicePanel : public QWidget {
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
-  void setView(const LogView& view);
-  void setLabels(const DeviceLabels& labels);
-
-  // Chooses a device; it need not be there yet.
-  void selectDevice(const DeviceKey& key);
-  const DeviceKey& selectedDevice() const { return m_selected; }
+  // The device that is chosen there need not be there yet.
+  void setView(const PanelView& view);
 
   QSize sizeHint() const override { return {336, 480}; }
   QSize minimumSizeHint() const override { return {280, 160}; }

@@ -78,21 +78,17 @@ EventPanel::EventPanel(QWidget* parent)
   connect(m_list, &QTreeView::activated, this, &EventPanel::seek);
 }
 
-void EventPanel::setView(const LogView& view) {
+void EventPanel::setView(const PanelView& view) {
   // A list that stands at its end goes on with it.
   const QScrollBar* bar = m_list->verticalScrollBar();
   const bool isAtEnd = bar->value() == bar->maximum();
   const int rows = m_filter->rowCount(), all = m_model->rowCount();
-  const bool isOther = view.document != m_model->view().document;
-  m_model->setView(view);
+  const bool isOther = view.log.document != m_model->view().document || view.labels != m_model->labels();
+  m_model->setLabels(view.labels);
+  m_model->setView(view.log);
   if (isAtEnd && m_filter->rowCount() != rows) m_list->scrollToBottom();
   if (isOther || m_model->rowCount() != all) m_bar->updateDevices();
   showPage();
-}
-
-void EventPanel::setLabels(const DeviceLabels& labels) {
-  m_model->setLabels(labels);
-  m_bar->updateDevices();
 }
 
 int EventPanel::chosenRow() const {

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "base/time.h"
-#include "state/log_view.h"
+#include "panel/panel_view.h"
 
 class QLabel;
 class QStackedLayout;
@@ -15,7 +15,6 @@ class QTreeView;
 
 namespace deckpipe {
 
-class DeviceLabels;
 class EventDelegate;
 class EventFilter;
 class EventFilterBar;
@@ -28,8 +27,7 @@ class EventPanel : public QWidget {
  public:
   explicit EventPanel(QWidget* parent = nullptr);
 
-  void setView(const LogView& view);
-  void setLabels(const DeviceLabels& labels);
+  void setView(const PanelView& view);
   // Puts the cursor at the next or the previous event of the list, or kBefore before the event at which it stands,
   // or which it has passed last.
   void goToNext();

@@ -76,25 +76,18 @@ MonitorPage::MonitorPage(QWidget* parent)
 
 MonitorPage::~MonitorPage() { delete m_full; }
 
-void MonitorPage::setDevice(const DeviceKey& key) {
-  if (key == m_key) return;
-  m_key = key;
-  refresh();
-  m_scroll->verticalScrollBar()->setValue(0);
-}
-
-void MonitorPage::setView(const LogView& view) {
+// An oscillating band moves by itself unless the cursor stands still.
+void MonitorPage::setView(const PanelView& view) {
+  const bool isOther = view.device != m_view.device;
   m_view = view;
   refresh();
-}
-
-void MonitorPage::setLabels(const DeviceLabels& labels) {
-  m_labels = labels;
-  refresh();
+  if (isOther) m_scroll->verticalScrollBar()->setValue(0);
+  m_dial->setAnimated(view.isMoving);
+  if (m_full != nullptr) m_full->setAnimated(view.isMoving);
 }
 
 void MonitorPage::refresh() {
-  MonitorPageValues values = monitorPageOf(m_view, m_key, m_labels);
+  MonitorPageValues values = monitorPageOf(m_view.log, m_view.device, m_view.labels);
   // Without a device the message depends on who else is there.
   if (values == m_values && values.isFound) return;
   m_values = std::move(values);
@@ -134,9 +127,9 @@ void MonitorPage::explain() {
 }
 
 QString MonitorPage::missingText() const {
-  if (!m_key.isNull())
-    return tr("%1 was not heard up to this place of the log.").arg(nameText(m_key, m_labels));
-  const bool isAnyone = m_view.state != nullptr && !deviceRows(*m_view.state).empty();
+  if (!m_view.device.isNull())
+    return tr("%1 was not heard up to this place of the log.").arg(nameText(m_view.device, m_view.labels));
+  const bool isAnyone = m_view.log.state != nullptr && !deviceRows(*m_view.log.state).empty();
   return isAnyone ? tr("Choose a device on the left.") : tr("Devices are shown here once they are heard.");
 }
 
@@ -181,12 +174,6 @@ bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void MonitorPage::setAnimated(bool animated) {
-  m_isAnimated = animated;
-  m_dial->setAnimated(animated);
-  if (m_full != nullptr) m_full->setAnimated(animated);
-}
-
 FullDial* MonitorPage::full() const { return m_full; }
 
 void MonitorPage::toggleFull() {
@@ -196,7 +183,7 @@ void MonitorPage::toggleFull() {
   }
   if (!m_values.isFound || !m_values.dial) return;
   m_full = new FullDial(m_stage != nullptr ? m_stage : window());
-  m_full->setAnimated(m_isAnimated);
+  m_full->setAnimated(m_view.isMoving);
   m_full->setPage(m_values);
   connect(m_full, &FullDial::closed, this, [this] {
     m_full->deleteLater();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/monitor_page_of.h"
+#include "panel/panel_view.h"
 
 class QLabel;
 class QScrollArea;
@@ -32,11 +33,7 @@ class MonitorPage : public QWidget {
   explicit MonitorPage(QWidget* parent = nullptr);
   ~MonitorPage() override;
 
-  void setDevice(const DeviceKey& key);
-  void setView(const LogView& view);
-  void setLabels(const DeviceLabels& labels);
-  // Whether an oscillating band moves by itself; off while the cursor stands still.
-  void setAnimated(bool animated);
+  void setView(const PanelView& view);
 
   const MonitorPageValues& values() const { return m_values; }
   // The expression that lets only the device's frames through; empty without a device or address.
@@ -65,11 +62,8 @@ class MonitorPage : public QWidget {
   void explain();
   QString missingText() const;
 
-  LogView m_view;
-  DeviceLabels m_labels;
-  DeviceKey m_key;
+  PanelView m_view;
   MonitorPageValues m_values;
-  bool m_isAnimated = true;
 
   PageHeader* m_header;
   QLabel* m_message;  // instead of a page

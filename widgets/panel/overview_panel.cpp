@@ -54,13 +54,9 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   refresh();
 }
 
-void OverviewPanel::setView(const LogView& view) {
+// Oscillating bands move by themselves unless the cursor stands still.
+void OverviewPanel::setView(const PanelView& view) {
   m_view = view;
-  if (isVisible()) refresh();
-}
-
-void OverviewPanel::setLabels(const DeviceLabels& labels) {
-  m_labels = labels;
   if (isVisible()) refresh();
 }
 
@@ -72,22 +68,22 @@ void OverviewPanel::showEvent(QShowEvent* event) {
 void OverviewPanel::addTile() {
   auto* tile = new MonitorTile(m_content);
   tile->setObjectName(QStringLiteral("monitorTile%1").arg(m_tiles.size() + 1));
-  tile->setAnimated(m_isAnimated);
+  tile->setAnimated(m_view.isMoving);
   tile->installEventFilter(this);
-  connect(tile, &QAbstractButton::clicked, this,
-          [this, tile] { Q_EMIT deviceRequested(tile->monitor().key); });
+  connect(tile, &QAbstractButton::clicked, this, [this, tile] { Q_EMIT pageRequested(tile->monitor().key); });
   m_tiles.push_back(tile);
 }
 
 void OverviewPanel::refresh() {
-  const std::vector<OverviewMonitor> monitors = overviewOf(m_view, m_labels);
+  const std::vector<OverviewMonitor> monitors = overviewOf(m_view.log, m_view.labels);
   const int count = static_cast<int>(monitors.size());
   while (m_tiles.size() < monitors.size()) addTile();
   for (std::size_t i = 0; i < monitors.size(); ++i) {
     m_tiles[i]->setMonitor(monitors[i]);
-    m_tiles[i]->setChosen(monitors[i].key == m_chosen);
+    m_tiles[i]->setChosen(monitors[i].key == m_view.device);
+    m_tiles[i]->setAnimated(m_view.isMoving);
   }
-  const QString untracked = m_view.state == nullptr ? QString() : untrackedText(*m_view.state);
+  const QString untracked = m_view.log.state == nullptr ? QString() : untrackedText(*m_view.log.state);
   setText(*m_untracked, untracked);
   m_untracked->setVisible(!untracked.isEmpty());
   if (count == 0) setText(*m_empty, emptyText());
@@ -100,9 +96,9 @@ void OverviewPanel::refresh() {
 }
 
 QString OverviewPanel::emptyText() const {
-  if (m_view.state == nullptr || m_view.document == nullptr)
+  if (m_view.log.state == nullptr || m_view.log.document == nullptr)
     return tr("Nothing is open.\nConnect an adapter or open a log.");
-  const int others = static_cast<int>(deviceRows(*m_view.state).size());
+  const int others = static_cast<int>(deviceRows(*m_view.log.state).size());
   if (others == 0) return tr("No monitor heard up to this place of the log.");
   return tr("No monitor heard up to this place of the log.\nOther devices in the list: %n.", nullptr, others);
 }
@@ -147,16 +143,6 @@ bool OverviewPanel::eventFilter(QObject* watched, QEvent* event) {
       return moveFocus(static_cast<int>(tile - m_tiles.begin()), static_cast<QKeyEvent*>(event)->key());
   }
   return QWidget::eventFilter(watched, event);
-}
-
-void OverviewPanel::setDevice(const DeviceKey& key) {
-  m_chosen = key;
-  for (MonitorTile* tile : m_tiles) tile->setChosen(tile->monitor().key == key);
-}
-
-void OverviewPanel::setAnimated(bool animated) {
-  m_isAnimated = animated;
-  for (MonitorTile* tile : m_tiles) tile->setAnimated(animated);
 }
 
 }  // namespace deckpipe

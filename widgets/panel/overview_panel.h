@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/overview_of.h"
+#include "panel/panel_view.h"
 
 class QLabel;
 class QScrollArea;
@@ -21,18 +22,13 @@ class OverviewPanel : public QWidget {
  public:
   explicit OverviewPanel(QWidget* parent = nullptr);
 
-  void setView(const LogView& view);
-  void setLabels(const DeviceLabels& labels);
-  // Whose page is shown elsewhere.
-  void setDevice(const DeviceKey& key);
-  // Whether oscillating bands move by themselves; off while the cursor stands still.
-  void setAnimated(bool animated);
+  void setView(const PanelView& view);
 
   QSize sizeHint() const override { return {1032, 560}; }
   QSize minimumSizeHint() const override { return {288, 160}; }
 
  Q_SIGNALS:
-  void deviceRequested(const deckpipe::DeviceKey& key);
+  void pageRequested(const deckpipe::DeviceKey& key);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -45,10 +41,7 @@ class OverviewPanel : public QWidget {
   bool moveFocus(int from, int key);
   QString emptyText() const;
 
-  LogView m_view;
-  DeviceLabels m_labels;
-  DeviceKey m_chosen;
-  bool m_isAnimated = true;
+  PanelView m_view;
   int m_count = 0;    // tiles in use, the first ones
   int m_columns = 1;  // as laid out
   QLabel* m_empty;

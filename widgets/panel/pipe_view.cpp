@@ -100,8 +100,8 @@ QWidget* PipeView::makeTools() {
   return m_tools;
 }
 
-void PipeView::setView(const LogView& view, const Conversations& talk, const DeviceKey& device) {
-  if (view.document != nullptr && m_transcript.take(view, talk, device)) {
+void PipeView::setView(const LogView& view, const DeviceKey& device) {
+  if (view.document != nullptr && m_transcript.take(view, device)) {
     rebuild();
   } else {
     append(m_shown);

@@ -22,7 +22,7 @@ class PipeView : public QWidget {
  public:
   explicit PipeView(QWidget* parent = nullptr);
 
-  void setView(const LogView& view, const Conversations& talk, const DeviceKey& device);
+  void setView(const LogView& view, const DeviceKey& device);
   // See PipeTranscript.
   Instant restartedSinceSent() const { return m_transcript.restartedSinceSent(); }
   // What is shown, search, and saving: a row of its own.

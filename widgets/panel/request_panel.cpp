@@ -165,13 +165,13 @@ QWidget* RequestPanel::makeAsks() {
   }
   column->addStretch(1);
   connect(m_askAll, &QPushButton::clicked, this, [this] {
-    Q_EMIT wished(wish::AskDevice{m_device, kPolls});
+    Q_EMIT wished(wish::AskDevice{m_view.device, kPolls});
   });
   connect(m_askEveryone, &QPushButton::clicked, this, [this] {
     const Duration period = kPeriods.at(static_cast<std::size_t>(std::max(0, m_repeat->currentIndex())));
     Q_EMIT wished(period > 0ns ? Wish(wish::Repeat{{}, kPolls, period}) : Wish(wish::AskDevice{{}, kPolls}));
   });
-  connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_device}); });
+  connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_view.device}); });
   connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
 
   auto* area = new QScrollArea(this);
@@ -183,35 +183,24 @@ QWidget* RequestPanel::makeAsks() {
   return area;
 }
 
-void RequestPanel::setDevice(const DeviceKey& device, const QString& name) {
-  if (device == m_device && name == m_name) return;
-  m_device = device;
-  m_name = name;
-}
-
-void RequestPanel::setLabels(const DeviceLabels& labels) { m_labels = labels; }
-
-void RequestPanel::setView(const LogView& view, const Conversations& talk, const ServiceStatus& services,
-                           bool isLive) {
+void RequestPanel::setView(const PanelView& view) {
   m_view = view;
-  m_services = services;
-  m_isLive = isLive;
   QScrollBar* bar = m_historyView->verticalScrollBar();
   const bool isAtEnd = bar->value() == bar->maximum();
   const int rows = m_history->rowCount();
-  m_history->setView(view, talk, m_device);
+  m_history->setView(view.log, view.device);
   if (isAtEnd && m_history->rowCount() != rows) m_historyView->scrollToBottom();
   showState();
 }
 
 void RequestPanel::showState() {
-  setText(*m_title, m_name);
-  m_title->setVisible(!m_name.isEmpty());
-  const bool isNews = m_services.refusal != Refusal::Busy;  // the card says it already
-  m_hint->setStatus(m_services, m_isLive, isNews ? refusalText(m_services.refusal) : QString());
-  m_repeats->setStatus(m_services, m_labels);
-  const DeviceServices* device = m_services.find(m_device);
-  const bool canAsk = m_isLive && m_services.canAsk();
+  setText(*m_title, m_view.name);
+  m_title->setVisible(!m_view.name.isEmpty());
+  const bool isNews = services().refusal != Refusal::Busy;  // the card says it already
+  m_hint->setStatus(services(), m_view.isLive, isNews ? refusalText(services().refusal) : QString());
+  m_repeats->setStatus(services(), m_view.labels);
+  const DeviceServices* device = services().find(m_view.device);
+  const bool canAsk = m_view.isLive && services().canAsk();
   bool isOpen = false;
   const Duration period = device != nullptr ? device->longestPeriod() : Duration{0};
   const bool isRepeated = period > 0ns;
@@ -240,8 +229,8 @@ void RequestPanel::showState() {
     if (isShown) showCard(*card, device);
   }
   m_none->setVisible(!hasCard);
-  m_none->setText(m_device.isNull() ? tr("Choose an Akron device to ask it.")
-                                    : tr("This device takes no polls, or was not asked in this log."));
+  m_none->setText(m_view.device.isNull() ? tr("Choose an Akron device to ask it.")
+                                         : tr("This device takes no polls, or was not asked in this log."));
 }
 
 // What is repeated can be ended off the live edge too, but not begun.
@@ -274,7 +263,8 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
                                             .arg(periodText(request.ended - request.firstSent))
         : isFine ? tr("answered in %1").arg(periodText(request.latency))
                  : requestEndText(ask, request.end);
-    parts.append(tr("%1, %2").arg(end, agoText(std::max(m_view.cursor.time, m_view.end) - request.ended)));
+    parts.append(
+        tr("%1, %2").arg(end, agoText(std::max(m_view.log.cursor.time, m_view.log.end) - request.ended)));
   }
   if (request.period > 0ns)
     parts.append(tr("every %1: %2 of %3 answered")
@@ -290,8 +280,8 @@ QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isF
 AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
   AskCardValues values;
   if (isCommand(ask)) return values;
-  const Instant now = m_view.cursor.time;
-  const Device* known = m_view.state != nullptr ? findDevice(*m_view.state, m_device) : nullptr;
+  const Instant now = m_view.log.cursor.time;
+  const Device* known = m_view.log.state != nullptr ? findDevice(*m_view.log.state, m_view.device) : nullptr;
   const AnswerHistory::Row* last = m_history->latest(ask);
   QStringList parts;
   if (last == nullptr) {
@@ -305,7 +295,7 @@ AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
     }
     values.answer = m_history->latestText(ask);
     const AnswerAge age =
-        known != nullptr ? ageOfAnswer(*m_view.state, *known, last->time) : AnswerAge::Current;
+        known != nullptr ? ageOfAnswer(*m_view.log.state, *known, last->time) : AnswerAge::Current;
     values.isOld = age != AnswerAge::Current;
     values.isFault = ask == Ask::Fault && known != nullptr && namesFault(*known);
     const QString heard = tr("heard %1").arg(agoText(now - last->time));
@@ -325,7 +315,7 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
     const bool isKept = request.progress == RequestStatus::Progress::NotOnBusYet;
     const bool isOpen =
         isKept || request.progress == RequestStatus::Progress::Waiting || request.period > 0ns;
-    const QString state = m_view.atEnd || isOpen ? stateText(card.ask(), request, isFine) : QString();
+    const QString state = m_view.log.atEnd || isOpen ? stateText(card.ask(), request, isFine) : QString();
     if (!state.isEmpty()) {
       values = loggedValues(card.ask(), false);
       // What the log says is said too where the request does not say it: how old the answer is, and why.
@@ -338,25 +328,25 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
                     : values.isFault || values.isOld                       ? Severity::Plain
                                                                            : Severity::Fine;
     }
-    values.isOffered = m_isLive && m_services.canAsk() && device->takes.has(card.ask()) &&
+    values.isOffered = m_view.isLive && services().canAsk() && device->takes.has(card.ask()) &&
                        request.progress != RequestStatus::Progress::Waiting && !isKept;
   }
   card.setValues(values);
 }
 
 void RequestPanel::press(Ask ask) {
-  const wish::AskDevice wanted{m_device, AskSet{ask}};
+  const wish::AskDevice wanted{m_view.device, AskSet{ask}};
   if (!isCommand(ask)) {
     Q_EMIT wished(wanted);
     return;
   }
-  DangerDialog::ask(this,
-                    {tr("%1: %2?").arg(askText(ask), m_name), tr(*kConsequences.find(ask)), askText(ask)},
-                    [this, wanted] { Q_EMIT wished(wanted); });
+  DangerDialog::ask(
+      this, {tr("%1: %2?").arg(askText(ask), m_view.name), tr(*kConsequences.find(ask)), askText(ask)},
+      [this, wanted] { Q_EMIT wished(wanted); });
 }
 
 void RequestPanel::repeat(int index) {
-  Q_EMIT wished(wish::Repeat{m_device, kPolls, kPeriods.at(static_cast<std::size_t>(index))});
+  Q_EMIT wished(wish::Repeat{m_view.device, kPolls, kPeriods.at(static_cast<std::size_t>(index))});
 }
 
 }  // namespace deckpipe

@@ -8,9 +8,7 @@
 #include <array>
 
 #include "control/intent.h"
-#include "control/status.h"
-#include "model/device_labels.h"
-#include "state/conversations.h"
+#include "panel/panel_view.h"
 
 class QComboBox;
 class QLabel;
@@ -32,11 +30,7 @@ class RequestPanel : public QWidget {
  public:
   explicit RequestPanel(QWidget* parent = nullptr);
 
-  // `name` is how the person calls the device.
-  void setDevice(const DeviceKey& device, const QString& name);
-  // `isLive`: the view stands at the live edge of a link.
-  void setLabels(const DeviceLabels& labels);
-  void setView(const LogView& view, const Conversations& talk, const ServiceStatus& services, bool isLive);
+  void setView(const PanelView& view);
 
   QSize sizeHint() const override { return {360, 560}; }
 
@@ -56,12 +50,9 @@ class RequestPanel : public QWidget {
   void repeat(int index);
   QString stateText(Ask ask, const RequestStatus& request, bool& isFine) const;
 
-  DeviceLabels m_labels;
-  DeviceKey m_device;
-  QString m_name;
-  LogView m_view;
-  ServiceStatus m_services;
-  bool m_isLive = false;
+  const ServiceStatus& services() const { return *m_view.services; }
+
+  PanelView m_view;
 
   QLabel* m_title = nullptr;
   SendHint* m_hint = nullptr;

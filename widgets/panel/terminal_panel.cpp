@@ -56,7 +56,7 @@ TerminalPanel::TerminalPanel(QWidget* parent)
   connect(m_file, &FileSendBar::cancelRequested, this, [this] { act(wish::PipeAction::What::Cancel); });
   connect(m_input, &PipeInput::typed, this, [this](const std::string& bytes) {
     say({});
-    Q_EMIT wished(wish::PipeWrite{m_device, bytes});
+    Q_EMIT wished(wish::PipeWrite{m_view.device, bytes});
   });
   connect(m_input, &PipeInput::refused, this, &TerminalPanel::say);
   connect(m_input, &PipeInput::findRequested, m_text, &PipeView::beginSearch);
@@ -149,23 +149,19 @@ QLayout* TerminalPanel::makeBottom() {
   return row;
 }
 
-void TerminalPanel::setDevice(const DeviceKey& device, const QString& name) {
-  if (device != m_device) {
+void TerminalPanel::setView(const PanelView& view) {
+  if (view.device != m_view.device) {
     m_input->clear();  // what was typed was meant for the other
     m_trouble.clear();
     m_forTheRest->setChecked(false);
   }
-  m_device = device;
-  m_name = name;
-  m_sendFile->setDevice(device, name);
-}
-
-void TerminalPanel::setView(const LogView& view, const Conversations& talk, const ServiceStatus& services,
-                            bool isLive) {
   m_view = view;
-  m_services = services;
-  m_isLive = isLive;
-  m_text->setView(view, talk, m_device);
+  m_sendFile->setDevice(view.device, view.name);
+  m_text->setView(view.log, view.device);
+  const bool isWaiting = std::ranges::any_of(services().devices, [](const DeviceServices& at) {
+    return at.pipe && at.pipe->progress == PipeStatus::Progress::Stalled;
+  });
+  setWindowTitle(isWaiting ? tr("Data pipe – waits for you") : QString());
   showState();
 }
 
@@ -175,7 +171,7 @@ void TerminalPanel::decide(wish::PipeAction::What what) {
   m_forTheRest->setChecked(false);
 }
 
-Instant TerminalPanel::now() const { return std::max(m_view.cursor.time, m_view.end); }
+Instant TerminalPanel::now() const { return std::max(m_view.log.cursor.time, m_view.log.end); }
 
 QString TerminalPanel::restartHint(const PipeStatus& pipe) const {
   const Instant restarted = m_text->restartedSinceSent();
@@ -189,26 +185,26 @@ QString TerminalPanel::restartHint(const PipeStatus& pipe) const {
 
 QString TerminalPanel::ownHint(const DeviceServices* device, const PipeStatus& pipe) const {
   if (device == nullptr) return tr("Choose an Akron device to talk to.");
-  if (device->address == kNullAddress) return tr("%1 has no address now.").arg(m_name);
-  if (m_services.refusal == Refusal::Busy || m_services.refusal == Refusal::TooMuch)
-    return refusalText(m_services.refusal);
+  if (device->address == kNullAddress) return tr("%1 has no address now.").arg(m_view.name);
+  if (services().refusal == Refusal::Busy || services().refusal == Refusal::TooMuch)
+    return refusalText(services().refusal);
   if (const QString restart = restartHint(pipe); !restart.isEmpty()) return restart;
   if (pipe.isSendingFile() || pipe.progress == PipeStatus::Progress::Stalled) return {};  // said beside it
   return pipe.rest != PipeStatus::Rest::Ask ? restText(pipe) : typedDoubtText(pipe);
 }
 
 void TerminalPanel::showState() {
-  setText(*m_title, m_name);
-  m_title->setToolTip(m_name);
-  m_title->setVisible(!m_name.isEmpty());
-  const DeviceServices* device = m_services.find(m_device);
+  setText(*m_title, m_view.name);
+  m_title->setToolTip(m_view.name);
+  m_title->setVisible(!m_view.name.isEmpty());
+  const DeviceServices* device = services().find(m_view.device);
   const PipeStatus pipe = device != nullptr && device->pipe ? *device->pipe : PipeStatus{};
-  m_hint->setStatus(m_services, m_isLive, ownHint(device, pipe), m_trouble);
+  m_hint->setStatus(services(), m_view.isLive, ownHint(device, pipe), m_trouble);
   showStall(pipe);
-  m_file->setStatus(pipe, now(), m_isLive);
-  const bool mayType = m_isLive && m_services.canAsk() && device != nullptr &&
+  m_file->setStatus(pipe, now(), m_view.isLive);
+  const bool mayType = m_view.isLive && services().canAsk() && device != nullptr &&
                        device->address != kNullAddress && !pipe.isSendingFile();
-  m_input->setOffered(mayType, m_name, m_text->restartedSinceSent() != kNotYet);
+  m_input->setOffered(mayType, m_view.name, m_text->restartedSinceSent() != kNotYet);
   m_sendFile->setEnabled(mayType && pipe.progress != PipeStatus::Progress::Stalled);
 }
 
@@ -216,13 +212,13 @@ void TerminalPanel::showStall(const PipeStatus& pipe) {
   const bool isStalled = pipe.progress == PipeStatus::Progress::Stalled;
   m_stallBar->setVisible(isStalled);
   m_caution->setVisible(!isStalled);  // a small screen has room for one of them
-  m_resend->setEnabled(m_isLive);
-  m_skip->setEnabled(m_isLive);
+  m_resend->setEnabled(m_view.isLive);
+  m_skip->setEnabled(m_view.isLive);
   // There may be no rest, and what is not for want of an ack is asked each time.
   const bool hasRest =
       pipe.waiting > 0 || (pipe.isSendingFile() && pipe.fileSize - pipe.fileSent > kPipePacket);
   m_forTheRest->setVisible(pipe.stall == PipeStatus::Stall::NoAck && hasRest);
-  m_forTheRest->setEnabled(m_isLive);
+  m_forTheRest->setEnabled(m_view.isLive);
   if (!isStalled || m_forTheRest->isHidden()) m_forTheRest->setChecked(false);
   m_forTheRest->setText(pipe.isSendingFile() ? tr("For the rest of this file too")
                                              : tr("For the rest of this text too"));

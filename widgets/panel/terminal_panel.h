@@ -12,8 +12,7 @@
 #include <QWidget>
 
 #include "control/intent.h"
-#include "control/status.h"
-#include "state/conversations.h"
+#include "panel/panel_view.h"
 
 class QCheckBox;
 class QLabel;
@@ -34,8 +33,8 @@ class TerminalPanel : public QWidget {
  public:
   explicit TerminalPanel(QWidget* parent = nullptr);
 
-  void setDevice(const DeviceKey& device, const QString& name);
-  void setView(const LogView& view, const Conversations& talk, const ServiceStatus& services, bool isLive);
+  // The title says that one of the devices' pipes waits for a decision.
+  void setView(const PanelView& view);
 
   QSize sizeHint() const override { return {900, 300}; }
 
@@ -55,16 +54,14 @@ class TerminalPanel : public QWidget {
   QString restartHint(const PipeStatus& pipe) const;
   Instant now() const;
   void act(wish::PipeAction::What what, bool forTheRest = false) {
-    Q_EMIT wished(wish::PipeAction{m_device, what, forTheRest});
+    Q_EMIT wished(wish::PipeAction{m_view.device, what, forTheRest});
   }
   void decide(wish::PipeAction::What what);
   void say(const QString& trouble);
 
-  DeviceKey m_device;
-  QString m_name;
-  LogView m_view;
-  ServiceStatus m_services;
-  bool m_isLive = false;
+  const ServiceStatus& services() const { return *m_view.services; }
+
+  PanelView m_view;
   QString m_trouble;  // with a file, or with what was typed; until the next deed
 
   ElidedLabel* m_title = nullptr;

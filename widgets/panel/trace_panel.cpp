@@ -144,7 +144,8 @@ void TracePanel::closeSearch() {
   m_view->setFocus();
 }
 
-void TracePanel::setView(const LogView& view) {
+void TracePanel::setView(const PanelView& shown) {
+  const LogView& view = shown.log;
   if (view.document != m_model->view().document) {
     m_search->forget();
     if (!m_search->edit()->text().isEmpty()) m_search->edit()->selectAll();

@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include "model/trace_model.h"
+#include "panel/panel_view.h"
 #include "panel/trace_view.h"
 
 class QLabel;
@@ -28,7 +29,7 @@ class TracePanel : public QWidget {
  public:
   explicit TracePanel(QWidget* parent = nullptr);
 
-  void setView(const LogView& view);
+  void setView(const PanelView& view);
 
   // Of what is shown: a row of the trace, or the last frame of an identifier.
   std::optional<std::uint64_t> currentFrame() const;

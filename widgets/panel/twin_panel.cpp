@@ -216,7 +216,7 @@ const TwinDevice* TwinPanel::device() const {
 }
 
 void TwinPanel::wish(decltype(TwinWish::what) what) {
-  if (device() != nullptr) Q_EMIT wished({static_cast<std::size_t>(m_devices->currentIndex()), what});
+  if (device() != nullptr) Q_EMIT twinWished({static_cast<std::size_t>(m_devices->currentIndex()), what});
 }
 
 void TwinPanel::setStatus(const TwinStatus& status) {

@@ -34,7 +34,7 @@ class TwinPanel : public QWidget {
   void setStatus(const deckpipe::TwinStatus& status);
 
  Q_SIGNALS:
-  void wished(const deckpipe::TwinWish& wish);
+  void twinWished(const deckpipe::TwinWish& wish);
 
  private:
   QWidget* makeControls();

@@ -2,6 +2,7 @@
 // Devices as a person names them and looks at them in the window: labels that stay, the overview, the dial
 // over everything.
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTreeView>
@@ -9,12 +10,14 @@
 #include "app/console/window_test.h"
 #include "console/settings_labels.h"
 #include "console/workspace.h"
+#include "model/answer_history.h"
 #include "panel/device_panel.h"
 #include "panel/full_dial.h"
 #include "panel/monitor_page.h"
 #include "panel/monitor_tile.h"
 #include "panel/overview_panel.h"
 #include "support/child.h"
+#include "support/patience.h"
 
 namespace deckpipe {
 namespace {
@@ -50,8 +53,25 @@ TEST_F(WindowDevices, ShowsAllMonitorsAndGoesToThePageOfOne) {
   auto* second = named<MonitorTile>("monitorTile2");
   QTest::mouseClick(second, Qt::LeftButton);
   EXPECT_EQ(tabs()->currentWidget(), only<MonitorPage>());
-  EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey::at(Channel{0}, Address{0x81}));
+  EXPECT_EQ(only<Workspace>()->device(), DeviceKey::at(Channel{0}, Address{0x81}));
   EXPECT_EQ(only<MonitorPage>()->values().key, DeviceKey::at(Channel{0}, Address{0x81}));
+}
+
+// At rest no snapshot comes that would tell the docks.
+TEST_F(WindowDevices, FollowTheChoiceInEveryDockWhileALogIsAtRest) {
+  openLog(kTruck +
+          "(10.300000) can0 18EFFF81#FF83150206021A0C\n"
+          "(10.400000) can0 18EF81F9#02\n"
+          "(10.410000) can0 18EFF981#0200200000000B\n"
+          "(10.500000) can0 18EFF981#FE4F4B\n");
+  const auto* history = only<AnswerHistory>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.found >= 4; }, kPatience));
+  EXPECT_EQ(only<Workspace>()->device(), DeviceKey::of(kPin));
+  const int before = history->rowCount();
+  only<Workspace>()->selectDevice(DeviceKey::of(*Pin::parse("1032AE100801036")));
+  EXPECT_EQ(history->rowCount(), before + 1);
+  EXPECT_EQ(text("pageTitle"), QStringLiteral("1032AE100801036"));
+  EXPECT_TRUE(named<QPlainTextEdit>("pipeText")->toPlainText().contains(QStringLiteral("OK")));
 }
 
 TEST_F(WindowDevices, SpreadsTheDialOverTheWorkspace) {

@@ -3,6 +3,7 @@
 // events.
 #include "app/console/window_scenes.h"
 #include "app/console/window_test.h"
+#include "console/workspace.h"
 #include "model/decode_model.h"
 #include "panel/device_panel.h"
 #include "panel/monitor_page.h"
@@ -26,7 +27,7 @@ TEST_F(Window, SaysWhatToDoWhileNothingIsOpen) {
 TEST_F(Window, ShowsTheFirstMonitorOfALogAtItsEnd) {
   openLog(kTruck);
   ASSERT_TRUE(QTest::qWaitFor([&] { return only<MonitorPage>()->isVisible(); }, kPatience));
-  EXPECT_EQ(only<DevicePanel>()->selectedDevice(),
+  EXPECT_EQ(only<Workspace>()->device(),
             keyOf(*m_session.snapshot().view.state->devices().byPin(*Pin::parse("1032AE100801035"))));
   EXPECT_EQ(text("frameCounts"), QStringLiteral("3 frames"));
   EXPECT_EQ(m_window.windowTitle(), QStringLiteral("truck.log – Deckpipe"));
@@ -73,9 +74,9 @@ TEST_F(Window, ForgetsTheDevicesOfALogThatWasClosed) {
   openLog(kTruck);
   test::child<QAction>(m_window, "closeAction")->trigger();
   EXPECT_TRUE(test::child<QWidget>(m_window, "startPage")->isVisible());
-  EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey{});
+  EXPECT_EQ(only<Workspace>()->device(), DeviceKey{});
   openLog("(1.000000) can0 123#11\n");
-  EXPECT_EQ(only<DevicePanel>()->selectedDevice(), DeviceKey{});
+  EXPECT_EQ(only<Workspace>()->device(), DeviceKey{});
 }
 
 TEST_F(Window, ShowsTheDemoMoving) {
@@ -85,7 +86,7 @@ TEST_F(Window, ShowsTheDemoMoving) {
         const Device* monitor =
             m_session.snapshot().view.state->devices().byPin(*Pin::parse("1032AE100801035"));
         return monitor != nullptr && monitor->position().isKnown() &&
-               only<DevicePanel>()->selectedDevice() == keyOf(*monitor);
+               only<Workspace>()->device() == keyOf(*monitor);
       },
       kPatience));
   EXPECT_TRUE(text("sourceStatus").contains(QStringLiteral("Simulated truck")));

@@ -7,7 +7,7 @@
 
 #include "protocol/samples.h"
 #include "state/advance.h"
-#include "state/conversations.h"
+#include "state/log_view.h"
 #include "support/frames.h"
 
 namespace deckpipe {
@@ -140,20 +140,19 @@ TEST_P(ClaimTraffic, IsToldAlikeByTheIndexFromAnywhere) {
   compare();
 }
 
-TEST_P(ClaimTraffic, IsToldAlikeByConversations) {
-  Conversations talk;
-  while (!talk.take(m_log, m_log.frames.count(), 333)) {
+TEST_P(ClaimTraffic, IsToldAlikeByExchanges) {
+  while (m_log.exchanges.build(333)) {
   }
-  ASSERT_FALSE(talk.isFull());
-  std::size_t nextTalk = 0, identified = 0;
+  const auto exchanges = m_log.exchanges.list();
+  std::size_t next = 0, identified = 0;
   walk([&](std::uint64_t i, const RoleWalk& walk) {
     const Channel channel{m_log.frames[i].channel};
     const AddressBook& book = walk.book(channel);
-    for (; nextTalk < talk.list().size() && talk.list()[nextTalk].frame == i; ++nextTalk) {
-      const Utterance& said = talk.list()[nextTalk];
+    for (; next < exchanges->size() && (*exchanges)[next].frame == i; ++next) {
+      const Exchange& exchange = (*exchanges)[next];
       const J1939Id id = J1939Id::of(m_log.frames[i].identifier());
-      const Pin pin = book.pin(said.isFromDevice ? id.source : id.destination);
-      ASSERT_EQ(said.device.pin, pin) << "frame " << i;
+      const Pin pin = book.pin(exchange.isFromDevice ? id.source : id.destination);
+      ASSERT_EQ(exchange.device.pin, pin) << "frame " << i;
       identified += !pin.isNull();
     }
   });

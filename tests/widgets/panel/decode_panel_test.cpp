@@ -17,8 +17,8 @@ namespace deckpipe {
 namespace {
 
 struct DecodePanelTest : testing::Test {
-  DecodeModel model;
   DecodePanel panel;
+  DecodeModel& model = *panel.model();
   std::shared_ptr<LogDocument> log = test::logOf({
       test::frame("18EFFF80", "FF83150206021A0B", 0, 1),
       test::frame("18EFFF80", "011D940371000041", 0, 2),
@@ -29,7 +29,6 @@ struct DecodePanelTest : testing::Test {
   });
 
   DecodePanelTest() {
-    panel.setModel(&model);
     panel.resize(520, 600);
     panel.show();
     QCoreApplication::sendPostedEvents();  // bits and fields take their places

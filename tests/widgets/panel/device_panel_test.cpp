@@ -28,9 +28,12 @@ class DevicePanelTest : public testing::Test {
     m_panel.resize(332, 600);
     m_panel.show();
     m_list = test::child<QTreeView>(m_panel, "deviceList");
+    QObject::connect(&m_panel, &DevicePanel::deviceSelected,
+                     [this](const DeviceKey& key) { m_view.device = key; });
   }
   void show() {
-    m_panel.setView(m_bus.view());
+    m_view.log = m_bus.view();
+    m_panel.setView(m_view);
     QCoreApplication::processEvents();
   }
   QPoint middleOf(const QString& device) const {
@@ -52,6 +55,7 @@ class DevicePanelTest : public testing::Test {
   }
 
   Heard m_bus;
+  PanelView m_view;
   DevicePanel m_panel;
   QTreeView* m_list = nullptr;
   QSignalSpy m_chosen{&m_panel, &DevicePanel::deviceSelected};
@@ -97,7 +101,7 @@ TEST_F(DevicePanelTest, ChoosesByMouse) {
   EXPECT_EQ(m_chosen[0][0].value<DeviceKey>(), keyOfA());
   click(QStringLiteral("Node 24"));
   ASSERT_EQ(m_chosen.size(), 2);
-  EXPECT_EQ(m_panel.selectedDevice(), DeviceKey::at(Channel{0}, NodeId{0x24}));
+  EXPECT_EQ(m_view.device, DeviceKey::at(Channel{0}, NodeId{0x24}));
 }
 
 TEST_F(DevicePanelTest, ChoosesByKeyboardAndNotByFocus) {
@@ -143,9 +147,10 @@ TEST_F(DevicePanelTest, ChoosesNobodyElseWhereTheDeviceIsNotHeardYet) {
   m_bus.hear("18EFFF90", kPosition).monitor();
   show();
   click(QString::fromLatin1(kPinA));
-  m_panel.setView(early.view());
+  m_view.log = early.view();
+  m_panel.setView(m_view);
   EXPECT_EQ(selectedText(), QString());
-  EXPECT_EQ(m_panel.selectedDevice(), keyOfA());
+  EXPECT_EQ(m_view.device, keyOfA());
   show();
   EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
   EXPECT_EQ(m_chosen.size(), 1);
@@ -215,7 +220,7 @@ TEST_F(DevicePanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {
   QTest::keyClicks(filter, QStringLiteral("forestry"));
   EXPECT_EQ(m_list->model()->rowCount(), 1);
   EXPECT_EQ(selectedText(), QString());
-  EXPECT_EQ(m_panel.selectedDevice(), keyOfA()) << "filtered away, it stays chosen";
+  EXPECT_EQ(m_view.device, keyOfA()) << "filtered away, it stays chosen";
   EXPECT_EQ(m_chosen.size(), 1);
   QTest::keyClicks(filter, QStringLiteral(" of nowhere"));
   const auto* empty = test::child<QLabel>(m_panel, "noDevices");
@@ -248,9 +253,8 @@ TEST_F(DevicePanelTest, EditsALabelInPlaceByKeyboard) {
   ASSERT_EQ(edited.size(), 1);
   EXPECT_EQ(edited[0][0].value<Pin>(), keyOfA().pin);
   EXPECT_EQ(edited[0][1].toString(), QStringLiteral("Roof"));
-  DeviceLabels labels;
-  labels.set(keyOfA().pin, QStringLiteral("Roof"));
-  m_panel.setLabels(labels);
+  m_view.labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  show();
   EXPECT_EQ(selectedText(), QStringLiteral("Roof"));
   EXPECT_EQ(m_chosen.size(), 1);
 }

@@ -31,13 +31,16 @@ class PageTest : public testing::Test {
  protected:
   void SetUp() override {
     m_page.resize(1030, 500);
-    m_page.setAnimated(false);
     m_page.show();
   }
   void show(const DeviceKey& key = keyOfA()) {
-    m_page.setDevice(key);
-    m_page.setView(m_bus.view());
+    show(m_bus.view(), key);
     settle();
+  }
+  void show(const LogView& log, const DeviceKey& key) {
+    m_view.log = log;
+    m_view.device = key;
+    m_page.setView(m_view);
   }
   template <typename W>
   W* find(const char* name) const {
@@ -52,6 +55,7 @@ class PageTest : public testing::Test {
   StatusLamp* lamp(const char* name) const { return find<StatusLamp>(name); }
 
   Heard m_bus;
+  PanelView m_view;
   MonitorPage m_page;
 };
 
@@ -123,8 +127,7 @@ class PageOfKind : public PageTest, public testing::WithParamInterface<KindCase>
 TEST_P(PageOfKind, HasTheParts) {
   for (const PanelScene& scene : panelScenes()) {
     if (scene.name != GetParam().scene) continue;
-    m_page.setDevice(scene.device);
-    m_page.setView(scene.view);
+    show(scene.view, scene.device);
     settle();
     EXPECT_EQ(isShown("dial"), GetParam().dial);
     EXPECT_EQ(isShown("stick"), GetParam().stick);
@@ -151,10 +154,8 @@ TEST_F(PageTest, ChangesFromAnyDeviceToAnyOther) {
   const std::vector<PanelScene> scenes = panelScenes();
   for (const PanelScene& from : scenes) {
     for (const PanelScene& to : scenes) {
-      m_page.setDevice(from.device);
-      m_page.setView(from.view);
-      m_page.setDevice(to.device);
-      m_page.setView(to.view);
+      show(from.view, from.device);
+      show(to.view, to.device);
       const MonitorPageValues& v = m_page.values();
       EXPECT_EQ(v, monitorPageOf(to.view, to.device));
       EXPECT_EQ(isShown("dial"), v.isFound && v.dial.has_value()) << from.name << " to " << to.name;
@@ -176,8 +177,7 @@ TEST_F(PageTest, LaysOutWithoutOverlapAtAnySize) {
        {QSize(1030, 500), QSize(1030, 420), QSize(1584, 900), QSize(700, 600), QSize(400, 700)}) {
     for (const PanelScene& scene : panelScenes()) {
       m_page.resize(size);
-      m_page.setDevice(scene.device);
-      m_page.setView(scene.view);
+      show(scene.view, scene.device);
       settle();
       if (!m_page.values().isFound) continue;
       const auto* content = find<QWidget>("pageContent");
@@ -242,8 +242,7 @@ TEST_F(PageTest, ShowsDialAndStopsWithoutScrollingOnASmallScreen) {
 
 TEST_F(PageTest, HasNamesForReaders) {
   for (const PanelScene& scene : panelScenes()) {
-    m_page.setDevice(scene.device);
-    m_page.setView(scene.view);
+    show(scene.view, scene.device);
     for (const StatusLamp* l : m_page.findChildren<StatusLamp*>()) {
       EXPECT_FALSE(l->accessibleName().isEmpty()) << scene.name;
       EXPECT_FALSE(l->objectName().isEmpty()) << scene.name;
@@ -254,9 +253,8 @@ TEST_F(PageTest, HasNamesForReaders) {
 TEST_F(PageTest, PutsTheLabelBeforeThePin) {
   m_bus.monitor();
   show();
-  DeviceLabels labels;
-  labels.set(keyOfA().pin, QStringLiteral("Roof"));
-  m_page.setLabels(labels);
+  m_view.labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  show();
   EXPECT_EQ(text("pageTitle"), QStringLiteral("Roof"));
   EXPECT_EQ(text("pageType"), QStringLiteral("1032AE100801035 · 6032 Universal II"));
 }
@@ -281,7 +279,6 @@ class FullDialTest : public PageTest {
     m_window.resize(900, 600);
     m_page.setParent(&m_window);
     m_page.setGeometry(300, 40, 600, 500);
-    m_page.setAnimated(false);
     m_window.show();
     m_bus.monitor();
     show();
@@ -320,10 +317,10 @@ TEST_F(FullDialTest, OpensAndClosesByItsButtons) {
 TEST_F(FullDialTest, SaysThatTheDeviceIsNotThereAtTheCursor) {
   m_page.toggleFull();
   ASSERT_NE(m_page.full(), nullptr);
-  m_page.setView(Heard().view());
+  show(Heard().view(), keyOfA());
   const auto* message = test::child<QLabel>(*m_page.full(), "fullMessage");
   EXPECT_TRUE(message->isVisible());
-  m_page.setView(m_bus.view());
+  show(m_bus.view(), keyOfA());
   EXPECT_FALSE(message->isVisible());
 }
 

@@ -56,7 +56,6 @@ class OverviewTest : public testing::Test {
  protected:
   void SetUp() override {
     m_panel.resize(1030, 500);
-    m_panel.setAnimated(false);
     m_panel.show();
     m_panel.activateWindow();
   }
@@ -71,7 +70,8 @@ class OverviewTest : public testing::Test {
     show();
   }
   void show() {
-    m_panel.setView(m_bus.view());
+    m_view.log = m_bus.view();
+    m_panel.setView(m_view);
     for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
   }
   MonitorTile* tile(int number) const {
@@ -80,8 +80,9 @@ class OverviewTest : public testing::Test {
   QLabel* empty() const { return test::child<QLabel>(m_panel, "noMonitors"); }
 
   Heard m_bus;
+  PanelView m_view;
   OverviewPanel m_panel;
-  QSignalSpy m_asked{&m_panel, &OverviewPanel::deviceRequested};
+  QSignalSpy m_asked{&m_panel, &OverviewPanel::pageRequested};
 };
 
 TEST_F(OverviewTest, SaysWhyThereIsNothing) {
@@ -168,10 +169,9 @@ TEST_F(OverviewTest, FlowsAnewWhenItsSizeChanges) {
 TEST_F(OverviewTest, SaysHealthStopsAndWhoseIsThePage) {
   m_bus.monitor("011D940371004141");
   show();
-  DeviceLabels labels;
-  labels.set(keyOfA().pin, QStringLiteral("Roof"));
-  m_panel.setLabels(labels);
-  m_panel.setDevice(keyOfA());
+  m_view.labels.set(keyOfA().pin, QStringLiteral("Roof"));
+  m_view.device = keyOfA();
+  show();
   EXPECT_TRUE(tile(1)->accessibleName().startsWith(QStringLiteral("Roof, 1032AE100801035")));
   EXPECT_TRUE(tile(1)->accessibleDescription().contains(QStringLiteral("Stands at: Pattern Stream")));
   EXPECT_TRUE(tile(1)->accessibleDescription().contains(QStringLiteral("Its page is shown.")));

@@ -32,19 +32,17 @@ QPixmap picture(const test::PanelScene& scene, QSize size, bool hasTable) {
   layout->setSpacing(4);
   auto* panel = new DevicePanel;
   auto* page = new MonitorPage;
-  page->setAnimated(false);
-  QObject::connect(panel, &DevicePanel::deviceSelected, page, &MonitorPage::setDevice);
   panel->setFixedWidth(332);
   panel->setVisible(hasTable);
   if (hasTable) layout->addWidget(panel);
   layout->addWidget(page, 1);
   window.resize(size);
   window.show();
-  panel->setLabels(scene.labels);
-  page->setLabels(scene.labels);
-  panel->setView(scene.view);
-  panel->selectDevice(scene.device);
-  page->setView(scene.view);
+  PanelView view(scene.view);
+  view.device = scene.device;
+  view.labels = scene.labels;
+  panel->setView(view);
+  page->setView(view);
   for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
   QPixmap result = window.grab();
   if (!hasTable) delete panel;
@@ -54,11 +52,11 @@ QPixmap picture(const test::PanelScene& scene, QSize size, bool hasTable) {
 QPixmap full(const test::PanelScene& scene, QSize size) {
   QWidget window;
   MonitorPage page(&window);
-  page.setAnimated(false);
   window.resize(size);
   window.show();
-  page.setDevice(scene.device);
-  page.setView(scene.view);
+  PanelView view(scene.view);
+  view.device = scene.device;
+  page.setView(view);
   page.toggleFull();
   for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
   return window.grab();
@@ -66,12 +64,12 @@ QPixmap full(const test::PanelScene& scene, QSize size) {
 
 QPixmap overview(const LogView& view, QSize size) {
   OverviewPanel panel;
-  panel.setAnimated(false);
-  panel.setLabels(test::sceneLabels());
-  panel.setDevice(test::keyOfA());
   panel.resize(size);
   panel.show();
-  panel.setView(view);
+  PanelView shown(view);
+  shown.labels = test::sceneLabels();
+  shown.device = test::keyOfA();
+  panel.setView(shown);
   for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
   return panel.grab();
 }

@@ -97,9 +97,8 @@ struct Gallery {
 
   void decode(const char* name, const std::shared_ptr<LogDocument>& log, std::uint64_t frame, QSize size,
               const char* field, const char* pointed = nullptr) {
-    DecodeModel model;
     DecodePanel panel;
-    panel.setModel(&model);
+    DecodeModel& model = *panel.model();
     model.setView(test::viewOf(log));
     model.setFrame(frame);
     for (int row = 0; row < model.rowCount(); ++row) {

@@ -280,9 +280,7 @@ TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce)
     other.device = DeviceKey::of(*Pin::make(1032, 'A', 'E', 200u + static_cast<unsigned>(i)));
     other.requests[Ask::Fault] = {.progress = RequestStatus::Progress::Queued, .period = 5s};
   }
-  DeviceLabels labels;
   labels.set(services.devices[1].device.pin, QStringLiteral("Front"));
-  panel.setLabels(labels);
   show();
   auto* text = test::child<QLabel>(panel, "repeatText");
   EXPECT_TRUE(text->isVisible());
@@ -311,7 +309,8 @@ TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {
   EXPECT_EQ(changed(2), QStringLiteral("unchanged"));
   // An earlier cursor knows only what had been said by then.
   view.cursor = {2, document->frames.timeAt(1)};
-  panel.setView(view, talk, services, false);
+  isLive = false;
+  showView();
   EXPECT_EQ(history->rowCount(), 1);
 }
 

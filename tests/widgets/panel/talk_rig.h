@@ -11,7 +11,7 @@
 
 #include "control/intent.h"
 #include "control/status.h"
-#include "state/conversations.h"
+#include "panel/panel_view.h"
 #include "support/child.h"
 #include "support/frames.h"
 
@@ -26,17 +26,18 @@ struct Talk : ::testing::Test {
     services.linkUp = true;
     services.claim.progress = ClaimStatus::Progress::Claimed;
     services.claim.address = Address{0xF9};
-    DeviceServices& device = services.devices.emplace_back();
-    device.device = kTalkedTo;
-    device.address = Address{0x80};
+    DeviceServices& at = services.devices.emplace_back();
+    at.device = kTalkedTo;
+    at.address = Address{0x80};
     QObject::connect(&panel, &Panel::wished, [this](const Wish& wish) { wishes.push_back(wish); });
-    panel.setDevice(kTalkedTo, QStringLiteral("Roof (1032AE100801035)"));
     add({frame("18EFFF80", "FF83150206021A0B", 0, 0)});
     panel.show();
   }
   void add(const std::vector<Frame>& frames) {
     ASSERT_TRUE(document->frames.append(frames));
     while (document->roles.build(1000)) {
+    }
+    while (document->exchanges.build(1000)) {
     }
     show();
   }
@@ -45,8 +46,17 @@ struct Talk : ::testing::Test {
     view.frameCount = document->frames.count();
     view.cursor = {view.frameCount, document->frames.timeAt(view.frameCount - 1)};
     view.state = std::make_shared<State>(document->keyframes.at(view.cursor));
-    talk.take(*document, view.frameCount, 1'000'000);
-    panel.setView(view, talk, services, isLive);
+    showView();
+  }
+  // Of an earlier cursor, another device, other labels.
+  void showView() {
+    PanelView shown(view);
+    shown.device = device;
+    shown.name = deviceName;
+    shown.labels = labels;
+    shown.services = std::make_shared<const ServiceStatus>(services);
+    shown.isLive = isLive;
+    panel.setView(shown);
   }
   template <typename T>
   T* child(const char* name) {
@@ -58,8 +68,10 @@ struct Talk : ::testing::Test {
 
   std::shared_ptr<LogDocument> document = std::make_shared<LogDocument>();
   LogView view;
-  Conversations talk;
   ServiceStatus services;
+  DeviceKey device = kTalkedTo;
+  QString deviceName = QStringLiteral("Roof (1032AE100801035)");
+  DeviceLabels labels;
   bool isLive = true;
   Panel panel;
   std::vector<Wish> wishes;

@@ -187,9 +187,11 @@ TEST_F(Terminal, OfALongTextTheRefusalNamesOnlyTheCharacter) {
 TEST_F(Terminal, WhatWasTypedForOneDeviceIsNotThereForAnother) {
   auto* input = child<QLineEdit>("pipeInput");
   QTest::keyClicks(input, QStringLiteral("for the roof"));
-  panel.setDevice(kTerminalMonitor, QStringLiteral("Roof, renamed"));
+  deviceName = QStringLiteral("Roof, renamed");
+  showView();
   EXPECT_FALSE(input->text().isEmpty());
-  panel.setDevice(DeviceKey::of(*Pin::parse("1033AE100802117")), QStringLiteral("Riser"));
+  device = DeviceKey::of(*Pin::parse("1033AE100802117"));
+  showView();
   EXPECT_TRUE(input->text().isEmpty());
 }
 
@@ -228,13 +230,14 @@ TEST_F(Terminal, AppendsWhatIsNewAndGoesBackWithTheCursor) {
   add({frame("18EFF980", "FE4B")});
   EXPECT_EQ(text(), QStringLiteral("  OK"));
   view.cursor = {2, document->frames.timeAt(1)};
-  panel.setView(view, talk, services, false);
+  isLive = false;
+  showView();
   EXPECT_EQ(text(), QStringLiteral("  O"));
 }
 
 TEST_F(Terminal, AnotherDeviceHasAnotherTranscript) {
   add({frame("18EFF980", "FE4F")});
-  panel.setDevice(DeviceKey::of(*Pin::parse("1033AE100802117")), QStringLiteral("Riser"));
+  device = DeviceKey::of(*Pin::parse("1033AE100802117"));
   show();
   EXPECT_TRUE(text().isEmpty());
 }
@@ -517,14 +520,14 @@ TEST(PipeTranscript, KnowsTheAckOfEachPacketAndSavesThem) {
                  frame("18EFF880", "FE", 0, 14 * kMilli), frame("18EFF980", "FE42", 0, 20 * kMilli), ours}));
   while (document->roles.build(100)) {
   }
-  Conversations talk;
-  ASSERT_TRUE(talk.take(*document, 5, 100));
+  while (document->exchanges.build(100)) {
+  }
   LogView view;
   view.document = document;
   view.cursor = {5, document->frames.timeAt(4)};
   view.begin = document->frames.timeAt(0);
   PipeTranscript transcript;
-  transcript.take(view, talk, kTerminalMonitor);
+  transcript.take(view, kTerminalMonitor);
   ASSERT_EQ(transcript.packets().size(), 3u);
   EXPECT_EQ(*transcript.packets()[0].acknowledged - transcript.packets()[0].time, 4ms);
   EXPECT_FALSE(transcript.packets()[1].acknowledged);

@@ -21,7 +21,8 @@ struct TwinPanelTest : testing::Test {
   std::vector<TwinWish> wishes;
 
   TwinPanelTest() {
-    QObject::connect(&panel, &TwinPanel::wished, [this](const TwinWish& wish) { wishes.push_back(wish); });
+    QObject::connect(&panel, &TwinPanel::twinWished,
+                     [this](const TwinWish& wish) { wishes.push_back(wish); });
     panel.resize(320, 700);
     panel.show();
   }

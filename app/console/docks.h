@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The docks of the workspace, a row each. To add one: a panel that takes setView(const PanelView&), and its row in
+// docks.cpp. What it signals by the names of connectPanel() there reaches the workspace by itself.
+#pragma once
+
+#include <Qt>
+#include <functional>
+#include <span>
+
+#include "panel/panel_view.h"
+
+class QWidget;
+
+namespace deckpipe {
+
+class Workspace;
+
+// A panel, and how it is shown a view.
+struct Panel {
+  QWidget* widget = nullptr;
+  std::function<void(const PanelView&)> show;
+};
+
+struct DockRow {
+  enum class Place {
+    Own,
+    Beside,  // to the right of the first dock of its area
+    Tab,     // behind the first dock of its area
+  };
+  const char* id;     // its object name, which stands in saved layouts: never changes
+  const char* title;  // in English; translated in the context Workspace
+  const char* shortcut;
+  Qt::DockWidgetArea area;
+  Place place;
+  bool isShownAtFirst;
+  bool isOfDemo;  // it is there only while the simulated truck runs
+  Panel (*make)(Workspace& workspace);
+};
+
+// In the order of the menu.
+std::span<const DockRow> dockRows();
+
+// The pages in the middle.
+Panel makeDevicePage(Workspace& workspace);
+Panel makeOverview(Workspace& workspace);
+
+}  // namespace deckpipe
