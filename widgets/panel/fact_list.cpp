@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/fact_list.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <algorithm>
 
@@ -28,15 +29,29 @@ void FactList::addLine() {
   Line line{new GlyphLabel(this), new QLabel(this), new QLabel(this), new QLabel(this)};
   line.value->setWordWrap(true);
   line.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  // Wide enough for every age, so that a running one moves nothing.
-  line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("99 min")));
   line.age->setAlignment(Qt::AlignRight);
+  fitAge(*line.age);
   for (QLabel* label : {line.label, line.age}) setInk(*label, Ink::Secondary);
   m_grid->addWidget(line.sign, row, 0, Qt::AlignTop);
   m_grid->addWidget(line.label, row, 1, Qt::AlignTop | Qt::AlignLeft);
   m_grid->addWidget(line.value, row, 2, Qt::AlignTop);
   m_grid->addWidget(line.age, row, 3, Qt::AlignTop | Qt::AlignRight);
   m_lines.push_back(line);
+}
+
+// Room for every age, and that alone: a running one lays nothing out anew.
+void FactList::fitAge(QLabel& age) {
+  const QFontMetrics metrics(age.font());
+  int width = 0;
+  for (const Duration longest : {Duration(500ms), Duration(99s), Duration(99min), Duration(47h)})
+    width = std::max(width, metrics.horizontalAdvance(calmAge(longest)));
+  age.setFixedSize(width, metrics.height());
+}
+
+void FactList::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  for (const Line& line : m_lines) fitAge(*line.age);
 }
 
 void FactList::setGroup(const PageFactGroup& group) {

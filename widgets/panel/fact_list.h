@@ -23,6 +23,9 @@ class FactList : public QWidget {
 
   void setGroup(const PageFactGroup& group);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   struct Line {
     GlyphLabel* sign;
@@ -31,6 +34,7 @@ class FactList : public QWidget {
     QLabel* age;
   };
   void addLine();
+  static void fitAge(QLabel& age);
   void show(const Line& line, const PageFact& fact);
 
   PageFactGroup m_group;
