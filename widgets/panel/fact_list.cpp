@@ -14,6 +14,27 @@
 #include "text/age_text.h"
 
 namespace deckpipe {
+namespace {
+
+// A count that runs, for instance: everything else that a person reads is the same.
+bool differInFiguresOnly(const PageFactGroup& a, const PageFactGroup& b) {
+  const auto words = [](QString text) {
+    text.removeIf([](QChar c) { return !c.isLetter(); });
+    return text;
+  };
+  const auto isAlike = [&](const PageFact& x, const PageFact& y) {
+    PageFact same = y;
+    same.value = x.value;
+    same.age = x.age;
+    return same == x && x.age.has_value() == y.age.has_value() && words(x.value) == words(y.value);
+  };
+  return a.key == b.key && a.title == b.title && std::ranges::equal(a.facts, b.facts, isAlike);
+}
+
+// Figures that change more often cannot be read, and each change lays the page out anew.
+constexpr std::chrono::milliseconds kFiguresCalm{250};
+
+}  // namespace
 
 FactList::FactList(QWidget* parent)
     : QWidget(parent), m_title(new SectionTitle(this)), m_grid(new QGridLayout(this)) {
@@ -22,6 +43,10 @@ FactList::FactList(QWidget* parent)
   m_grid->setVerticalSpacing(8);
   m_grid->setColumnStretch(2, 1);
   m_grid->addWidget(m_title, 0, 0, 1, 4);
+  m_calm.setSingleShot(true);
+  connect(&m_calm, &QTimer::timeout, this, [this] {
+    if (m_heldBack) setGroup(PageFactGroup(*m_heldBack));
+  });
 }
 
 void FactList::addLine() {
@@ -55,7 +80,13 @@ void FactList::changeEvent(QEvent* event) {
 }
 
 void FactList::setGroup(const PageFactGroup& group) {
+  if (m_calm.isActive() && differInFiguresOnly(group, m_group)) {
+    m_heldBack = group;
+    return;
+  }
+  m_heldBack.reset();
   if (group == m_group) return;
+  m_calm.start(kFiguresCalm);
   if (group.key != m_group.key) {
     setObjectName(group.key + QStringLiteral("Facts"));
     for (std::size_t i = 0; i < m_lines.size(); ++i)

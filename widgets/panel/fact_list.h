@@ -2,7 +2,9 @@
 // A group of facts as lines of sign, label, value and age: faults, versions, address and NAME.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "model/monitor_page_values.h"
@@ -41,6 +43,8 @@ class FactList : public QWidget {
   SectionTitle* m_title;
   QGridLayout* m_grid;
   std::vector<Line> m_lines;
+  QTimer m_calm;  // holds back figures that run
+  std::optional<PageFactGroup> m_heldBack;
 };
 
 }  // namespace deckpipe
