@@ -5,9 +5,10 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPushButton>
+#include <tuple>
+#include <utility>
 
 #include "panel/status_cell.h"
-#include "status_text.h"
 
 namespace deckpipe {
 namespace {
@@ -17,8 +18,8 @@ constexpr Duration kCalm = 250ms;
 constexpr int kLeastSource = 220;  // "can0 · 250 kbit/s"
 constexpr int kMargins = 24;
 
-void tell(StatusCell* cell, const StatusFact& fact) {
-  cell->setStatus(fact.tone, fact.text, fact.story, fact.glyph);
+bool tell(StatusCell* cell, const StatusFact& fact) {
+  return cell->setStatus(fact.tone, fact.text, fact.story, fact.glyph);
 }
 
 }  // namespace
@@ -66,27 +67,40 @@ void StatusStrip::setSnapshot(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   const bool isOpen = view.document != nullptr;
   tell(m_source, sourceFact(snapshot.source));
-  tell(m_lock, lockFact(snapshot));
+  bool isOther = tell(m_lock, lockFact(snapshot));
   const StatusFact sent = sentFact(snapshot);
-  tell(m_sent, sent);
+  isOther |= tell(m_sent, sent);
   m_sent->setVisible(!sent.text.isEmpty());
-  showLockButton(snapshot);
+  isOther |= showLockButton(snapshot);
   // Of what never came up nothing is complete and nothing is recorded.
   const auto progress = snapshot.source.progress;
   const bool isUp = progress == SourceStatus::Progress::Running || progress == SourceStatus::Progress::Done;
-  m_hasFacts = isOpen && (isUp || view.frameCount > 0);
+  const bool hasFacts = isOpen && (isUp || view.frameCount > 0);
+  isOther |= std::exchange(m_hasFacts, hasFacts) != hasFacts;
   if (!isOpen) return fit();
   if (ratesAreDue(view)) {
     m_rates = ratesAt(view);
-    tell(m_load, loadFact(snapshot, m_rates));
-    tell(m_rate, rateFact(m_rates));
+    isOther |= tell(m_load, loadFact(snapshot, m_rates));
+    isOther |= tell(m_rate, rateFact(m_rates));
     m_ratesOf = view.document;
     m_ratesAt = view.cursor;
   }
-  tell(m_errors, errorFact(snapshot));
-  tell(m_recording, recordingFact(snapshot));
-  tell(m_completeness, completenessFact(snapshot));
-  fit();
+  isOther |= tell(m_errors, errorFact(snapshot));
+  isOther |= tellRecording(snapshot);
+  isOther |= tell(m_completeness, completenessFact(snapshot));
+  if (isOther) fit();
+}
+
+// Of a log that grows the count waits as the rates do; what else is said does not.
+bool StatusStrip::tellRecording(const Snapshot& snapshot) {
+  const StatusFact fact = recordingFact(snapshot);
+  const auto said = [](const StatusFact& f) { return std::tie(f.tone, f.glyph, f.story); };
+  const Instant end = snapshot.view.end;
+  const bool isCount = said(fact) == said(m_recordingSaid) && snapshot.view.frameCount > 0;
+  if (isCount && end > m_recordingAt && end - m_recordingAt < kCalm) return false;
+  m_recordingSaid = fact;
+  m_recordingAt = end;
+  return tell(m_recording, fact);
 }
 
 // Where the window is narrow, numbers go before what link, lock, losses and frames that wait say.
@@ -106,15 +120,18 @@ void StatusStrip::resizeEvent(QResizeEvent*) { fit(); }
 
 // Only where there is a bus to send on. Locking is always possible, unlocking at the live edge of a link that
 // is up.
-void StatusStrip::showLockButton(const Snapshot& snapshot) {
+bool StatusStrip::showLockButton(const Snapshot& snapshot) {
   const bool isLocked = snapshot.services->locked;
   const QString text = isLocked ? tr("Unlock…") : tr("Lock");
+  const bool isShown = snapshot.source.kind == SourceStatus::Kind::Link;
+  const bool isOther = m_lockButton->text() != text || m_lockButton->isHidden() == isShown;
   if (m_lockButton->text() != text) {
     m_lockButton->setText(text);
     m_lockButton->setAccessibleName(isLocked ? tr("Unlock sending") : tr("Lock sending"));
   }
-  m_lockButton->setVisible(snapshot.source.kind == SourceStatus::Kind::Link);
+  m_lockButton->setVisible(isShown);
   m_lockButton->setEnabled(!isLocked || (snapshot.view.atEnd && snapshot.services->linkUp));
+  return isOther;
 }
 
 void StatusStrip::paintEvent(QPaintEvent*) {

@@ -9,12 +9,12 @@
 
 #include "model/bus_rates.h"
 #include "session/snapshot.h"
+#include "status_text.h"
 
 class QPushButton;
 
 namespace deckpipe {
 
-struct StatusFact;
 class StatusCell;
 
 class StatusStrip : public QWidget {
@@ -36,8 +36,10 @@ class StatusStrip : public QWidget {
  private:
   StatusCell* addCell(const char* name, const QString& label, const QString& widest);
   bool ratesAreDue(const LogView& view) const;
+  bool tellRecording(const Snapshot& snapshot);
   void fit();
-  void showLockButton(const Snapshot& snapshot);
+  // True where it may want another width now.
+  bool showLockButton(const Snapshot& snapshot);
 
   bool m_hasFacts = false;  // of an open log or a link that is up
   StatusCell* m_source;
@@ -53,6 +55,9 @@ class StatusStrip : public QWidget {
   BusRates m_rates;
   std::weak_ptr<const LogDocument> m_ratesOf;
   Cursor m_ratesAt;
+  // What is said of the recording, and where the log ended then.
+  StatusFact m_recordingSaid;
+  Instant m_recordingAt = kNotYet;
 };
 
 }  // namespace deckpipe

@@ -101,6 +101,8 @@ class Timeline : public QWidget {
   void paintBeyond(QPainter& p, const Colours& c, const QRectF& strip) const;
   QRectF strip() const;
 
+  // A log that only grew by less than can be seen: all else moves to the left.
+  bool looksTheSame(const TimelineValues& next) const;
   TimelineSpan whole() const { return {m_values.begin, m_values.end}; }
   void keepInSight(const TimelineValues& before);
   void zoom(Instant around, double factor) { showSpan(spanZoomed(shown(), whole(), around, factor)); }
@@ -112,6 +114,7 @@ class Timeline : public QWidget {
   void showToolTip(const QPoint& at, const QPoint& global);
 
   TimelineValues m_values;
+  Instant m_drawnEnd;                   // of the values that were drawn last
   std::optional<TimelineSpan> m_shown;  // nothing: the whole log
   std::optional<TimelineSpan> m_selection;
   std::optional<Instant> m_selectingFrom;  // while a span is dragged

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/fact_list.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <algorithm>
 
@@ -13,6 +14,27 @@
 #include "text/age_text.h"
 
 namespace deckpipe {
+namespace {
+
+// A count that runs, for instance: everything else that a person reads is the same.
+bool differInFiguresOnly(const PageFactGroup& a, const PageFactGroup& b) {
+  const auto words = [](QString text) {
+    text.removeIf([](QChar c) { return !c.isLetter(); });
+    return text;
+  };
+  const auto isAlike = [&](const PageFact& x, const PageFact& y) {
+    PageFact same = y;
+    same.value = x.value;
+    same.age = x.age;
+    return same == x && x.age.has_value() == y.age.has_value() && words(x.value) == words(y.value);
+  };
+  return a.key == b.key && a.title == b.title && std::ranges::equal(a.facts, b.facts, isAlike);
+}
+
+// Figures that change more often cannot be read, and each change lays the page out anew.
+constexpr std::chrono::milliseconds kFiguresCalm{250};
+
+}  // namespace
 
 FactList::FactList(QWidget* parent)
     : QWidget(parent), m_title(new SectionTitle(this)), m_grid(new QGridLayout(this)) {
@@ -21,6 +43,10 @@ FactList::FactList(QWidget* parent)
   m_grid->setVerticalSpacing(8);
   m_grid->setColumnStretch(2, 1);
   m_grid->addWidget(m_title, 0, 0, 1, 4);
+  m_calm.setSingleShot(true);
+  connect(&m_calm, &QTimer::timeout, this, [this] {
+    if (m_heldBack) setGroup(PageFactGroup(*m_heldBack));
+  });
 }
 
 void FactList::addLine() {
@@ -28,9 +54,8 @@ void FactList::addLine() {
   Line line{new GlyphLabel(this), new QLabel(this), new QLabel(this), new QLabel(this)};
   line.value->setWordWrap(true);
   line.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  // Wide enough for every age, so that a running one moves nothing.
-  line.age->setMinimumWidth(line.age->fontMetrics().horizontalAdvance(QStringLiteral("99 min")));
   line.age->setAlignment(Qt::AlignRight);
+  fitAge(*line.age);
   for (QLabel* label : {line.label, line.age}) setInk(*label, Ink::Secondary);
   m_grid->addWidget(line.sign, row, 0, Qt::AlignTop);
   m_grid->addWidget(line.label, row, 1, Qt::AlignTop | Qt::AlignLeft);
@@ -39,8 +64,29 @@ void FactList::addLine() {
   m_lines.push_back(line);
 }
 
+// Room for every age, and that alone: a running one lays nothing out anew.
+void FactList::fitAge(QLabel& age) {
+  const QFontMetrics metrics(age.font());
+  int width = 0;
+  for (const Duration longest : {Duration(500ms), Duration(99s), Duration(99min), Duration(47h)})
+    width = std::max(width, metrics.horizontalAdvance(calmAge(longest)));
+  age.setFixedSize(width, metrics.height());
+}
+
+void FactList::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  for (const Line& line : m_lines) fitAge(*line.age);
+}
+
 void FactList::setGroup(const PageFactGroup& group) {
+  if (m_calm.isActive() && differInFiguresOnly(group, m_group)) {
+    m_heldBack = group;
+    return;
+  }
+  m_heldBack.reset();
   if (group == m_group) return;
+  m_calm.start(kFiguresCalm);
   if (group.key != m_group.key) {
     setObjectName(group.key + QStringLiteral("Facts"));
     for (std::size_t i = 0; i < m_lines.size(); ++i)

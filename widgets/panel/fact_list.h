@@ -2,7 +2,9 @@
 // A group of facts as lines of sign, label, value and age: faults, versions, address and NAME.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "model/monitor_page_values.h"
@@ -23,6 +25,9 @@ class FactList : public QWidget {
 
   void setGroup(const PageFactGroup& group);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   struct Line {
     GlyphLabel* sign;
@@ -31,12 +36,15 @@ class FactList : public QWidget {
     QLabel* age;
   };
   void addLine();
+  static void fitAge(QLabel& age);
   void show(const Line& line, const PageFact& fact);
 
   PageFactGroup m_group;
   SectionTitle* m_title;
   QGridLayout* m_grid;
   std::vector<Line> m_lines;
+  QTimer m_calm;  // holds back figures that run
+  std::optional<PageFactGroup> m_heldBack;
 };
 
 }  // namespace deckpipe

@@ -34,18 +34,24 @@ void StatusCell::setWidestText(const QString& text) {
   m_words->setMinimumWidth(m_words->fontMetrics().horizontalAdvance(text) + 2);
 }
 
-void StatusCell::setStatus(Severity tone, const QString& text, const QString& story,
+bool StatusCell::setStatus(Severity tone, const QString& text, const QString& story,
                            std::optional<Glyph> glyph) {
-  if (tone != m_tone || glyph != m_glyph) {
+  const bool isOtherSign = tone != m_tone || glyph != m_glyph;
+  if (isOtherSign) {
     m_tone = tone;
     m_glyph = glyph;
     showSign();
   }
-  if (m_words->text() != text) {
+  const bool isOtherText = m_words->text() != text;
+  if (isOtherText) {
     m_words->setText(text);
     setAccessibleDescription(text);
   }
-  if (const QString tip = plainTip(story); toolTip() != tip) setToolTip(tip);
+  if (m_story != story) {
+    m_story = story;
+    setToolTip(plainTip(story));
+  }
+  return isOtherSign || isOtherText;
 }
 
 QString StatusCell::text() const { return m_words->text(); }

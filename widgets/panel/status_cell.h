@@ -23,8 +23,8 @@ class StatusCell : public QWidget {
 
   // Words that it may have to show later.
   void setWidestText(const QString& text);
-  // `glyph`: instead of the severity's own.
-  void setStatus(Severity tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
+  // `glyph`: instead of the severity's own. True where the cell may want another width now.
+  bool setStatus(Severity tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
   QString text() const;
 
  protected:
@@ -42,6 +42,7 @@ class StatusCell : public QWidget {
   GlyphLabel* m_sign;
   ElidedLabel* m_words;
   QString m_widest;
+  QString m_story;
   Severity m_tone = Severity::Plain;
   std::optional<Glyph> m_glyph;
 };

@@ -2,6 +2,7 @@
 #include "panel/trace_view.h"
 
 #include <QEvent>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -66,7 +67,13 @@ void TraceView::setModel(TraceModel* model) {
   if (m_model != nullptr) {
     connect(m_model, &TraceModel::viewChanged, this, &TraceView::takeView);
     connect(m_model, &TraceModel::filterChanged, this, &TraceView::keepInPlace);
-    connect(m_model, &QAbstractItemModel::dataChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(m_model, &QAbstractItemModel::modelReset, viewport(), qOverload<>(&QWidget::update));
+    connect(m_model, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex& first, const QModelIndex& last) {
+              const std::uint64_t top = m_model->windowFirst();
+              viewport()->update(rectOfRows(top + static_cast<std::uint64_t>(first.row()),
+                                            top + static_cast<std::uint64_t>(last.row()) + 1));
+            });
   }
   m_header->setSectionResizeMode(QHeaderView::Interactive);
   setUsualWidths();
@@ -88,6 +95,8 @@ void TraceView::takeView() {
   const std::uint64_t passed = m_model != nullptr ? m_model->rowOf(view.cursor.frames) : 0;
   const std::uint64_t cursorRow = passed == 0 ? 0 : passed - 1;
   const bool cursorMoved = view.cursor.frames != m_cursorFrames;
+  const TraceScroll before = m_scroll;
+  const std::uint64_t cursorRowBefore = m_cursorRow;
   m_scroll.rows = m_model != nullptr ? m_model->rows() : 0;
   m_cursorRow = cursorRow;
   m_cursorFrames = view.cursor.frames;
@@ -108,10 +117,44 @@ void TraceView::takeView() {
   } else if (cursorMoved && (sawCursor || isAnother)) {
     m_scroll.show(cursorRow);
   }
-  showScroll();
+  if (isAnother) return showScroll();
+  m_scroll.moveTo(m_scroll.top);
+  showGrowth(before, cursorRowBefore);  // first: rows that change are damaged where they stand from now on
+  syncScroll();
+}
+
+QRect TraceView::rectOfRows(std::uint64_t first, std::uint64_t end) const {
+  const auto y = [this](std::uint64_t row) {
+    const std::uint64_t below = std::min(row - std::min(row, m_scroll.top), m_scroll.pageRows + 1);
+    return static_cast<int>(below) * m_rowHeight;
+  };
+  return {0, y(first), viewport()->width(), y(end) - y(first)};
+}
+
+void TraceView::showGrowth(const TraceScroll& before, std::uint64_t cursorRowBefore) {
+  const std::uint64_t moved = m_scroll.top - std::min(before.top, m_scroll.top);
+  // What is said without rows may change, and the mark of the focus stands over the first row.
+  if (before.rows == 0 || m_scroll.rows < before.rows || m_scroll.top < before.top ||
+      moved >= m_scroll.pageRows || hasFocus())
+    return viewport()->update();
+  if (moved > 0) viewport()->scroll(0, -static_cast<int>(moved) * m_rowHeight);
+  if (m_scroll.rows != before.rows) {
+    QRect added = rectOfRows(before.rows, m_scroll.rows);
+    added.setBottom(viewport()->height());
+    viewport()->update(added);
+  }
+  if (m_cursorRow != cursorRowBefore) {
+    for (const std::uint64_t row : {cursorRowBefore, m_cursorRow})
+      viewport()->update(rectOfRows(row, row + 1));
+  }
 }
 
 void TraceView::showScroll() {
+  syncScroll();
+  viewport()->update();
+}
+
+void TraceView::syncScroll() {
   m_scroll.moveTo(m_scroll.top);
   if (m_model != nullptr) {
     // A page more at either side, so that small moves find their rows.
@@ -128,7 +171,6 @@ void TraceView::showScroll() {
     bar->setValue(m_scroll.barValue());
   }
   notePlace();
-  viewport()->update();
 }
 
 // What would have to stay in place: the current frame if it is in sight, otherwise the frame at the top.
@@ -252,10 +294,11 @@ QModelIndex TraceView::indexOfFrame(std::uint64_t frame, int column) const {
   return index.data(TraceModel::FrameRole).toULongLong() == frame ? index : QModelIndex();
 }
 
-void TraceView::paintEvent(QPaintEvent*) {
+void TraceView::paintEvent(QPaintEvent* event) {
   const Colours& c = coloursOf(this);
   QPainter p(viewport());
-  p.fillRect(viewport()->rect(), c.surface);
+  const QRect damaged = event->rect();
+  p.fillRect(damaged, c.surface);
   if (m_scroll.rows == 0) {
     const bool isFiltered = m_model != nullptr && m_model->isFiltered() && m_model->view().frameCount > 0;
     p.setPen(c.textSecondary);
@@ -267,9 +310,10 @@ void TraceView::paintEvent(QPaintEvent*) {
   }
   TracePainter painter(p, c, m_fonts, columns());
   const int width = viewport()->width();
-  std::uint64_t row = m_scroll.top;
-  int y = 0;
-  for (; y < viewport()->height() && row < m_scroll.rows; y += m_rowHeight, ++row) {
+  const int above = damaged.top() / m_rowHeight;
+  std::uint64_t row = m_scroll.top + static_cast<std::uint64_t>(above);
+  int y = above * m_rowHeight;
+  for (; y <= damaged.bottom() && row < m_scroll.rows; y += m_rowHeight, ++row) {
     const QModelIndex index = indexOf(row);
     if (!index.isValid()) break;
     const auto frame = index.data(TraceModel::FrameRole).toULongLong();

@@ -111,6 +111,10 @@ class TraceView : public QAbstractScrollArea {
 
   // After m_scroll changed: window, bar, picture.
   void showScroll();
+  void syncScroll();
+  // The same log grew or its cursor moved: what is drawn already moves along, and the rest is drawn.
+  void showGrowth(const TraceScroll& before, std::uint64_t cursorRowBefore);
+  QRect rectOfRows(std::uint64_t first, std::uint64_t end) const;
   void scrollByHand(std::int64_t rows);
   void barActed(int action);
   void select(std::uint64_t frame, bool extend);

@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "paint/app_style.h"
 
@@ -51,13 +52,11 @@ TransportButton::TransportButton(Sign sign, QWidget* parent) : QAbstractButton(p
 }
 
 void TransportButton::setSign(Sign sign) {
-  m_sign = sign;
-  update();
+  if (std::exchange(m_sign, sign) != sign) update();
 }
 
 void TransportButton::setOn(bool isOn) {
-  m_isOn = isOn;
-  update();
+  if (std::exchange(m_isOn, isOn) != isOn) update();
 }
 
 void TransportButton::setWidestText(const QString& text) {

@@ -56,6 +56,15 @@ struct TimelineTest : testing::Test {
     values.cursor = at(150);
     timeline.setValues(values);
   }
+  // Paint events from now on.
+  struct Paints : QObject {
+    explicit Paints(QWidget* widget) { widget->installEventFilter(this); }
+    bool eventFilter(QObject*, QEvent* event) override {
+      times += event->type() == QEvent::Paint ? 1 : 0;
+      return false;
+    }
+    int times = 0;
+  };
   Instant last() const { return seek.isEmpty() ? Instant{-1} : seek.last()[0].value<Instant>(); }
 };
 
@@ -268,6 +277,30 @@ TEST(TimelineSpans, StayWithinTheLog) {
   EXPECT_EQ(spanMoved({at(50), at(60)}, whole, -1), (TimelineSpan{at(40), at(50)}));
   EXPECT_GE(spanZoomed(whole, whole, at(50), 1e15).ns(), kLeastSpanNs);
   EXPECT_EQ(spanZoomed({at(5), at(5)}, {at(5), at(5)}, at(5), 2), (TimelineSpan{at(5), at(5)}));
+}
+
+// 1,000 pixels: a pixel is 0.1 s.
+TEST_F(TimelineTest, DrawsALogThatGrowsOnlyOnceThatCanBeSeen) {
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&timeline));
+  TimelineValues values = timeline.values();
+  values.density = {0.5F, 1.0F};
+  const auto paintsAt = [&](double second) {
+    values.end = values.cursor = at(second);
+    timeline.setValues(values);
+    Paints paints(&timeline);
+    QApplication::sendPostedEvents();
+    return paints.times;
+  };
+  EXPECT_EQ(paintsAt(200), 1);
+  EXPECT_EQ(paintsAt(200.1), 0);
+  EXPECT_EQ(paintsAt(200.2), 0);
+  EXPECT_EQ(timeline.values().end, at(200.2));
+  EXPECT_EQ(paintsAt(200.4), 1) << "since it was drawn last";
+  EXPECT_EQ(paintsAt(200.5), 0);
+  values.density = {1.0F, 0.5F};
+  EXPECT_EQ(paintsAt(200.6), 1) << "another picture";
+  values.atEnd = false;
+  EXPECT_EQ(paintsAt(200.7), 1) << "a cursor that stands is shown exactly";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "paint/dial.h"
 #include "paint/figures.h"
 #include "paint/status_lamp.h"
+#include "panel/fact_list.h"
 #include "panel/full_dial.h"
 #include "support/child.h"
 #include "text/age_text.h"
@@ -339,6 +340,25 @@ TEST(Ages, AreWrittenAlikeByTheDialAndByThePanels) {
        {Duration(-1s), Duration(0s), Duration(100ms), Duration(9949ms), Duration(9950ms), Duration(99s),
         Duration(100s), Duration(99min), Duration(100min), Duration(47h), Duration(48h), Duration(1000h)})
     EXPECT_EQ(ageText(age), briefAge(age)) << age.count();
+}
+
+TEST(FactList, HoldsFiguresThatRunBackAndSaysWordsAtOnce) {
+  FactList list;
+  PageFactGroup group{QStringLiteral("address"), QStringLiteral("Address"), {}};
+  const auto say = [&](const char* value) {
+    group.facts = {{.label = QStringLiteral("Frames"), .value = QString::fromLatin1(value), .age = {}}};
+    list.setGroup(group);
+  };
+  const auto said = [&] { return test::child<QLabel>(list, "addressFact1")->text(); };
+  say("12, now 3 a second");
+  EXPECT_EQ(said(), QStringLiteral("12, now 3 a second"));
+  say("13, now 3 a second");
+  say("14, now 3 a second");
+  EXPECT_EQ(said(), QStringLiteral("12, now 3 a second"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return said() == QStringLiteral("14, now 3 a second"); }));
+  say("15, now 3 a second");
+  say("not heard any more");
+  EXPECT_EQ(said(), QStringLiteral("not heard any more"));
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHelpEvent>
+#include <QImage>
+#include <QPaintEvent>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
@@ -91,6 +94,48 @@ TEST_F(TraceViewTest, AsksForTheRowsInSightAndFewMore) {
   EXPECT_EQ(view.topRow(), 5'000u);
   EXPECT_LE(model.windowFirst(), 5'000u);
   EXPECT_GE(model.windowFirst() + static_cast<std::uint64_t>(model.rowCount()), 5'000 + page() + 1);
+}
+
+// How many pixels high the damage is that a viewport draws.
+struct PaintedHeight : QObject {
+  explicit PaintedHeight(QWidget* viewport) { viewport->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) height += static_cast<QPaintEvent*>(event)->rect().height();
+    return false;
+  }
+  int height = 0;
+};
+
+TEST_F(TraceViewTest, DrawsOnlyTheRowsThatCameAndMovesTheOthersAlong) {
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  open(1'000);
+  view.clearFocus();
+  const auto isAsDrawnAnew = [&] {
+    QApplication::sendPostedEvents();
+    const QRect area = view.viewport()->geometry();
+    const QImage seen =
+        view.screen()->grabWindow(view.winId(), area.x(), area.y(), area.width(), area.height()).toImage();
+    const QImage anew = view.viewport()->grab().toImage();
+    return seen.convertToFormat(QImage::Format_RGB32) == anew.convertToFormat(QImage::Format_RGB32);
+  };
+  EXPECT_TRUE(isAsDrawnAnew());
+  for (const std::size_t frames : {1u, 3u, 0u, 2u, 1'000u}) {
+    PaintedHeight painted(view.viewport());
+    grow(frames);
+    tick();
+    QApplication::sendPostedEvents();
+    if (frames < page()) {
+      EXPECT_LE(painted.height, static_cast<int>(frames + 2) * view.rowHeight()) << frames;
+    }
+    EXPECT_EQ(painted.height == 0, frames == 0);
+    EXPECT_TRUE(isAsDrawnAnew()) << frames;
+  }
+  // The cursor moves by itself, also while rows come that are not in sight.
+  for (const std::uint64_t cursor : {2'005u, 2'004u, 1'995u}) {
+    grow(2);
+    tick(cursor);
+    EXPECT_TRUE(isAsDrawnAnew()) << cursor;
+  }
 }
 
 TEST_F(TraceViewTest, FollowsTheEndUntilOneScrollsUp) {
