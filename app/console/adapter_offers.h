@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "link/adapters.h"
-#include "panel/adapter_offer.h"
+#include "panel/connect/adapter_offer.h"
 
 namespace deckpipe {
 

@@ -6,7 +6,7 @@
 #include <QSettings>
 
 #include "adapter_offers.h"
-#include "panel/connection_page.h"
+#include "panel/connect/connection_page.h"
 #include "recent_logs.h"
 
 namespace deckpipe {

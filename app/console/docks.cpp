@@ -3,16 +3,16 @@
 
 #include <QCoreApplication>
 
-#include "panel/decode_panel.h"
-#include "panel/device_panel.h"
-#include "panel/event_panel.h"
-#include "panel/help_panel.h"
-#include "panel/monitor_page.h"
-#include "panel/overview_panel.h"
-#include "panel/request_panel.h"
-#include "panel/terminal_panel.h"
-#include "panel/trace_panel.h"
-#include "panel/twin_panel.h"
+#include "panel/common/help_panel.h"
+#include "panel/common/twin_panel.h"
+#include "panel/devices/device_panel.h"
+#include "panel/events/event_panel.h"
+#include "panel/page/monitor_page.h"
+#include "panel/page/overview_panel.h"
+#include "panel/pipe/terminal_panel.h"
+#include "panel/poll/request_panel.h"
+#include "panel/trace/decode_panel.h"
+#include "panel/trace/trace_panel.h"
 #include "workspace.h"
 
 namespace deckpipe {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-#include "panel/panel_view.h"
+#include "panel/common/panel_view.h"
 
 class QWidget;
 

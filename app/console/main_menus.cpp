@@ -9,9 +9,9 @@
 #include "main_window.h"
 #include "mark_bar.h"
 #include "pane_cycle.h"
-#include "panel/event_panel.h"
-#include "panel/settings_page.h"
-#include "panel/trace_panel.h"
+#include "panel/common/settings_page.h"
+#include "panel/events/event_panel.h"
+#include "panel/trace/trace_panel.h"
 #include "sending_actions.h"
 #include "workspace.h"
 

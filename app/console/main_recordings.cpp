@@ -8,8 +8,8 @@
 #include "log/journal_reader.h"
 #include "log_filters.h"
 #include "main_window.h"
-#include "panel/recordings_page.h"
-#include "panel/settings_page.h"
+#include "panel/common/settings_page.h"
+#include "panel/connect/recordings_page.h"
 #include "recordings_list.h"
 
 namespace deckpipe {

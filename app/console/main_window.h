@@ -6,7 +6,7 @@
 #include <QMainWindow>
 
 #include "paint/app_style.h"
-#include "panel/notice_bar.h"
+#include "panel/common/notice_bar.h"
 #include "session/log_saving.h"
 #include "session/session.h"
 #include "settings_labels.h"

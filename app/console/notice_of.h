@@ -5,7 +5,7 @@
 #pragma once
 
 #include "model/bus_rates.h"
-#include "panel/notice_bar.h"
+#include "panel/common/notice_bar.h"
 #include "session/snapshot.h"
 
 namespace deckpipe {

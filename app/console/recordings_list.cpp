@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "log/journal_file.h"
-#include "panel/recordings_page.h"
+#include "panel/connect/recordings_page.h"
 #include "status_text.h"
 
 namespace deckpipe {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "panel/notice_bar.h"
+#include "panel/common/notice_bar.h"
 #include "session/recordings.h"
 
 namespace deckpipe {

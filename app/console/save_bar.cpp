@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "panel/elided_label.h"
+#include "panel/common/elided_label.h"
 #include "status_text.h"
 
 namespace deckpipe {

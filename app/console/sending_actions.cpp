@@ -7,7 +7,7 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "panel/danger_dialog.h"
+#include "panel/common/danger_dialog.h"
 #include "protocol/address_use.h"
 #include "protocol/name.h"
 

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "panel/status_cell.h"
+#include "panel/common/status_cell.h"
 
 namespace deckpipe {
 namespace {

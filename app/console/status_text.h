@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "model/bus_rates.h"
-#include "panel/status_cell.h"
+#include "panel/common/status_cell.h"
 #include "session/snapshot.h"
 
 namespace deckpipe {

@@ -12,11 +12,11 @@
 
 #include "model/device_rows.h"
 #include "pane_cycle.h"
-#include "panel/event_panel.h"
-#include "panel/help_panel.h"
-#include "panel/monitor_page.h"
-#include "panel/trace_panel.h"
-#include "panel/twin_panel.h"
+#include "panel/common/help_panel.h"
+#include "panel/common/twin_panel.h"
+#include "panel/events/event_panel.h"
+#include "panel/page/monitor_page.h"
+#include "panel/trace/trace_panel.h"
 
 namespace deckpipe {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-#include "panel/dock_title.h"
+#include "panel/common/dock_title.h"
 #include "workspace.h"
 
 namespace deckpipe {

@@ -17,8 +17,8 @@
 
 #include "app/console/event_waits.h"
 #include "console/main_window.h"
-#include "panel/id_view.h"
-#include "panel/trace_panel.h"
+#include "panel/trace/id_view.h"
+#include "panel/trace/trace_panel.h"
 #include "support/child.h"
 
 namespace deckpipe {

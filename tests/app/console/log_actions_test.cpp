@@ -16,9 +16,9 @@
 #include "console/workspace.h"
 #include "log/journal_reader.h"
 #include "model/event_model.h"
-#include "panel/device_panel.h"
-#include "panel/event_panel.h"
-#include "panel/trace_panel.h"
+#include "panel/devices/device_panel.h"
+#include "panel/events/event_panel.h"
+#include "panel/trace/trace_panel.h"
 
 namespace deckpipe {
 namespace {

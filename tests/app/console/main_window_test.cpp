@@ -5,10 +5,10 @@
 #include "app/console/window_test.h"
 #include "console/workspace.h"
 #include "model/decode_model.h"
-#include "panel/device_panel.h"
-#include "panel/monitor_page.h"
-#include "panel/trace_view.h"
-#include "panel/transport_bar.h"
+#include "panel/devices/device_panel.h"
+#include "panel/page/monitor_page.h"
+#include "panel/play/transport_bar.h"
+#include "panel/trace/trace_view.h"
 #include "support/child.h"
 
 namespace deckpipe {

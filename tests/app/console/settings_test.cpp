@@ -17,9 +17,9 @@
 #include "console/sending_actions.h"
 #include "model/field_text.h"
 #include "paint/app_style.h"
-#include "panel/help_panel.h"
-#include "panel/status_cell.h"
-#include "panel/trace_panel.h"
+#include "panel/common/help_panel.h"
+#include "panel/common/status_cell.h"
+#include "panel/trace/trace_panel.h"
 #include "support/child.h"
 
 namespace deckpipe {

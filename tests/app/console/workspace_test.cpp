@@ -10,11 +10,11 @@
 #include <QShortcut>
 
 #include "app/console/window_test.h"
-#include "panel/decode_panel.h"
-#include "panel/device_panel.h"
-#include "panel/full_dial.h"
-#include "panel/trace_view.h"
-#include "panel/transport_bar.h"
+#include "panel/devices/device_panel.h"
+#include "panel/page/full_dial.h"
+#include "panel/play/transport_bar.h"
+#include "panel/trace/decode_panel.h"
+#include "panel/trace/trace_view.h"
 #include "support/child.h"
 
 namespace deckpipe {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/connection_page.h"
+#include "panel/connect/connection_page.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "panel/notice_bar.h"
+#include "panel/common/notice_bar.h"
 #include "support/child.h"
 
 namespace deckpipe {

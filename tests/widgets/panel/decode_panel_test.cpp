@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/decode_panel.h"
+#include "panel/trace/decode_panel.h"
 
 #include <gtest/gtest.h>
 

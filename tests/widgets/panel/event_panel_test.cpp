@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/event_panel.h"
+#include "panel/events/event_panel.h"
 
 #include <gtest/gtest.h>
 

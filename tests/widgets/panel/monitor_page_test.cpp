@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/monitor_page.h"
+#include "panel/page/monitor_page.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include "paint/dial.h"
 #include "paint/figures.h"
 #include "paint/status_lamp.h"
-#include "panel/fact_list.h"
-#include "panel/full_dial.h"
+#include "panel/page/fact_list.h"
+#include "panel/page/full_dial.h"
 #include "support/child.h"
 #include "text/age_text.h"
 #include "widgets/panel/panel_scenes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/overview_panel.h"
+#include "panel/page/overview_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <QTest>
 
 #include "paint/dial.h"
-#include "panel/monitor_tile.h"
-#include "panel/overview_grid.h"
+#include "panel/page/monitor_tile.h"
+#include "panel/page/overview_grid.h"
 #include "support/child.h"
 #include "widgets/panel/panel_scenes.h"
 

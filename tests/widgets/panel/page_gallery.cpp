@@ -7,10 +7,10 @@
 #include <cstdio>
 
 #include "paint/app_style.h"
-#include "panel/device_panel.h"
-#include "panel/full_dial.h"
-#include "panel/monitor_page.h"
-#include "panel/overview_panel.h"
+#include "panel/devices/device_panel.h"
+#include "panel/page/full_dial.h"
+#include "panel/page/monitor_page.h"
+#include "panel/page/overview_panel.h"
 #include "widgets/panel/panel_scenes.h"
 
 namespace deckpipe {

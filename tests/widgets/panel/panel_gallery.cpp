@@ -13,11 +13,11 @@
 #include <cstdio>
 
 #include "paint/app_style.h"
-#include "panel/decode_panel.h"
-#include "panel/id_view.h"
-#include "panel/trace_panel.h"
-#include "panel/transport_bar.h"
-#include "panel/twin_panel.h"
+#include "panel/common/twin_panel.h"
+#include "panel/play/transport_bar.h"
+#include "panel/trace/decode_panel.h"
+#include "panel/trace/id_view.h"
+#include "panel/trace/trace_panel.h"
 #include "support/child.h"
 #include "widgets/panel/panel_samples.h"
 #include "widgets/panel/twin_samples.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/request_panel.h"
+#include "panel/poll/request_panel.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
@@ -9,7 +9,7 @@
 #include <QWheelEvent>
 
 #include "model/answer_history.h"
-#include "panel/ask_card.h"
+#include "panel/poll/ask_card.h"
 #include "support/child.h"
 #include "widgets/panel/talk_rig.h"
 

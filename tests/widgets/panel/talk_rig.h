@@ -11,7 +11,7 @@
 
 #include "control/intent.h"
 #include "control/status.h"
-#include "panel/panel_view.h"
+#include "panel/common/panel_view.h"
 #include "support/child.h"
 #include "support/frames.h"
 

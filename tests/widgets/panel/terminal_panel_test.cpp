@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/terminal_panel.h"
+#include "panel/pipe/terminal_panel.h"
 
 #include <QAction>
 #include <QApplication>
@@ -18,7 +18,7 @@
 #include <QWheelEvent>
 
 #include "model/pipe_transcript.h"
-#include "panel/file_send_bar.h"
+#include "panel/pipe/file_send_bar.h"
 #include "support/look.h"
 #include "widgets/panel/talk_rig.h"
 

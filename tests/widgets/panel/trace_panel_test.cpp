@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/trace_panel.h"
+#include "panel/trace/trace_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -19,10 +19,10 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "panel/flat_header.h"
-#include "panel/id_view.h"
-#include "panel/trace_filter_edit.h"
-#include "panel/trace_search_bar.h"
+#include "panel/common/flat_header.h"
+#include "panel/trace/id_view.h"
+#include "panel/trace/trace_filter_edit.h"
+#include "panel/trace/trace_search_bar.h"
 #include "support/child.h"
 #include "support/frames.h"
 #include "support/logs.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/trace_scroll.h"
+#include "panel/trace/trace_scroll.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/trace_view.h"
+#include "panel/trace/trace_view.h"
 
 #include <gtest/gtest.h>
 

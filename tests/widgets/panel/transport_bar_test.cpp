@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/transport_bar.h"
+#include "panel/play/transport_bar.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <ctime>
 
 #include "paint/timeline.h"
-#include "panel/time_readout.h"
-#include "panel/transport_button.h"
+#include "panel/play/time_readout.h"
+#include "panel/play/transport_button.h"
 #include "support/child.h"
 #include "support/frames.h"
 #include "support/logs.h"

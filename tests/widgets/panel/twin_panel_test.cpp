@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/twin_panel.h"
+#include "panel/common/twin_panel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/common/about_page.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLibraryInfo>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "panel/common/scrolled.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kTextColumn = 720;
+
+}  // namespace
+
+AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("aboutPage"));
+  setAccessibleName(tr("About Deckpipe"));
+  auto* inside = new QWidget;
+  inside->setMaximumWidth(kTextColumn);
+  auto* column = new QVBoxLayout(inside);
+  column->setContentsMargins(24, 16, 24, 16);
+  column->setSpacing(8);
+  auto* title = new QLabel(tr("Deckpipe %1").arg(facts.version), inside);
+  title->setObjectName(QStringLiteral("aboutTitle"));
+  QFont large = title->font();
+  large.setPointSizeF(large.pointSizeF() * 1.5);
+  large.setWeight(QFont::DemiBold);
+  title->setFont(large);
+  column->addWidget(title);
+  const auto paragraph = [&](const char* name, const QString& text) {
+    auto* label = new QLabel(text, inside);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    column->addWidget(label);
+  };
+  paragraph("aboutWhat",
+            tr("A diagnostic console for CAN-controlled fire monitors: who is on the bus, where each monitor "
+               "points and what stops it, live or from a log."));
+  paragraph("aboutLicence",
+            tr("Free software under the GNU General Public License, version 3 or later. It comes "
+               "without any warranty; do not rely on it where people can be hurt."));
+  paragraph("aboutQt", tr("Built on Qt %1 and running with Qt %2, used under the GNU Lesser General Public "
+                          "License, version 3.")
+                           .arg(QStringLiteral(QT_VERSION_STR), QLibraryInfo::version().toString()));
+  paragraph("aboutManuals",
+            tr("What messages mean is taken from the makers' manuals: the CAN Messaging manual, the 6051 CAN "
+               "Gateway "
+               "manual, and Copley's note on J1939; beyond them from SAE J1939-81 and CiA 301. Akron and "
+               "Copley are names of their owners, who have no part in this program."));
+  paragraph("aboutPaths",
+            tr("Settings: %1\nLogs larger than memory: %2").arg(facts.settingsPath, facts.spillFolder));
+  auto* done = new QPushButton(tr("Done"), inside);
+  done->setObjectName(QStringLiteral("aboutDone"));
+  done->setAccessibleName(tr("Close this page"));
+  connect(done, &QPushButton::clicked, this, &AboutPage::closeRequested);
+  column->addWidget(done, 0, Qt::AlignLeft);
+  column->addStretch(1);
+  fillScrolled(this, inside, QStringLiteral("aboutScroll"));
+}
+
+void AboutPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    Q_EMIT closeRequested();
+    return;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace deckpipe

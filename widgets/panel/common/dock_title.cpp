@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/common/dock_title.h"
+
+#include <QAbstractButton>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QPainter>
+
+#include "paint/app_style.h"
+#include "panel/common/elided_label.h"
+
+namespace deckpipe {
+
+class DockTitle::Button : public QAbstractButton {
+ public:
+  enum class Sign { Float, Close };
+
+  Button(Sign sign, QWidget* parent) : QAbstractButton(parent), m_sign(sign) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    setFocusPolicy(Qt::NoFocus);  // by keyboard the View menu does it
+    setAttribute(Qt::WA_Hover);
+  }
+
+  QSize sizeHint() const override { return {targetHeight(this), targetHeight(this)}; }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Colours& c = coloursOf(this);
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    if (underMouse()) {
+      p.setPen(QPen(c.outline, 1));
+      p.setBrush(isDown() ? c.surfaceAlternate : c.surface);
+      p.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), 4, 4);
+    }
+    p.translate(QRectF(rect()).center());
+    p.setPen(QPen(c.textSecondary, 1.5 * c.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    p.setBrush(Qt::NoBrush);
+    if (m_sign == Sign::Close) {
+      p.drawLine(QPointF(-4, -4), QPointF(4, 4));
+      p.drawLine(QPointF(-4, 4), QPointF(4, -4));
+    } else {  // a sheet lifted off another
+      p.drawRect(QRectF(-2, -5, 7, 7));
+      p.drawPolyline(QPolygonF{QPointF(-5, -1), QPointF(-5, 5), QPointF(1, 5)});
+    }
+  }
+
+ private:
+  Sign m_sign;
+};
+
+DockTitle::DockTitle(QDockWidget* dock)
+    : QWidget(dock),
+      m_float(new Button(Button::Sign::Float, this)),
+      m_close(new Button(Button::Sign::Close, this)) {
+  setObjectName(dock->objectName() + QStringLiteral("Title"));
+  auto* name = new ElidedLabel(this);
+  name->setText(dock->windowTitle());
+  m_float->setObjectName(dock->objectName() + QStringLiteral("Float"));
+  m_float->setToolTip(tr("Take out of the window, or put back"));
+  m_float->setAccessibleName(tr("%1: take out of the window, or put back").arg(dock->windowTitle()));
+  m_close->setObjectName(dock->objectName() + QStringLiteral("Close"));
+  m_close->setToolTip(tr("Close; the View menu opens it again"));
+  m_close->setAccessibleName(tr("%1: close").arg(dock->windowTitle()));
+  connect(m_float, &QAbstractButton::clicked, dock, [dock] { dock->setFloating(!dock->isFloating()); });
+  connect(m_close, &QAbstractButton::clicked, dock, &QWidget::close);
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(name, 1);
+  layout->addWidget(m_float);
+  layout->addWidget(m_close);
+  dock->setTitleBarWidget(this);
+}
+
+void DockTitle::setCollapsed(bool isCollapsed) {
+  if (isCollapsed == m_isCollapsed) return;
+  m_isCollapsed = isCollapsed;
+  for (QWidget* child : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) child->setVisible(!isCollapsed);
+  updateGeometry();
+}
+
+QSize DockTitle::sizeHint() const {
+  return m_isCollapsed ? QSize(0, 0) : QSize(QWidget::sizeHint().width(), targetHeight(this));
+}
+
+}  // namespace deckpipe

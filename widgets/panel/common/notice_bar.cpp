@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/common/notice_bar.h"
+
+#include <QClipboard>
+#include <QFontDatabase>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+
+#include "paint/app_style.h"
+#include "panel/common/glyph_label.h"
+#include "panel/common/label_text.h"
+
+namespace deckpipe {
+namespace {
+
+QString actionText(Notice::Action action) {
+  switch (action) {
+    case Notice::Action::None: return {};
+    case Notice::Action::GoToEnd: return NoticeBar::tr("To the end");
+    case Notice::Action::Reconnect: return NoticeBar::tr("Connect again");
+    case Notice::Action::CopyDetails: return NoticeBar::tr("Copy the list");
+    case Notice::Action::ShowRecordings: return NoticeBar::tr("Recordings…");
+    case Notice::Action::AddUpTimes: return NoticeBar::tr("Add them up");
+  }
+  return {};
+}
+
+}  // namespace
+
+NoticeBar::NoticeBar(QWidget* parent)
+    : QWidget(parent),
+      m_sign(new GlyphLabel(this)),
+      m_text(new QLabel(this)),
+      m_command(new QLabel(this)),
+      m_copy(new QPushButton(tr("Copy"), this)),
+      m_act(new QPushButton(this)) {
+  setObjectName(QStringLiteral("noticeBar"));
+  setAccessibleName(tr("Notice"));
+  m_text->setObjectName(QStringLiteral("noticeText"));
+  m_text->setAccessibleName(tr("Notice"));
+  m_text->setTextFormat(Qt::PlainText);
+  m_text->setWordWrap(true);
+  m_command->setObjectName(QStringLiteral("noticeCommand"));
+  m_command->setAccessibleName(tr("Command for a terminal"));
+  m_command->setTextFormat(Qt::PlainText);
+  m_command->setWordWrap(true);
+  m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  m_command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  m_copy->setObjectName(QStringLiteral("noticeCopy"));
+  m_copy->setAccessibleName(tr("Copy the command"));
+  m_act->setObjectName(QStringLiteral("noticeAction"));
+  auto* words = new QVBoxLayout;
+  words->setSpacing(2);
+  words->addWidget(m_text);
+  words->addWidget(m_command);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 6, 8, 6);
+  row->setSpacing(8);
+  row->addWidget(m_sign, 0, Qt::AlignVCenter);
+  row->addLayout(words, 1);
+  row->addWidget(m_copy);
+  row->addWidget(m_act);
+  connect(m_copy, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(m_notice.command); });
+  connect(m_act, &QPushButton::clicked, this, &NoticeBar::act);
+  hide();
+}
+
+void NoticeBar::setNotice(const Notice& notice) {
+  if (notice == m_notice) return;
+  m_notice = notice;
+  setText(*m_text, notice.text);
+  setText(*m_command, notice.command);
+  m_command->setVisible(!notice.command.isEmpty());
+  m_copy->setVisible(!notice.command.isEmpty());
+  const QString action = actionText(notice.action);
+  m_act->setText(action);
+  m_act->setAccessibleName(action);
+  m_act->setVisible(!action.isEmpty());
+  setAccessibleDescription(notice.text);
+  m_sign->setGlyph(glyphOf(notice.tone), inkOf(notice.tone));
+  update();
+  setVisible(!notice.text.isEmpty());
+}
+
+void NoticeBar::act() {
+  if (m_notice.action == Notice::Action::CopyDetails) {
+    QGuiApplication::clipboard()->setText(m_notice.details);
+    return;
+  }
+  Q_EMIT actionRequested(m_notice.action);
+}
+
+// A bar at the left in the tone's colour, beside the sign that says the same.
+void NoticeBar::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
+  QPainter p(this);
+  p.fillRect(rect(), c.surface);
+  p.fillRect(QRect(0, 0, 6, height()), inkOf(c, inkOf(m_notice.tone)));
+  p.fillRect(QRect(0, height() - 1, width(), 1), c.outline);
+}
+
+}  // namespace deckpipe

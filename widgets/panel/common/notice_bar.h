@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line above the work that says in words what stands between a person and the picture: nothing is heard,
+// the link went away, lines could not be read, the cursor is not at the end. With it what to do about that: a
+// command to copy, a button. The window gives it a notice; without text it takes no room.
+#pragma once
+
+#include <QWidget>
+
+#include "panel/common/status_cell.h"
+
+class QLabel;
+class QPushButton;
+
+namespace deckpipe {
+
+struct Notice {
+  enum class Action : std::uint8_t { None, GoToEnd, Reconnect, CopyDetails, ShowRecordings, AddUpTimes };
+
+  Severity tone = Severity::Plain;
+  QString text{};     // empty: no notice
+  QString command{};  // for a terminal
+  Action action = Action::None;
+  QString details{};  // for CopyDetails
+  friend bool operator==(const Notice&, const Notice&) = default;
+};
+
+class NoticeBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit NoticeBar(QWidget* parent = nullptr);
+
+  void setNotice(const Notice& notice);
+  const Notice& notice() const { return m_notice; }
+
+ Q_SIGNALS:
+  void actionRequested(deckpipe::Notice::Action action);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void act();
+
+  Notice m_notice;
+  GlyphLabel* m_sign;
+  QLabel* m_text;
+  QLabel* m_command;
+  QPushButton* m_copy;
+  QPushButton* m_act;
+};
+
+}  // namespace deckpipe

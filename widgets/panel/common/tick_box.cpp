@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/common/tick_box.h"
+
+#include <QPainter>
+#include <QStyle>
+#include <algorithm>
+
+#include "paint/app_style.h"
+#include "paint/glyph.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kBox = 18, kBoxGap = 8, kBoxMargin = 2, kLeastHeight = 32;
+
+}  // namespace
+
+TickBox::TickBox(const QString& text, QWidget* parent) : QCheckBox(text, parent) {}
+
+QSize TickBox::sizeHint() const {
+  const QFontMetrics metrics(font());
+  return {kBoxMargin + kBox + kBoxGap + metrics.horizontalAdvance(text()) + 2 * kBoxMargin,
+          std::max(kLeastHeight, metrics.height() + 8)};
+}
+
+void TickBox::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto placed = [&](const QRect& r) { return QStyle::visualRect(layoutDirection(), rect(), r); };
+  const QRectF box = QRectF(placed({kBoxMargin, (height() - kBox) / 2, kBox, kBox})).adjusted(1, 1, -1, -1);
+  const QColor& line = isEnabled() ? c.accent.ink : c.stale.ink;
+  painter.setPen(QPen(isChecked() || hasFocus() || underMouse() ? line : c.outline, 1.5 * c.stroke));
+  painter.setBrush(isChecked() ? c.accent.fill : c.surface);
+  painter.drawRoundedRect(box, 3, 3);
+  if (isChecked())
+    drawGlyph(painter, box.adjusted(2, 2, -2, -2), Glyph::Fine, c.accent.onFill, Qt::transparent, 1.5);
+  const int left = kBoxMargin + kBox + kBoxGap;
+  const QRect words = placed({left, 0, width() - left, height()});
+  painter.setPen(isEnabled() ? c.text : c.textSecondary);
+  painter.drawText(words, static_cast<int>(Qt::AlignVCenter | Qt::AlignLeading | Qt::TextShowMnemonic),
+                   text());
+  if (!hasFocus()) return;
+  painter.setPen(QPen(c.accent.ink, c.stroke));
+  painter.setBrush(Qt::NoBrush);
+  const int length = std::min(words.width(), QFontMetrics(font()).horizontalAdvance(text()) + 4);
+  painter.drawRoundedRect(
+      QRectF(placed({left - 4, 4, length + 4, height() - 8})).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+}
+
+}  // namespace deckpipe

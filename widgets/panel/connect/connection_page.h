@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window shows while nothing is open: the adapters that are there and how they stand, at which bit
+// rate to connect, the simulated truck, and logs. The console fills in adapters and recent logs, and does
+// what is asked for; a file dropped anywhere on the window is its to open.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "panel/connect/adapter_offer.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace deckpipe {
+
+class AdapterRow;
+
+struct RecentLog {
+  QString path{};
+  bool isGone = false;
+  friend bool operator==(const RecentLog&, const RecentLog&) = default;
+};
+
+class ConnectionPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ConnectionPage(QWidget* parent = nullptr);
+
+  void setOffers(const AdapterOffers& offers);
+  void setRecentLogs(const std::vector<RecentLog>& logs);
+  // bit/s; 0: as the interface has it.
+  int bitRate() const;
+  void setBitRate(int bitRate);
+
+ Q_SIGNALS:
+  void connectRequested(const QString& plugin, const QString& interfaceName, int bitRate);
+  void demoRequested();
+  void browseRequested();
+  void logRequested(const QString& path);
+  void forgetRequested();
+  void bitRateChosen(int bitRate);
+
+ private:
+  QWidget* makeBusSide();
+  QWidget* makeOtherSide();
+  AdapterRow* makeRow();
+  void orderTabs();
+
+  AdapterOffers m_offers;
+  std::vector<RecentLog> m_logs;
+  QComboBox* m_bitRate = nullptr;
+  QVBoxLayout* m_rows = nullptr;
+  std::vector<AdapterRow*> m_adapters;
+  AdapterRow* m_none = nullptr;
+  QLabel* m_missing = nullptr;
+  QLabel* m_noLogs = nullptr;
+  QVBoxLayout* m_recent = nullptr;
+  QPushButton* m_forget = nullptr;
+};
+
+}  // namespace deckpipe

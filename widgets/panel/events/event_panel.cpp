@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/events/event_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollBar>
+#include <QStackedLayout>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "model/event_filter.h"
+#include "paint/app_style.h"
+#include "paint/figures.h"
+#include "panel/common/flat_header.h"
+#include "panel/common/label_text.h"
+#include "panel/events/event_delegate.h"
+#include "panel/events/event_filter_bar.h"
+
+namespace deckpipe {
+
+EventPanel::EventPanel(QWidget* parent)
+    : QWidget(parent),
+      m_model(new EventModel(this)),
+      m_filter(new EventFilter(m_model, this)),
+      m_bar(new EventFilterBar(m_model, m_filter, this)),
+      m_delegate(new EventDelegate(this)),
+      m_list(new QTreeView(this)),
+      m_header(new FlatHeader(m_list)),
+      m_empty(new QLabel(tr("Nothing happened so far."), this)),
+      m_cut(new QLabel(tr("More happened: only the first events are listed."), this)),
+      m_pages(new QStackedLayout) {
+  setObjectName(QStringLiteral("eventPanel"));
+  setAccessibleName(tr("Events"));
+  m_list->setObjectName(QStringLiteral("eventList"));
+  m_list->setAccessibleName(tr("Events"));
+  m_list->setToolTip(tr("A click puts the cursor there"));
+  m_list->setHeader(m_header);
+  m_list->setModel(m_filter);
+  m_list->setItemDelegate(m_delegate);
+  m_list->setRootIsDecorated(false);
+  m_list->setItemsExpandable(false);
+  m_list->setIndentation(0);
+  m_list->setUniformRowHeights(true);
+  m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_list->setFrameShape(QFrame::NoFrame);
+  m_header->setObjectName(QStringLiteral("eventHeader"));
+  m_header->setSectionResizeMode(QHeaderView::Interactive);
+  m_header->setStretchLastSection(true);
+  m_empty->setObjectName(QStringLiteral("noEvents"));
+  m_empty->setAccessibleName(tr("Why no event is listed"));
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_empty->setMargin(16);
+  m_empty->setAutoFillBackground(true);
+  m_empty->setBackgroundRole(QPalette::Base);
+  setInk(*m_empty, Ink::Secondary);
+  m_pages->addWidget(m_empty);
+  m_pages->addWidget(m_list);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(m_bar);
+  column->addLayout(m_pages, 1);
+  column->addWidget(m_cut);
+  m_cut->setObjectName(QStringLiteral("eventsCut"));
+  m_cut->setMargin(4);
+  m_cut->hide();
+  setFocusProxy(m_list);
+  layOutColumns();
+
+  for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+    connect(m_filter, change, this, &EventPanel::showPage);
+  connect(m_list, &QTreeView::clicked, this, &EventPanel::seek);
+  connect(m_list, &QTreeView::activated, this, &EventPanel::seek);
+}
+
+void EventPanel::setView(const PanelView& view) {
+  // A list that stands at its end goes on with it.
+  const QScrollBar* bar = m_list->verticalScrollBar();
+  const bool isAtEnd = bar->value() == bar->maximum();
+  const int rows = m_filter->rowCount(), all = m_model->rowCount();
+  const bool isOther = view.log.document != m_model->view().document || view.labels != m_model->labels();
+  m_model->setLabels(view.labels);
+  m_model->setView(view.log);
+  if (isAtEnd && m_filter->rowCount() != rows) m_list->scrollToBottom();
+  if (isOther || m_model->rowCount() != all) m_bar->updateDevices();
+  showPage();
+}
+
+int EventPanel::chosenRow() const {
+  const int row = m_list->currentIndex().row();
+  if (row < 0) return -1;
+  const Instant cursor = m_model->view().cursor.time, time = m_filter->time(row);
+  return cursor == time || cursor == std::max(time - kBefore, m_model->view().begin) ? row : -1;
+}
+
+void EventPanel::goTo(int row, Duration before) {
+  if (row < 0 || row >= m_filter->rowCount()) return;
+  const QModelIndex index = m_filter->index(row, 0);
+  m_list->setCurrentIndex(index);
+  m_list->scrollTo(index);
+  Q_EMIT seekRequested(std::max(m_filter->time(row) - before, m_model->view().begin));
+}
+
+// Events of one time are gone through one by one.
+void EventPanel::goToNext() {
+  const Instant cursor = m_model->view().cursor.time;
+  const int chosen = chosenRow();
+  goTo(chosen >= 0 && m_filter->time(chosen) == cursor ? chosen + 1 : m_filter->rowAfter(cursor),
+       Duration{0});
+}
+
+void EventPanel::goToPrevious() {
+  const Instant cursor = m_model->view().cursor.time;
+  const int chosen = chosenRow();
+  goTo(chosen >= 0 && m_filter->time(chosen) == cursor ? chosen - 1 : m_filter->rowBefore(cursor),
+       Duration{0});
+}
+
+void EventPanel::goBefore() {
+  const int chosen = chosenRow();
+  goTo(chosen >= 0 ? chosen : m_filter->rowAt(m_model->view().cursor.time), kBefore);
+}
+
+void EventPanel::showPage() {
+  if (m_delegate->setLastRow(m_filter->rowAt(m_model->view().cursor.time))) m_list->viewport()->update();
+  setText(*m_empty, m_model->rowCount() == 0 ? tr("Nothing happened so far.")
+                                             : tr("Nothing that happened passes the filter above."));
+  m_cut->setVisible(m_model->isCut());
+  QWidget* page = m_filter->rowCount() == 0 ? static_cast<QWidget*>(m_empty) : m_list;
+  if (m_pages->currentWidget() != page) m_pages->setCurrentWidget(page);
+}
+
+void EventPanel::layOutColumns() {
+  const int padding = 2 * FlatHeader::kPadding;
+  const double time = figuresWidth(font(), QStringLiteral("000:00:00.000"));
+  m_header->resizeSection(EventModel::When, static_cast<int>(std::ceil(time)) + padding);
+  m_header->resizeSection(EventModel::Bus,
+                          fontMetrics().horizontalAdvance(QStringLiteral("vcan00")) + padding);
+  m_header->resizeSection(EventModel::Who,
+                          fontMetrics().horizontalAdvance(QStringLiteral("1032AE1008010350")) + padding);
+}
+
+void EventPanel::seek(const QModelIndex& index) {
+  Q_EMIT seekRequested({index.data(EventModel::TimeRole).toLongLong()});
+}
+
+}  // namespace deckpipe

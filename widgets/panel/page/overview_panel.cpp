@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/page/overview_panel.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "paint/app_style.h"
+#include "panel/common/label_text.h"
+#include "panel/page/monitor_tile.h"
+#include "panel/page/overview_grid.h"
+
+namespace deckpipe {
+
+OverviewPanel::OverviewPanel(QWidget* parent)
+    : QWidget(parent),
+      m_empty(new QLabel(this)),
+      m_untracked(new QLabel(this)),
+      m_scroll(new QScrollArea(this)),
+      m_content(new QWidget) {
+  setObjectName(QStringLiteral("overviewPanel"));
+  setAccessibleName(tr("All monitors"));
+  m_empty->setObjectName(QStringLiteral("noMonitors"));
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_empty->setMargin(24);
+  m_empty->setAutoFillBackground(true);
+  m_empty->setBackgroundRole(QPalette::Base);
+  setInk(*m_empty, Ink::Secondary);
+  m_untracked->setObjectName(QStringLiteral("untrackedMonitors"));
+  m_untracked->setAccessibleName(tr("What is not shown"));
+  m_untracked->setWordWrap(true);
+  m_untracked->setMargin(8);
+  m_untracked->setAutoFillBackground(true);
+  m_untracked->setBackgroundRole(QPalette::Base);
+  setInk(*m_untracked, Ink::Attend);
+  m_content->setObjectName(QStringLiteral("overviewContent"));
+  m_scroll->setObjectName(QStringLiteral("overviewScroll"));
+  m_scroll->setAccessibleName(tr("Monitors"));
+  m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_scroll->setFocusPolicy(Qt::NoFocus);  // the tiles have it
+  m_scroll->setWidget(m_content);
+  m_scroll->installEventFilter(this);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_empty, 1);
+  layout->addWidget(m_scroll, 1);
+  layout->addWidget(m_untracked);
+  refresh();
+}
+
+// Oscillating bands move by themselves unless the cursor stands still.
+void OverviewPanel::setView(const PanelView& view) {
+  m_view = view;
+  if (isVisible()) refresh();
+}
+
+void OverviewPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void OverviewPanel::addTile() {
+  auto* tile = new MonitorTile(m_content);
+  tile->setObjectName(QStringLiteral("monitorTile%1").arg(m_tiles.size() + 1));
+  tile->setAnimated(m_view.isMoving);
+  tile->installEventFilter(this);
+  connect(tile, &QAbstractButton::clicked, this, [this, tile] { Q_EMIT pageRequested(tile->monitor().key); });
+  m_tiles.push_back(tile);
+}
+
+void OverviewPanel::refresh() {
+  const std::vector<OverviewMonitor> monitors = overviewOf(m_view.log, m_view.labels);
+  const int count = static_cast<int>(monitors.size());
+  while (m_tiles.size() < monitors.size()) addTile();
+  for (std::size_t i = 0; i < monitors.size(); ++i) {
+    m_tiles[i]->setMonitor(monitors[i]);
+    m_tiles[i]->setChosen(monitors[i].key == m_view.device);
+    m_tiles[i]->setAnimated(m_view.isMoving);
+  }
+  const QString untracked = m_view.log.state == nullptr ? QString() : untrackedText(*m_view.log.state);
+  setText(*m_untracked, untracked);
+  m_untracked->setVisible(!untracked.isEmpty());
+  if (count == 0) setText(*m_empty, emptyText());
+  m_empty->setVisible(count == 0);
+  m_scroll->setVisible(count != 0);
+  if (count == m_count) return;
+  m_count = count;
+  for (std::size_t i = 0; i < m_tiles.size(); ++i) m_tiles[i]->setVisible(i < monitors.size());
+  layOut();
+}
+
+QString OverviewPanel::emptyText() const {
+  if (m_view.log.state == nullptr || m_view.log.document == nullptr)
+    return tr("Nothing is open.\nConnect an adapter or open a log.");
+  const int others = static_cast<int>(deviceRows(*m_view.log.state).size());
+  if (others == 0) return tr("No monitor heard up to this place of the log.");
+  return tr("No monitor heard up to this place of the log.\nOther devices in the list: %n.", nullptr, others);
+}
+
+// The scroll bar takes its width only where it is needed.
+void OverviewPanel::layOut() {
+  QSize room = m_scroll->size();
+  OverviewGrid grid = overviewGrid(m_count, room);
+  if (grid.height(m_count) > room.height()) {
+    room.rwidth() -= m_scroll->verticalScrollBar()->sizeHint().width();
+    grid = overviewGrid(m_count, room);
+  }
+  m_columns = grid.columns;
+  m_content->resize(room.width(), grid.height(m_count));
+  for (int i = 0; i < m_count; ++i) m_tiles[static_cast<std::size_t>(i)]->setGeometry(grid.place(i));
+}
+
+bool OverviewPanel::moveFocus(int from, int key) {
+  int to = from;
+  switch (key) {
+    case Qt::Key_Left: to = from - 1; break;
+    case Qt::Key_Right: to = from + 1; break;
+    case Qt::Key_Up: to = from - m_columns; break;
+    case Qt::Key_Down: to = from + m_columns; break;
+    case Qt::Key_Home: to = 0; break;
+    case Qt::Key_End: to = m_count - 1; break;
+    default: return false;
+  }
+  if (to >= 0 && to < m_count) {
+    MonitorTile* tile = m_tiles[static_cast<std::size_t>(to)];
+    tile->setFocus(Qt::OtherFocusReason);
+    m_scroll->ensureWidgetVisible(tile, OverviewGrid::kGap, OverviewGrid::kGap);
+  }
+  return true;
+}
+
+bool OverviewPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_scroll && event->type() == QEvent::Resize) layOut();
+  if (event->type() == QEvent::KeyPress) {
+    const auto tile = std::ranges::find(m_tiles, watched);
+    if (tile != m_tiles.end())
+      return moveFocus(static_cast<int>(tile - m_tiles.begin()), static_cast<QKeyEvent*>(event)->key());
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace deckpipe

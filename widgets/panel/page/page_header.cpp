@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/page/page_header.h"
+
+#include <QEvent>
+#include <QFontInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "paint/app_style.h"
+#include "panel/common/glyph_label.h"
+#include "panel/common/health_look.h"
+#include "panel/common/label_text.h"
+#include "panel/common/secondary_font.h"
+#include "panel/page/full_button.h"
+#include "text/age_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kRoomForTrace = 640;
+
+QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QString::fromLatin1(name));
+  label->setAccessibleName(spoken);
+  return label;
+}
+
+}  // namespace
+
+PageHeader::PageHeader(QWidget* parent)
+    : QWidget(parent),
+      m_title(makeLabel(this, "pageTitle", tr("Device"))),
+      m_type(makeLabel(this, "pageType", tr("Type"))),
+      m_place(makeLabel(this, "pageAddress", tr("Address"))),
+      m_age(makeLabel(this, "pageAge", tr("Last heard"))),
+      m_sign(new GlyphLabel(this)),
+      m_word(makeLabel(this, "pageHealth", tr("Health"))),
+      m_reason(makeLabel(this, "pageReason", tr("Reason of the health"))),
+      m_trace(new QToolButton(this)),
+      m_full(new FullButton(this)) {
+  setObjectName(QStringLiteral("pageHeader"));
+  QFont strong = font();
+  strong.setPixelSize(static_cast<int>(std::lround(QFontInfo(strong).pixelSize() * 1.4)));
+  strong.setWeight(QFont::DemiBold);
+  m_title->setFont(strong);
+  m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  QFont word = font();
+  word.setWeight(QFont::DemiBold);
+  m_word->setFont(word);
+  int widest = 0;
+  for (const HealthCause cause : kAllOf<HealthCause>)
+    widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(cause)));
+  m_word->setMinimumWidth(widest);  // no word moves the sign
+  const QFont small = secondaryFont(font());
+  for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
+  for (QLabel* label : {m_type, m_place, m_age, m_reason}) setInk(*label, Ink::Secondary);
+  m_age->setMinimumWidth(
+      m_age->fontMetrics().horizontalAdvance(tr("heard %1 ago").arg(QStringLiteral("< 99 min"))));
+
+  auto* names = new QHBoxLayout;
+  names->setSpacing(16);
+  names->addWidget(m_title);
+  names->addWidget(m_type, 1, Qt::AlignBottom);
+  auto* health = new QHBoxLayout;
+  health->setSpacing(8);
+  health->addWidget(m_sign);
+  health->addWidget(m_word);
+  auto* places = new QHBoxLayout;
+  places->setSpacing(16);
+  places->addWidget(m_place);
+  places->addWidget(m_age);
+  places->addWidget(m_reason, 1);
+  m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  m_reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  m_type->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  for (QLabel* label : {m_type, m_reason}) label->installEventFilter(this);
+
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(16, 8, 16, 8);
+  grid->setHorizontalSpacing(16);
+  grid->setVerticalSpacing(4);
+  grid->addLayout(names, 0, 0);
+  grid->addLayout(health, 0, 1);
+  grid->addLayout(places, 1, 0, 1, 2);
+  grid->addWidget(m_trace, 0, 2, 2, 1);
+  grid->addWidget(m_full, 0, 3, 2, 1);
+  m_trace->setObjectName(QStringLiteral("traceButton"));
+  m_trace->setText(tr("Its frames"));
+  m_trace->setAccessibleName(tr("Only this device in the trace"));
+  m_trace->setToolTip(tr("Only this device in the trace (Ctrl+T)"));
+  m_trace->hide();
+  connect(m_trace, &QAbstractButton::clicked, this, &PageHeader::traceRequested);
+  m_full->hide();
+  connect(m_full, &QAbstractButton::clicked, this, &PageHeader::fullRequested);
+  grid->setColumnStretch(0, 1);
+}
+
+void PageHeader::setPage(const MonitorPageValues& page) {
+  setText(*m_title, page.title);
+  const QString type =
+      page.identity.isEmpty() ? page.type : QStringLiteral("%1 · %2").arg(page.identity, page.type);
+  m_typeText = type;
+  m_type->setToolTip(type);
+  m_type->setAccessibleDescription(type);
+  showTexts();
+  setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
+  setText(*m_age, page.age ? tr("heard %1 ago").arg(calmAge(*page.age)) : QString());
+  if (page.health == m_health && page.reasons == m_reasons && !m_word->text().isEmpty()) return;
+  m_health = page.health;
+  m_reasons = page.reasons;
+  showHealth();
+}
+
+void PageHeader::showHealth() {
+  const Ink ink = inkOf(m_health.severity());
+  m_sign->setGlyph(healthGlyph(m_health.severity()), ink);
+  setText(*m_word, healthWord(m_health));
+  setInk(*m_word, ink);
+  showTexts();
+  m_reason->setToolTip(m_reasons.join(QLatin1Char('\n')));
+  m_word->setToolTip(m_reason->toolTip());
+}
+
+void PageHeader::showTexts() {
+  setText(*m_type, m_type->fontMetrics().elidedText(m_typeText, Qt::ElideRight, m_type->width()));
+  const QFontMetrics metrics = m_reason->fontMetrics();
+  QString reasons = m_reasons.join(QLatin1Char(' '));
+  const QStringList words = healthWords(m_health);
+  if (words.size() > 1 && metrics.horizontalAdvance(reasons) > m_reason->width()) {
+    // The words of the others, as many as have room; the page has their sentences.
+    const QString first =
+        tr("%1 Also: %2", "the worst reason, the words of the others").arg(m_reasons.front());
+    const int room = m_reason->width() - metrics.horizontalAdvance(first.arg(QString()));
+    reasons = first.arg(wordsThatFit(words.sliced(1), QFontMetricsF(m_reason->font()), room));
+  }
+  setText(*m_reason, metrics.elidedText(reasons, Qt::ElideRight, m_reason->width()));
+}
+
+bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
+  if ((watched == m_type || watched == m_reason) && event->type() == QEvent::Resize) showTexts();
+  return QWidget::eventFilter(watched, event);
+}
+
+void PageHeader::setFullOffered(bool isOffered) { m_full->setVisible(isOffered); }
+
+void PageHeader::setTraceOffered(bool isOffered) {
+  m_isTraceOffered = isOffered;
+  m_trace->setVisible(isOffered && width() >= kRoomForTrace);
+}
+
+// What is said of the device goes before a button that the View menu has too.
+void PageHeader::resizeEvent(QResizeEvent*) { setTraceOffered(m_isTraceOffered); }
+
+void PageHeader::setMarked(bool isMarked) {
+  m_isMarked = isMarked;
+  update();
+}
+
+void PageHeader::setFull(bool isFull) { m_full->setFull(isFull); }
+
+void PageHeader::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
+  QPainter painter(this);
+  painter.fillRect(rect(), c.surface);
+  const QColor line = m_isMarked ? c.accent.ink : c.stale.fill;
+  const int thick = m_isMarked ? 2 : 1;
+  painter.fillRect(QRect(0, height() - thick, width(), thick), line);
+}
+
+}  // namespace deckpipe

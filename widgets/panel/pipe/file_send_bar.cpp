@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/pipe/file_send_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "panel/common/elided_label.h"
+#include "panel/common/label_text.h"
+#include "text/age_text.h"
+#include "text/service_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kNameLetters = 28;
+
+// Seconds that the file has been going, pauses and stalls left out.
+double secondsGone(const PipeStatus& pipe, Instant now) {
+  const Instant end = pipe.fileEnded != kNotYet ? pipe.fileEnded : now;
+  return static_cast<double>((end - pipe.fileBegan - pipe.filePaused).count()) * 1e-9;
+}
+
+double bytesPerSecond(const PipeStatus& pipe, Instant now) {
+  const double seconds = secondsGone(pipe, now);
+  return pipe.fileSent == 0 || seconds <= 0 ? 0 : static_cast<double>(pipe.fileSent) / seconds;
+}
+
+bool hasDoubts(const PipeStatus& pipe) { return pipe.fileSkipped != 0 || pipe.fileResent != 0; }
+
+QString countsText(const PipeStatus& pipe) {
+  return FileSendBar::tr("%1 packets skipped, %2 sent again").arg(pipe.fileSkipped).arg(pipe.fileResent);
+}
+
+// A longer time says only that hardly anything has gone out yet.
+constexpr double kLongestTold = 7 * 24 * 3600;  // s
+
+// What was skipped or sent again may be missing, or be there twice.
+QString doneText(const PipeStatus& pipe) {
+  if (!hasDoubts(pipe)) return FileSendBar::tr("Sent");
+  return FileSendBar::tr("Gone through, but %1 packets skipped and %2 sent again: what arrived is not known")
+      .arg(pipe.fileSkipped)
+      .arg(pipe.fileResent);
+}
+
+}  // namespace
+
+QString rateText(const PipeStatus& pipe, Instant now) {
+  const double rate = bytesPerSecond(pipe, now);
+  if (rate <= 0) return {};
+  if (rate < 1000) return FileSendBar::tr("%1 B/s").arg(QLocale().toString(rate, 'f', 0));
+  return FileSendBar::tr("%1 kB/s").arg(QLocale().toString(rate / 1000, 'f', 1));
+}
+
+QString timeLeftText(const PipeStatus& pipe, Instant now) {
+  const double rate = bytesPerSecond(pipe, now);
+  if (rate <= 0 || !pipe.isSendingFile()) return {};
+  const double seconds = static_cast<double>(pipe.fileSize - pipe.fileSent) / rate;
+  if (seconds > kLongestTold) return {};
+  return FileSendBar::tr("about %1 left")
+      .arg(briefAge(Duration(static_cast<std::int64_t>(seconds) * 1'000'000'000)));
+}
+
+FileSendBar::FileSendBar(QWidget* parent)
+    : QWidget(parent),
+      m_name(new ElidedLabel(this, Qt::ElideMiddle)),
+      m_progress(new QProgressBar(this)),
+      m_figures(new ElidedLabel(this)),
+      m_pause(new QPushButton(tr("Pause"), this)),
+      m_cancel(new QPushButton(tr("Cancel file"), this)) {
+  setObjectName(QStringLiteral("fileSendBar"));
+  setAccessibleName(tr("Sending a file"));
+  m_name->setObjectName(QStringLiteral("fileName"));
+  m_name->setAccessibleName(tr("File that is sent"));
+  m_name->setMaximumWidth(kNameLetters * fontMetrics().averageCharWidth());
+  m_progress->setObjectName(QStringLiteral("fileProgress"));
+  m_progress->setAccessibleName(tr("How much of the file was acknowledged"));
+  m_progress->setRange(0, 1000);
+  m_figures->setObjectName(QStringLiteral("fileFigures"));
+  m_figures->setAccessibleName(tr("Rate, time left and acks"));
+  m_pause->setObjectName(QStringLiteral("filePause"));
+  m_cancel->setObjectName(QStringLiteral("fileCancel"));
+  for (QPushButton* button : {m_pause, m_cancel}) {
+    button->setAccessibleName(button->text());
+    button->setAutoDefault(false);
+  }
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_name);
+  layout->addWidget(m_progress, 1);
+  layout->addWidget(m_figures);
+  layout->addWidget(m_pause);
+  layout->addWidget(m_cancel);
+  connect(m_pause, &QPushButton::clicked, this, [this] { Q_EMIT pauseRequested(!m_isPaused); });
+  connect(m_cancel, &QPushButton::clicked, this, &FileSendBar::cancelRequested);
+  hide();
+}
+
+void FileSendBar::setStatus(const PipeStatus& pipe, Instant now, bool isLive) {
+  setVisible(!pipe.file.empty());
+  if (pipe.file.empty()) return;
+  const QLocale locale;
+  setText(*m_name, QString::fromStdString(pipe.file));
+  m_name->setToolTip(m_name->text());
+  m_progress->setValue(pipe.fileSize == 0 ? 1000 : static_cast<int>(1000 * pipe.fileSent / pipe.fileSize));
+  QStringList parts{tr("%1 of %2 bytes")
+                        .arg(locale.toString(static_cast<qulonglong>(pipe.fileSent)),
+                             locale.toString(static_cast<qulonglong>(pipe.fileSize)))};
+  switch (pipe.fileEnd) {
+    case PipeStatus::FileEnd::None: break;
+    case PipeStatus::FileEnd::Done: parts.prepend(doneText(pipe)); break;
+    case PipeStatus::FileEnd::Cancelled: parts.prepend(tr("Cancelled")); break;
+    case PipeStatus::FileEnd::Aborted: parts.prepend(tr("Given up")); break;
+    case PipeStatus::FileEnd::Restarted: parts.prepend(tr("Stopped: the device restarted")); break;
+  }
+  if (pipe.isSendingFile() && pipe.rest != PipeStatus::Rest::Ask) {
+    parts.prepend(restText(pipe));
+  } else if (pipe.fileEnd != PipeStatus::FileEnd::Done && hasDoubts(pipe)) {
+    parts.append(countsText(pipe));
+  }
+  m_isPaused = pipe.isPaused && pipe.isSendingFile();
+  if (m_isPaused) parts.prepend(tr("Paused"));
+  // Neither is known while it waits.
+  if (!m_isPaused && pipe.progress != PipeStatus::Progress::Stalled) {
+    for (const QString& part : {rateText(pipe, now), timeLeftText(pipe, now)}) {
+      if (!part.isEmpty()) parts.append(part);
+    }
+  }
+  if (pipe.acks > 0)
+    parts.append(tr("acks %1, worst %2").arg(periodText(pipe.ackSum / pipe.acks), periodText(pipe.ackWorst)));
+  setText(*m_figures, parts.join(QStringLiteral(" · ")));
+  m_figures->setToolTip(m_figures->text());
+  m_pause->setText(m_isPaused ? tr("Go on") : tr("Pause"));
+  m_pause->setAccessibleName(m_pause->text());
+  m_pause->setEnabled(isLive || !m_isPaused);
+  m_pause->setVisible(pipe.isSendingFile());
+  m_cancel->setVisible(pipe.isSendingFile());
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/pipe/send_file_button.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+
+#include "panel/common/danger_dialog.h"
+#include "panel/pipe/pipe_input.h"
+
+namespace deckpipe {
+namespace {
+
+// No control characters but tabs and line ends.
+bool isText(const QByteArray& content) {
+  return std::ranges::all_of(content, [](char c) {
+    return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\r' || c == '\n';
+  });
+}
+
+// CR LF, CR and LF each end one line.
+QByteArray withLineEnds(QByteArray text, const QByteArray& end) {
+  return text.replace("\r\n", "\n").replace('\r', '\n').replace("\n", end);
+}
+
+std::shared_ptr<const std::string> shared(const QByteArray& content) {
+  return std::make_shared<const std::string>(content.constData(), static_cast<std::size_t>(content.size()));
+}
+
+}  // namespace
+
+SendFileButton::SendFileButton(const PipeInput& input, QWidget* parent)
+    : QPushButton(tr("Send file…"), parent), m_input(input) {
+  setObjectName(QStringLiteral("pipeSendFile"));
+  setAccessibleName(text());
+  setAutoDefault(false);
+  connect(this, &QPushButton::clicked, this, &SendFileButton::choose);
+}
+
+void SendFileButton::setDevice(const DeviceKey& device, const QString& name) {
+  m_device = device;
+  m_name = name;
+}
+
+void SendFileButton::choose() {
+  Q_EMIT failed({});
+  auto* dialog = new QFileDialog(this, tr("Send a file to %1").arg(m_name));
+  dialog->setObjectName(QStringLiteral("pipeFileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, device = m_device, name = m_name](const QString& path) { confirm(path, device, name); });
+  dialog->open();
+}
+
+void SendFileButton::confirm(const QString& path, const DeviceKey& device, const QString& name) {
+  QFile file(path);
+  QString trouble;
+  if (!file.open(QIODevice::ReadOnly)) {
+    trouble = file.errorString();
+  } else if (file.size() > kLargest) {
+    trouble = tr("It is larger than %1.").arg(QLocale().formattedDataSize(kLargest));
+  }
+  if (!trouble.isEmpty()) {
+    Q_EMIT failed(tr("%1 cannot be sent: %2").arg(path, trouble));
+    return;
+  }
+  const QByteArray content = file.readAll();
+  const QByteArray lines = withLineEnds(content, QByteArray::fromStdString(m_input.lineEnd()));
+  const bool mayBeLines = lines != content && isText(content);
+  DangerDialog::ask(
+      this,
+      {tr("Send a file to %1?").arg(name),
+       tr("%1, %2. The device takes the characters as if they had been typed; what they do there "
+          "is the device's own affair.")
+           .arg(QFileInfo(path).fileName(), QLocale().formattedDataSize(content.size())),
+       tr("Send"),
+       {},
+       mayBeLines ? tr("End each line with %1, as what is typed; otherwise as it is in the file")
+                        .arg(m_input.lineEndName())
+                  : QString()},
+      [this, device, file = QFileInfo(path).fileName().toStdString(), content, lines](bool asLines) {
+        Q_EMIT wished(wish::PipeFile{device, file, shared(asLines ? lines : content)});
+      });
+}
+
+}  // namespace deckpipe

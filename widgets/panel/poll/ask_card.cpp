@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/poll/ask_card.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "paint/app_style.h"
+#include "paint/severity_look.h"
+#include "panel/common/glyph_label.h"
+#include "panel/common/label_text.h"
+#include "panel/common/secondary_font.h"
+#include "text/service_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kButtonWidth = 96;
+
+}  // namespace
+
+AskCard::AskCard(Ask ask, QWidget* parent)
+    : QWidget(parent),
+      m_ask(ask),
+      m_answer(new QLabel(this)),
+      m_sign(new GlyphLabel(this)),
+      m_state(new QLabel(this)),
+      m_button(new QPushButton(isCommand(ask) ? tr("%1…").arg(askText(ask)) : tr("Ask"), this)) {
+  const QString name = askText(ask);
+  setObjectName(QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
+  setAccessibleName(name);
+  auto* title = new QLabel(name, this);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  m_answer->setObjectName(QStringLiteral("askAnswer"));
+  m_answer->setAccessibleName(tr("Last answer: %1").arg(name));
+  m_answer->setWordWrap(true);
+  m_answer->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_state->setObjectName(QStringLiteral("askState"));
+  m_state->setAccessibleName(tr("State: %1").arg(name));
+  m_state->setWordWrap(true);
+  m_state->setFont(secondaryFont(font()));
+  m_button->setObjectName(QStringLiteral("askButton"));
+  m_button->setAccessibleName(isCommand(ask) ? m_button->text() : tr("Ask: %1").arg(name));
+  m_button->setMinimumWidth(kButtonWidth);
+  m_button->setAutoDefault(false);
+  connect(m_button, &QPushButton::clicked, this, &AskCard::pressed);
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(8, 6, 8, 6);
+  layout->setHorizontalSpacing(8);
+  layout->setVerticalSpacing(2);
+  layout->addWidget(title, 0, 0, 1, 2);
+  layout->addWidget(m_answer, 1, 0, 1, 2);
+  layout->addWidget(m_sign, 2, 0, Qt::AlignTop);
+  layout->addWidget(m_state, 2, 1);
+  layout->addWidget(m_button, 0, 2, 2, 1, Qt::AlignTop);
+  layout->setColumnStretch(1, 1);
+  showState();
+}
+
+void AskCard::setValues(const Values& values) {
+  if (values == m_values) return;
+  m_values = values;
+  showState();
+}
+
+void AskCard::showState() {
+  const bool isPlain = m_values.tone == Severity::Plain;
+  const Severity shown = isPlain && m_values.isOld ? Severity::Silent : m_values.tone;
+  const Ink ink = shown == Severity::Plain ? Ink::Secondary : inkOf(shown);
+  m_sign->setGlyph(glyphOf(shown), ink);
+  m_sign->setVisible(glyphOf(shown).has_value());
+  setInk(*m_state, ink);
+  setText(*m_state, m_values.state);
+  setText(*m_answer, m_values.answer);
+  setInk(*m_answer, m_values.isOld ? Ink::Stale : m_values.isFault ? Ink::Fault : Ink::Text);
+  m_answer->setVisible(!m_values.answer.isEmpty());
+  m_button->setEnabled(m_values.isOffered);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/poll/request_panel.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QStandardItemModel>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "model/answer_history.h"
+#include "model/device_health.h"
+#include "model/device_rows.h"
+#include "paint/app_style.h"
+#include "panel/common/calm_combo.h"
+#include "panel/common/danger_dialog.h"
+#include "panel/common/flat_header.h"
+#include "panel/common/label_text.h"
+#include "panel/common/secondary_font.h"
+#include "panel/common/send_hint.h"
+#include "panel/poll/ask_card.h"
+#include "panel/poll/repeat_bar.h"
+#include "text/age_text.h"
+#include "text/service_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
+constexpr int kHistoryHeight = 120;  // two or three answers
+
+// What a command does, for the one question before it. The manual's words, no more.
+constexpr KeyTable<kCommands, const char*> kConsequences{{
+    {Ask::ZeroAxes,
+     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
+                       "Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
+                       "angles refer to the new zero.")},
+    {Ask::Reset,
+     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
+                       "The controller restarts (message 45): it falls silent, claims an address anew and "
+                       "announces itself. It does not acknowledge.")},
+    {Ask::SetupMode,
+     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
+                       "The controller enters setup mode (message 46), as on power-up with the stream input "
+                       "active. Only a restart leaves it.")},
+}};
+
+bool namesFault(const Device& device) {
+  const FaultStatus faults = device.faults().value();
+  return device.faults().isKnown() && (faults.map != 0 || faults.pcodeError.value_or(0) != 0);
+}
+
+QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) {
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(QString::fromLatin1(name));
+  button->setAccessibleName(text);
+  button->setAutoDefault(false);
+  return button;
+}
+
+}  // namespace
+
+RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new AnswerHistory(this)) {
+  setObjectName(QStringLiteral("requestPanel"));
+  setAccessibleName(tr("Ask the device"));
+  m_title = new QLabel(this);
+  m_title->setObjectName(QStringLiteral("requestDevice"));
+  m_title->setAccessibleName(tr("Device that is asked"));
+  m_title->setWordWrap(true);
+  QFont bold = m_title->font();
+  bold.setBold(true);
+  m_title->setFont(bold);
+
+  m_hint = new SendHint(QStringLiteral("request"), this);
+  connect(m_hint, &SendHint::unlockRequested, this, &RequestPanel::unlockRequested);
+  m_repeats = new RepeatBar(this);
+  connect(m_repeats, &RepeatBar::endRequested, this, [this] {
+    Q_EMIT wished(wish::Repeat{{}, kPolls, Duration{0}});
+  });
+
+  m_historyView = new QTreeView(this);
+  m_historyHeader = new FlatHeader(m_historyView);
+  m_historyHeader->setObjectName(QStringLiteral("answerHeader"));
+  m_historyView->setObjectName(QStringLiteral("answerHistory"));
+  m_historyView->setAccessibleName(tr("Earlier answers"));
+  m_historyView->setToolTip(tr("A double click shows the frame"));
+  m_historyView->setHeader(m_historyHeader);
+  m_historyView->setModel(m_history);
+  m_historyView->setRootIsDecorated(false);
+  m_historyView->setItemsExpandable(false);
+  m_historyView->setUniformRowHeights(true);
+  m_historyView->setAlternatingRowColors(true);
+  m_historyView->setFrameShape(QFrame::NoFrame);
+  m_historyHeader->setStretchLastSection(true);
+  m_historyHeader->resizeSection(AnswerHistory::When,
+                                 fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
+  m_historyHeader->resizeSection(AnswerHistory::What,
+                                 fontMetrics().horizontalAdvance(askText(Ask::Config)) + 24);
+  m_historyView->setMinimumHeight(kHistoryHeight);
+  m_historyView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // a tool tip has what is cut off
+
+  auto* split = new QSplitter(Qt::Vertical, this);
+  split->setChildrenCollapsible(false);
+  split->addWidget(makeAsks());
+  split->addWidget(m_historyView);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 0);
+  layout->setSpacing(6);
+  layout->addWidget(m_title);
+  layout->addWidget(m_hint);
+  layout->addWidget(m_repeats);
+  layout->addWidget(split, 1);
+
+  connect(m_historyView, &QTreeView::activated, this, [this](const QModelIndex& index) {
+    Q_EMIT frameRequested(index.data(AnswerHistory::FrameRole).toULongLong());
+  });
+}
+
+QWidget* RequestPanel::makeAsks() {
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  m_askAll = makeButton("askAll", tr("Ask it all"), content);
+  m_askAll->setToolTip(tr("Every poll that this device takes, once"));
+  m_askEveryone = makeButton("askEveryone", tr("Ask every device"), content);
+  m_askEveryone->setToolTip(
+      tr("Every poll of every device, once or as often as chosen above, within a small share of the bus"));
+  m_repeat = new CalmCombo(content);
+  m_repeat->setObjectName(QStringLiteral("askRepeat"));
+  m_repeat->setAccessibleName(tr("Repeat the polls of this device"));
+  for (const Duration period : kPeriods)
+    m_repeat->addItem(period == 0s ? tr("Ask once") : tr("Every %1").arg(periodText(period)));
+  m_cancel = makeButton("askCancel", tr("Give up"), content);
+  m_cancel->setToolTip(tr("Ends what is asked of this device and not yet answered"));
+  auto* first = new QHBoxLayout;
+  first->addWidget(m_askAll, 1);
+  first->addWidget(m_repeat, 1);
+  auto* second = new QHBoxLayout;
+  second->addWidget(m_askEveryone, 1);
+  second->addWidget(m_cancel, 1);
+  column->addLayout(first);
+  column->addLayout(second);
+  m_none = new QLabel(tr("Choose an Akron device to ask it."), content);
+  m_none->setObjectName(QStringLiteral("requestNone"));
+  m_none->setAccessibleName(tr("Why there is nothing to ask"));
+  m_none->setWordWrap(true);
+  setInk(*m_none, Ink::Secondary);
+  m_none->setAlignment(Qt::AlignCenter);
+  m_none->setMargin(16);
+  column->addWidget(m_none);
+  for (const Ask ask : kAllOf<Ask>) {
+    m_cards[ask] = new AskCard(ask, content);
+    column->addWidget(m_cards[ask]);
+    connect(m_cards[ask], &AskCard::pressed, this, [this, ask] { press(ask); });
+  }
+  column->addStretch(1);
+  connect(m_askAll, &QPushButton::clicked, this, [this] {
+    Q_EMIT wished(wish::AskDevice{m_view.device, kPolls});
+  });
+  connect(m_askEveryone, &QPushButton::clicked, this, [this] {
+    const Duration period = kPeriods.at(static_cast<std::size_t>(std::max(0, m_repeat->currentIndex())));
+    Q_EMIT wished(period > 0ns ? Wish(wish::Repeat{{}, kPolls, period}) : Wish(wish::AskDevice{{}, kPolls}));
+  });
+  connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_view.device}); });
+  connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
+
+  auto* area = new QScrollArea(this);
+  area->setObjectName(QStringLiteral("askArea"));
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  return area;
+}
+
+void RequestPanel::setView(const PanelView& view) {
+  m_view = view;
+  QScrollBar* bar = m_historyView->verticalScrollBar();
+  const bool isAtEnd = bar->value() == bar->maximum();
+  const int rows = m_history->rowCount();
+  m_history->setView(view.log, view.device);
+  if (isAtEnd && m_history->rowCount() != rows) m_historyView->scrollToBottom();
+  showState();
+}
+
+void RequestPanel::showState() {
+  setText(*m_title, m_view.name);
+  m_title->setVisible(!m_view.name.isEmpty());
+  const bool isNews = services().refusal != Refusal::Busy;  // the card says it already
+  m_hint->setStatus(services(), m_view.isLive, isNews ? refusalText(services().refusal) : QString());
+  m_repeats->setStatus(services(), m_view.labels);
+  const DeviceServices* device = services().find(m_view.device);
+  const bool canAsk = m_view.isLive && services().canAsk();
+  bool isOpen = false;
+  const Duration period = device != nullptr ? device->longestPeriod() : Duration{0};
+  const bool isRepeated = period > 0ns;
+  if (device != nullptr) {
+    for (const RequestStatus& request : device->requests) {
+      isOpen = isOpen || request.progress == RequestStatus::Progress::Queued ||
+               request.progress == RequestStatus::Progress::Waiting ||
+               request.progress == RequestStatus::Progress::NotOnBusYet;
+    }
+  }
+  const bool takesPolls = device != nullptr && !(device->takes & kPolls).isEmpty();
+  m_askAll->setEnabled(canAsk && takesPolls);
+  m_repeat->setEnabled((canAsk && takesPolls) || isRepeated);
+  offerPeriods(canAsk && takesPolls);
+  m_askEveryone->setEnabled(canAsk);
+  m_cancel->setEnabled(isOpen || isRepeated);
+  const auto found = std::ranges::find(kPeriods, period);
+  const int index = found == kPeriods.end() ? 0 : static_cast<int>(found - kPeriods.begin());
+  if (!m_repeat->view()->isVisible() && m_repeat->currentIndex() != index) m_repeat->setCurrentIndex(index);
+  bool hasCard = false;
+  for (AskCard* card : m_cards) {
+    const bool isTaken = device != nullptr && device->takes.has(card->ask());
+    const bool isShown = isTaken || m_history->latest(card->ask()) != nullptr;
+    card->setVisible(isShown);
+    hasCard = hasCard || isShown;
+    if (isShown) showCard(*card, device);
+  }
+  m_none->setVisible(!hasCard);
+  m_none->setText(m_view.device.isNull() ? tr("Choose an Akron device to ask it.")
+                                         : tr("This device takes no polls, or was not asked in this log."));
+}
+
+// What is repeated can be ended off the live edge too, but not begun.
+void RequestPanel::offerPeriods(bool isOffered) {
+  auto* items = qobject_cast<QStandardItemModel*>(m_repeat->model());
+  for (int i = 1; i < items->rowCount(); ++i) {
+    if (items->item(i)->isEnabled() != isOffered) items->item(i)->setEnabled(isOffered);
+  }
+}
+
+QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isFine) const {
+  using Progress = RequestStatus::Progress;
+  isFine = request.end == RequestEnd::Answered;
+  QStringList parts;
+  if (request.progress == Progress::Queued && request.period == 0ns) parts.append(tr("waits for its turn"));
+  if (request.progress == Progress::Waiting) {
+    parts.append(ask == Ask::Reset ? tr("waiting for it to announce itself")
+                 : isCommand(ask)  ? tr("waiting for the acknowledgement")
+                                   : tr("asked, try %1").arg(request.tries));
+  } else if (request.progress == Progress::NotOnBusYet) {
+    parts.append(tr("not on the bus yet; it may still go out"));
+  } else if (request.end != RequestEnd::None) {
+    const QString end =
+        ask == Ask::Reset && isFine
+            ? tr("restarted, announced itself after %1").arg(periodText(request.latency))
+        : ask == Ask::Reset && request.end == RequestEnd::NoAnswer ? tr("not seen again within 10 s")
+        : isCommand(ask) && isFine                                 ? tr("acknowledged")
+        : isFine && request.tries > 1 ? tr("answered at try %1, %2 after the first")
+                                            .arg(request.tries)
+                                            .arg(periodText(request.ended - request.firstSent))
+        : isFine ? tr("answered in %1").arg(periodText(request.latency))
+                 : requestEndText(ask, request.end);
+    parts.append(
+        tr("%1, %2").arg(end, agoText(std::max(m_view.log.cursor.time, m_view.log.end) - request.ended)));
+  }
+  if (request.period > 0ns)
+    parts.append(tr("every %1: %2 of %3 answered")
+                     .arg(periodText(request.period))
+                     .arg(request.answered)
+                     .arg(request.asked > 0 && request.progress == Progress::Queued ? request.asked - 1
+                                                                                    : request.asked));
+  if (request.unasked > 0)
+    parts.append(tr("%Ln answers too many", nullptr, static_cast<int>(request.unasked)));
+  return parts.join(QStringLiteral(" · "));
+}
+
+AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
+  AskCardValues values;
+  if (isCommand(ask)) return values;
+  const Instant now = m_view.log.cursor.time;
+  const Device* known = m_view.log.state != nullptr ? findDevice(*m_view.log.state, m_view.device) : nullptr;
+  const AnswerHistory::Row* last = m_history->latest(ask);
+  QStringList parts;
+  if (last == nullptr) {
+    parts << (known != nullptr ? noAnswerText(*known, ask, now) : tr("never asked"));
+    if (known != nullptr && !askedAgainText(*known, ask, now).isEmpty()) values.tone = Severity::Attend;
+  } else {
+    const QString again = withMissing && known != nullptr ? askedAgainText(*known, ask, now) : QString();
+    if (!again.isEmpty()) {
+      values.tone = Severity::Attend;
+      parts << again;
+    }
+    values.answer = m_history->latestText(ask);
+    const AnswerAge age =
+        known != nullptr ? ageOfAnswer(*m_view.log.state, *known, last->time) : AnswerAge::Current;
+    values.isOld = age != AnswerAge::Current;
+    values.isFault = ask == Ask::Fault && known != nullptr && namesFault(*known);
+    const QString heard = tr("heard %1").arg(agoText(now - last->time));
+    parts << (values.isOld ? tr("%1, %2", "age of an answer, why it is old").arg(heard, answerAgeText(age))
+                           : heard);
+  }
+  values.state = parts.join(QStringLiteral(" · "));
+  return values;
+}
+
+void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
+  AskCardValues values = loggedValues(card.ask(), true);
+  if (device != nullptr) {
+    const RequestStatus& request = device->of(card.ask());
+    bool isFine = false;
+    // How a request ended is of now; the past knows its answers alone.
+    const bool isKept = request.progress == RequestStatus::Progress::NotOnBusYet;
+    const bool isOpen =
+        isKept || request.progress == RequestStatus::Progress::Waiting || request.period > 0ns;
+    const QString state = m_view.log.atEnd || isOpen ? stateText(card.ask(), request, isFine) : QString();
+    if (!state.isEmpty()) {
+      values = loggedValues(card.ask(), false);
+      // What the log says is said too where the request does not say it: how old the answer is, and why.
+      const bool isAdded = !values.answer.isEmpty() && (!isFine || values.isOld);
+      values.state = isAdded ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
+      values.tone = isKept                                                 ? Severity::Attend
+                    : request.progress == RequestStatus::Progress::Waiting ? Severity::Busy
+                    : request.end == RequestEnd::None                      ? Severity::Plain
+                    : !isFine                                              ? Severity::Attend
+                    : values.isFault || values.isOld                       ? Severity::Plain
+                                                                           : Severity::Fine;
+    }
+    values.isOffered = m_view.isLive && services().canAsk() && device->takes.has(card.ask()) &&
+                       request.progress != RequestStatus::Progress::Waiting && !isKept;
+  }
+  card.setValues(values);
+}
+
+void RequestPanel::press(Ask ask) {
+  const wish::AskDevice wanted{m_view.device, AskSet{ask}};
+  if (!isCommand(ask)) {
+    Q_EMIT wished(wanted);
+    return;
+  }
+  DangerDialog::ask(
+      this, {tr("%1: %2?").arg(askText(ask), m_view.name), tr(*kConsequences.find(ask)), askText(ask)},
+      [this, wanted] { Q_EMIT wished(wanted); });
+}
+
+void RequestPanel::repeat(int index) {
+  Q_EMIT wished(wish::Repeat{m_view.device, kPolls, kPeriods.at(static_cast<std::size_t>(index))});
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/trace/decode_panel.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QHeaderView>
+#include <QPainter>
+#include <QTableView>
+#include <algorithm>
+
+#include "paint/app_style.h"
+#include "paint/payload_bits.h"
+#include "panel/common/flat_header.h"
+#include "panel/trace/decode_delegate.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kWide = 820;  // from here on, or up to this height, bits and fields stand side by side
+constexpr int kTall = 320;
+constexpr int kRow = 24;
+constexpr int kLeastValue = 120, kMostValue = 320;
+
+}  // namespace
+
+DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("decodePanel"));
+  setAccessibleName(tr("Frame in detail"));
+  m_payload = new PayloadBits(this);
+  m_delegate = new DecodeDelegate(this);
+  m_list = new QTableView(this);
+  m_list->setObjectName(QStringLiteral("decodeFields"));
+  m_list->setAccessibleName(tr("Fields of the frame"));
+  m_list->setWhatsThis(tr("The frame field by field, with the raw bits of each and where they stand."));
+  m_list->setItemDelegate(m_delegate);
+  m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_list->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  m_list->setTabKeyNavigation(false);
+  m_list->setShowGrid(false);
+  m_list->viewport()->installEventFilter(this);
+  m_list->setMouseTracking(true);
+  m_list->setFrameShape(QFrame::NoFrame);
+  m_list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  m_list->verticalHeader()->hide();
+  m_list->verticalHeader()->setDefaultSectionSize(kRow);
+  m_list->verticalHeader()->setMinimumSectionSize(kRow);
+  m_header = new FlatHeader(m_list);
+  m_header->setObjectName(QStringLiteral("decodeHeader"));
+  m_header->setMinimumSectionSize(48);
+  m_list->setHorizontalHeader(m_header);
+  m_layout = new QBoxLayout(QBoxLayout::LeftToRight, this);  // the less height
+  m_layout->setContentsMargins(0, 0, 0, 0);
+  m_layout->setSpacing(0);
+  auto* around = new QVBoxLayout;
+  around->setContentsMargins(8, 8, 8, 8);
+  around->addWidget(m_payload);
+  around->addStretch();
+  m_layout->addLayout(around);
+  m_layout->addWidget(m_list, 1);
+  m_model = new DecodeModel(this);
+  m_list->setModel(m_model);
+  m_header->setSectionResizeMode(QHeaderView::Interactive);
+  shareWidth();
+  connect(m_model, &QAbstractItemModel::modelReset, this, [this] { point(-1); });
+  connect(m_model, &DecodeModel::frameChanged, this, &DecodePanel::showFrame);
+  connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::showBits);
+  showFrame();
+  connect(m_payload, &PayloadBits::bitPicked, this, &DecodePanel::pick);
+  connect(m_payload, &PayloadBits::bitPointed, this,
+          [this](std::uint64_t bit) { point(bit == 0 ? -1 : m_model->rowOfBit(bit)); });
+  connect(m_list, &QAbstractItemView::entered, this,
+          [this](const QModelIndex& index) { point(index.row()); });
+  connect(m_list, &QAbstractItemView::viewportEntered, this, [this] { point(-1); });
+}
+
+void DecodePanel::setView(const PanelView& view) {
+  m_model->setView(view.log);
+  m_model->setFrame(view.frame);
+}
+
+void DecodePanel::showFrame() {
+  m_list->clearSpans();
+  for (int row = 0; row < m_model->rowCount(); ++row) {
+    const auto line =
+        static_cast<DecodeRow::Line>(m_model->index(row, 0).data(DecodeModel::KindRole).toInt());
+    const bool isSentence = line == DecodeRow::Line::Title || line == DecodeRow::Line::Certainty;
+    if (isSentence)
+      m_list->setSpan(row, DecodeModel::Value, 1, DecodeModel::ColumnCount - DecodeModel::Value);
+    if (line == DecodeRow::Line::Certainty) m_list->setRowHeight(row, 2 * kRow);
+  }
+  showBits();
+}
+
+void DecodePanel::showBits() {
+  PayloadValues values;
+  if (const Frame* frame = m_model->content()) {
+    values.bytes = frame->data;
+    values.length = static_cast<int>(frame->bytes().size());
+  }
+  for (int row = 0; row < m_model->rowCount(); ++row) {
+    if (const auto bits = m_model->index(row, 0).data(DecodeModel::BitsRole).toULongLong(); bits != 0)
+      values.fields.push_back(bits);
+  }
+  const QModelIndex current = m_list->currentIndex();
+  if (current.isValid()) values.selected = current.data(DecodeModel::BitsRole).toULongLong();
+  const QModelIndex pointed = m_model->index(m_pointed, 0);
+  if (pointed.isValid()) values.pointed = pointed.data(DecodeModel::BitsRole).toULongLong();
+  values.related = (values.pointed != 0 ? pointed : current).data(DecodeModel::SignBitsRole).toULongLong();
+  m_payload->setValues(values);
+}
+
+void DecodePanel::pick(std::uint64_t bit) {
+  const int row = m_model->rowOfBit(bit);
+  if (row >= 0) m_list->setCurrentIndex(m_model->index(row, 0));
+}
+
+void DecodePanel::point(int row) {
+  if (row == m_pointed) return;
+  m_pointed = row;
+  m_delegate->setPointedRow(row);
+  m_list->viewport()->update();
+  showBits();
+}
+
+// Values get what is left, but no more than they need: what they are made of should stand beside them. Where
+// there is little room the raw bits go first, for they are drawn above.
+void DecodePanel::shareWidth() {
+  const auto widthOf = [this](const QString& text) {
+    return fontMetrics().horizontalAdvance(text) + 2 * FlatHeader::kPadding + 4;
+  };
+  const int all = m_list->viewport()->width();
+  const int name = widthOf(QStringLiteral("Axis 5 (+) hard stop"));
+  const int place = widthOf(QStringLiteral("B1.8–7, B2"));
+  int raw = widthOf(QStringLiteral("0000 0000 0000 0000 0"));
+  const bool hasRaw = all >= name + raw + place + kLeastValue;
+  m_list->setColumnHidden(DecodeModel::Raw, !hasRaw);
+  if (!hasRaw) raw = 0;
+  const int value = std::clamp(all - name - raw - place, kLeastValue, kMostValue);
+  m_header->resizeSection(DecodeModel::Name, name);
+  m_header->resizeSection(DecodeModel::Value, value);
+  if (hasRaw) m_header->resizeSection(DecodeModel::Raw, raw);
+  m_header->resizeSection(DecodeModel::Place, std::max(place, all - name - value - raw));
+}
+
+void DecodePanel::resizeEvent(QResizeEvent* event) {
+  m_layout->setDirection(width() >= kWide || height() < kTall ? QBoxLayout::LeftToRight
+                                                              : QBoxLayout::TopToBottom);
+  QWidget::resizeEvent(event);
+}
+
+void DecodePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) shareWidth();
+}
+
+bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_list->viewport() && event->type() == QEvent::Resize) shareWidth();
+  if (watched == m_list->viewport() && event->type() == QEvent::Leave) point(-1);
+  if (watched == m_list->viewport() && event->type() == QEvent::Paint && (m_model->rowCount() == 0)) {
+    QPainter p(m_list->viewport());
+    const Colours& c = coloursOf(m_list);
+    p.fillRect(m_list->viewport()->rect(), c.surface);
+    p.setPen(c.textSecondary);
+    p.drawText(m_list->viewport()->rect(), Qt::AlignCenter, tr("No frame selected"));
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void DecodePanel::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.fillRect(rect(), coloursOf(this).window);
+}
+
+}  // namespace deckpipe

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/trace/trace_bar.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QTabBar>
+#include <QToolButton>
+
+#include "model/filter_keys.h"
+#include "paint/app_style.h"
+#include "panel/common/label_text.h"
+#include "panel/trace/trace_filter_edit.h"
+
+namespace deckpipe {
+
+TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("traceBar"));
+  m_filter = new TraceFilterEdit(this);
+  makeHelp();
+  m_count = new QLabel(this);
+  m_count->setObjectName(QStringLiteral("traceCount"));
+  m_count->setTextFormat(Qt::PlainText);
+  setInk(*m_count, Ink::Secondary);
+  m_count->setMinimumWidth(fontMetrics().horizontalAdvance(
+      tr("%1 of %2").arg(QLocale().toString(10'000'000), QLocale().toString(10'000'000))));
+  m_time = new QComboBox(this);
+  m_time->setObjectName(QStringLiteral("traceTime"));
+  m_time->setAccessibleName(tr("How the Time column says time"));
+  m_time->setToolTip(m_time->accessibleName());
+  m_time->addItems(
+      {tr("Time of the log"), tr("Since the begin"), tr("Since the row before"), tr("Local time")});
+  connect(m_time, &QComboBox::activated, this, &TraceBar::timeModeChosen);
+  m_follow = new QCheckBox(this);
+  m_follow->setObjectName(QStringLiteral("traceFollow"));
+  m_follow->setText(tr("Follow"));
+  m_follow->setAccessibleName(tr("Follow the end of the log"));
+  m_follow->setToolTip(m_follow->accessibleName());
+  connect(m_follow, &QAbstractButton::toggled, this, &TraceBar::followToggled);
+  m_order = new QTabBar(this);
+  m_order->setObjectName(QStringLiteral("traceOrder"));
+  m_order->setAccessibleName(tr("Rows of the trace"));
+  m_order->setExpanding(false);
+  m_order->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  m_order->setDrawBase(false);
+  m_order->addTab(tr("In order"));
+  m_order->addTab(tr("By ID"));
+  m_order->setTabToolTip(InOrder, tr("Every frame, as it came"));
+  m_order->setTabToolTip(ById, tr("The last frame of each identifier, how often and how regular it comes"));
+  connect(m_order, &QTabBar::currentChanged, this, [this](int order) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_time, m_follow})  // are about frames one by one
+      widget->setVisible(order == InOrder);
+    Q_EMIT orderChosen(order);
+  });
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(8);
+  row->addWidget(m_order);
+  row->addWidget(m_filter, 1);
+  row->addWidget(m_help);
+  row->addWidget(m_count);
+  row->addWidget(m_time);
+  row->addWidget(m_follow);
+}
+
+void TraceBar::makeHelp() {
+  m_help = new QToolButton(this);
+  m_help->setObjectName(QStringLiteral("traceFilterHelp"));
+  m_help->setText(QStringLiteral("?"));
+  m_help->setAccessibleName(tr("How filters are written"));
+  m_help->setMinimumWidth(32);
+  m_help->setToolTip(filterHelp());
+  m_help->setPopupMode(QToolButton::InstantPopup);
+  auto* examples = new QMenu(m_help);
+  for (const char* example : {"pgn=EF00 and sa=80", "type=01,83", "name~\"soft limits\"", "rotation_deg>30",
+                              "data~\"01 1D\"", "dir=tx", "malformed or err", "t>=10 and t<20"}) {
+    const QString text = QLatin1String(example);
+    examples->addAction(text, m_filter, [this, text] { m_filter->setExpression(text); });
+  }
+  m_help->setMenu(examples);
+}
+
+void TraceBar::setOrder(int order) { m_order->setCurrentIndex(order); }
+
+void TraceBar::setTimeMode(int mode) {
+  const QSignalBlocker blocker(m_time);
+  m_time->setCurrentIndex(mode);
+}
+
+void TraceBar::setFollowing(bool isFollowing) { m_follow->setChecked(isFollowing); }
+
+void TraceBar::setCount(const QString& text) { setText(*m_count, text); }
+
+}  // namespace deckpipe

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panel/trace/trace_search_bar.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+
+#include "paint/app_style.h"
+#include "panel/common/label_text.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr int kTickMs = 100;
+
+}  // namespace
+
+TraceSearchBar::TraceSearchBar(Where where, QWidget* parent) : QWidget(parent), m_where(std::move(where)) {
+  setObjectName(QStringLiteral("traceSearchBar"));
+  setAccessibleName(tr("Search in the trace"));
+  m_edit = new QLineEdit(this);
+  m_edit->setObjectName(QStringLiteral("traceSearch"));
+  m_edit->setAccessibleName(tr("Search for"));
+  m_edit->setPlaceholderText(tr("Find: text of a row, or an expression such as rotation_deg>30"));
+  m_edit->setWhatsThis(tr(
+      "Finds the next frame whose row shows this text, or that passes an expression of the filter language. "
+      "F3 goes on, Shift+F3 back; Escape gives a search up and then closes this line."));
+  m_edit->setClearButtonEnabled(true);
+  const auto button = [this](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QToolButton(this);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setText(text);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    return made;
+  };
+  m_previous = button("traceSearchPrevious", tr("Previous"), tr("Previous match (Shift+F3)"));
+  m_next = button("traceSearchNext", tr("Next"), tr("Next match (F3)"));
+  m_close = button("traceSearchClose", tr("Close"), tr("Close the search (Esc)"));
+  m_said = new QLabel(this);
+  m_said->setObjectName(QStringLiteral("traceSearchSaid"));
+  m_said->setTextFormat(Qt::PlainText);
+  m_said->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Found, on from the begin of the log")) + 8);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(4);
+  row->addWidget(m_edit, 1);
+  row->addWidget(m_previous);
+  row->addWidget(m_next);
+  row->addSpacing(8);
+  row->addWidget(m_said);
+  row->addWidget(m_close);
+  m_tick.setInterval(kTickMs);
+  connect(&m_tick, &QTimer::timeout, this, &TraceSearchBar::sayProgress);
+  connect(m_edit, &QLineEdit::textChanged, this, [this] { find(false, true); });
+  connect(m_previous, &QToolButton::clicked, this, &TraceSearchBar::findPrevious);
+  connect(m_next, &QToolButton::clicked, this, &TraceSearchBar::findNext);
+  connect(m_close, &QToolButton::clicked, this, &TraceSearchBar::closed);
+  connect(&m_search, &TraceSearch::found, this, [this](quint64 frame, bool wrapped) {
+    say(!wrapped        ? tr("Found")
+        : m_isBackwards ? tr("Found, on from the end of the log")
+                        : tr("Found, on from the begin of the log"));
+    Q_EMIT frameFound(frame);
+  });
+  connect(&m_search, &TraceSearch::notFound, this, [this] { say(tr("Not found"), true); });
+}
+
+void TraceSearchBar::open() {
+  show();
+  m_edit->setFocus(Qt::ShortcutFocusReason);
+  m_edit->selectAll();
+}
+
+void TraceSearchBar::forget() {
+  m_search.cancel();
+  say({});
+}
+
+QString TraceSearchBar::said() const { return m_said->text(); }
+
+void TraceSearchBar::say(const QString& text, bool isAttend) {
+  setInk(*m_said, isAttend ? Ink::Attend : Ink::Secondary);
+  setText(*m_said, text);
+}
+
+// What is an expression is one; everything else is text, and so is what stands in quotes.
+void TraceSearchBar::find(bool isBackwards, bool isHereToo) {
+  const QString text = m_edit->text().trimmed();
+  if (text.isEmpty()) {
+    forget();
+    return;
+  }
+  TraceSearch::Question question = m_where(isBackwards, isHereToo);
+  if (!question.log || question.frames == 0) {
+    say(tr("No frames"));
+    return;
+  }
+  const bool isQuoted = text.size() > 2 && text.startsWith(u'"') && text.endsWith(u'"');
+  auto expression = TraceFilter::parse(text);
+  question.wanted = isQuoted     ? TraceFilter::containing(text.mid(1, text.size() - 2))
+                    : expression ? expression.value()
+                                 : TraceFilter::containing(text);
+  question.isBackwards = m_isBackwards = isBackwards;
+  m_search.find(std::move(question));
+  m_tick.start();
+  sayProgress();
+}
+
+void TraceSearchBar::sayProgress() {
+  if (m_search.isSearching()) {
+    say(tr("Searching… %1 %").arg(static_cast<int>(m_search.fraction() * 100)));
+  } else {
+    m_tick.stop();
+  }
+}
+
+void TraceSearchBar::giveUpOrClose() {
+  if (m_search.isSearching()) {
+    m_search.cancel();
+    say(tr("Search given up"));
+  } else {
+    Q_EMIT closed();
+  }
+}
+
+void TraceSearchBar::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Escape: giveUpOrClose(); return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter: find((event->modifiers() & Qt::ShiftModifier) != 0, false); return;
+    default: QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace deckpipe
