@@ -7,7 +7,7 @@
 #include "panel/common/twin_panel.h"
 #include "panel/devices/device_panel.h"
 #include "panel/events/event_panel.h"
-#include "panel/page/monitor_page.h"
+#include "panel/page/device_page.h"
 #include "panel/page/overview_panel.h"
 #include "panel/pipe/terminal_panel.h"
 #include "panel/poll/request_panel.h"
@@ -77,7 +77,7 @@ constexpr DockRow kRows[] = {
 }  // namespace
 
 std::span<const DockRow> dockRows() { return kRows; }
-Panel makeDevicePage(Workspace& workspace) { return make<MonitorPage>(workspace); }
+Panel makeDevicePage(Workspace& workspace) { return make<DevicePage>(workspace); }
 Panel makeOverview(Workspace& workspace) { return make<OverviewPanel>(workspace); }
 
 }  // namespace deckpipe

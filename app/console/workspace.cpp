@@ -15,7 +15,7 @@
 #include "panel/common/help_panel.h"
 #include "panel/common/twin_panel.h"
 #include "panel/events/event_panel.h"
-#include "panel/page/monitor_page.h"
+#include "panel/page/device_page.h"
 #include "panel/trace/trace_panel.h"
 
 namespace deckpipe {
@@ -46,7 +46,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   m_centre->addTab(m_pages[1].widget, tr("All monitors"));
   setCentralWidget(m_centre);
   for (const DockRow& row : dockRows()) m_docks.push_back(makeDock(row));
-  m_page = findChild<MonitorPage*>();
+  m_page = findChild<DevicePage*>();
   m_page->setStage(this);  // what tells past from present and locked from unlocked stays in sight
   m_trace = findChild<TracePanel*>();
   m_events = findChild<EventPanel*>();

@@ -22,7 +22,7 @@ namespace deckpipe {
 class DockTitle;
 class EventPanel;
 class HelpPanel;
-class MonitorPage;
+class DevicePage;
 class TracePanel;
 
 class Workspace : public QMainWindow {
@@ -110,7 +110,7 @@ class Workspace : public QMainWindow {
   QTabWidget* m_centre;
   std::vector<Panel> m_pages;  // of the middle
   std::vector<Dock> m_docks;   // in the order of their rows
-  MonitorPage* m_page;
+  DevicePage* m_page;
   TracePanel* m_trace;
   EventPanel* m_events;
   HelpPanel* m_help;

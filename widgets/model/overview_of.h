@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 #include "state/log_view.h"
 
 namespace deckpipe {

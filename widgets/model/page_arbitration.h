@@ -4,7 +4,7 @@
 // overrides the others only where it asks for something.
 #pragma once
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 namespace deckpipe {
 

@@ -4,7 +4,7 @@
 // command, RPDO1, whose sender is not known. A controller forgets an input after 200 ms.
 #pragma once
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 namespace deckpipe {
 

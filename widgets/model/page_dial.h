@@ -2,7 +2,7 @@
 // What the dial of a monitor shows at the state's cursor: on its own page, on its tile of the overview.
 #pragma once
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 namespace deckpipe {
 

@@ -3,7 +3,7 @@
 // went; what a joystick's timing is.
 #pragma once
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 namespace deckpipe {
 

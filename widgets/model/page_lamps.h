@@ -2,7 +2,7 @@
 // The lamps of a page: hard stops by axis, outputs of each kind of device, inputs, the permissive.
 #pragma once
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 namespace deckpipe {
 

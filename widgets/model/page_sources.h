@@ -11,7 +11,7 @@ namespace deckpipe {
 
 // PageLampGroup::key and PageFactGroup::key of a group.
 QString pageGroupKey(PageGroup group);
-// By the group's key (monitor_page_values.h; "stops" for the hard stops), a line a message; empty for others.
+// By the group's key (device_page_values.h; "stops" for the hard stops), a line a message; empty for others.
 QString pageSourceText(const QString& groupKey);
 
 }  // namespace deckpipe

@@ -2,7 +2,7 @@
 // A joystick's stick as a page shows it, with words for what its message says.
 #pragma once
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 namespace deckpipe {
 

@@ -12,8 +12,8 @@
 #include "console/workspace.h"
 #include "model/answer_history.h"
 #include "panel/devices/device_panel.h"
+#include "panel/page/device_page.h"
 #include "panel/page/full_dial.h"
-#include "panel/page/monitor_page.h"
 #include "panel/page/monitor_tile.h"
 #include "panel/page/overview_panel.h"
 #include "support/child.h"
@@ -52,9 +52,9 @@ TEST_F(WindowDevices, ShowsAllMonitorsAndGoesToThePageOfOne) {
   tabs()->setCurrentWidget(only<OverviewPanel>());
   auto* second = named<MonitorTile>("monitorTile2");
   QTest::mouseClick(second, Qt::LeftButton);
-  EXPECT_EQ(tabs()->currentWidget(), only<MonitorPage>());
+  EXPECT_EQ(tabs()->currentWidget(), only<DevicePage>());
   EXPECT_EQ(only<Workspace>()->device(), DeviceKey::at(Channel{0}, Address{0x81}));
-  EXPECT_EQ(only<MonitorPage>()->values().key, DeviceKey::at(Channel{0}, Address{0x81}));
+  EXPECT_EQ(only<DevicePage>()->values().key, DeviceKey::at(Channel{0}, Address{0x81}));
 }
 
 // At rest no snapshot comes that would tell the docks.
@@ -81,7 +81,7 @@ TEST_F(WindowDevices, SpreadsTheDialOverTheWorkspace) {
   EXPECT_EQ(full->parentWidget(), only<Workspace>());
   EXPECT_EQ(full->size(), only<Workspace>()->size());
   QTest::keyClick(full, Qt::Key_Escape);
-  EXPECT_EQ(only<MonitorPage>()->full(), nullptr);
+  EXPECT_EQ(only<DevicePage>()->full(), nullptr);
 }
 
 TEST(SettingsLabelsTest, KeepAnyPinThatADeviceCanHave) {

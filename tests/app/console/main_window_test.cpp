@@ -6,7 +6,7 @@
 #include "console/workspace.h"
 #include "model/decode_model.h"
 #include "panel/devices/device_panel.h"
-#include "panel/page/monitor_page.h"
+#include "panel/page/device_page.h"
 #include "panel/play/transport_bar.h"
 #include "panel/trace/trace_view.h"
 #include "support/child.h"
@@ -26,7 +26,7 @@ TEST_F(Window, SaysWhatToDoWhileNothingIsOpen) {
 
 TEST_F(Window, ShowsTheFirstMonitorOfALogAtItsEnd) {
   openLog(kTruck);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return only<MonitorPage>()->isVisible(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return only<DevicePage>()->isVisible(); }, kPatience));
   EXPECT_EQ(only<Workspace>()->device(),
             keyOf(*m_session.snapshot().view.state->devices().byPin(*Pin::parse("1032AE100801035"))));
   EXPECT_EQ(text("frameCounts"), QStringLiteral("3 frames"));

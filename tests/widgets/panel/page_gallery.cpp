@@ -8,8 +8,8 @@
 
 #include "paint/app_style.h"
 #include "panel/devices/device_panel.h"
+#include "panel/page/device_page.h"
 #include "panel/page/full_dial.h"
-#include "panel/page/monitor_page.h"
 #include "panel/page/overview_panel.h"
 #include "widgets/panel/panel_scenes.h"
 
@@ -31,7 +31,7 @@ QPixmap picture(const test::PanelScene& scene, QSize size, bool hasTable) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   auto* panel = new DevicePanel;
-  auto* page = new MonitorPage;
+  auto* page = new DevicePage;
   panel->setFixedWidth(332);
   panel->setVisible(hasTable);
   if (hasTable) layout->addWidget(panel);
@@ -51,7 +51,7 @@ QPixmap picture(const test::PanelScene& scene, QSize size, bool hasTable) {
 
 QPixmap full(const test::PanelScene& scene, QSize size) {
   QWidget window;
-  MonitorPage page(&window);
+  DevicePage page(&window);
   window.resize(size);
   window.show();
   PanelView view(scene.view);
@@ -96,7 +96,7 @@ int run(const QString& folder, const QString& only) {
         save({1366, 900}, true, "_high");
         save({560, 1100}, false, "_narrow");
       }
-      const bool hasDial = monitorPageOf(scene.view, scene.device).dial.has_value();
+      const bool hasDial = devicePageOf(scene.view, scene.device).dial.has_value();
       const QString file = QStringLiteral("%1_%2_full.png").arg(name, QString::fromLatin1(nameOf(theme)));
       if (hasDial) isSaved = full(scene, {1366, 768}).save(dir.filePath(file)) && isSaved;
     }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 class QGridLayout;
 class QLabel;

@@ -40,7 +40,7 @@ FullDial::FullDial(QWidget* window)
   window->installEventFilter(this);
 }
 
-void FullDial::setPage(const MonitorPageValues& page) {
+void FullDial::setPage(const DevicePageValues& page) {
   const bool hasDial = page.isFound && page.dial;
   if (hasDial) {
     m_header->setPage(page);

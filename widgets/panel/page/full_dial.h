@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A monitor's dial over the whole window, to be read from three metres: header and dial, nothing else. A
-// child of the window, above all docks, as large as it. MonitorPage makes it, gives it every page and takes
+// child of the window, above all docks, as large as it. DevicePage makes it, gives it every page and takes
 // it away when it asks for that: Esc, F11, a double click or its button.
 #pragma once
 
 #include <QWidget>
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 class QLabel;
 
@@ -22,7 +22,7 @@ class FullDial : public QWidget {
   explicit FullDial(QWidget* window);
 
   // A page without a dial, or of a device that is not there at the cursor, is said in words: the view stays.
-  void setPage(const MonitorPageValues& page);
+  void setPage(const DevicePageValues& page);
   void setAnimated(bool animated);
 
  Q_SIGNALS:

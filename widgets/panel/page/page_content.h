@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the parts of a page stand: dial or sticks with what belongs beside it, then further lamps, then facts
-// in columns; all under one another where it is narrow. Used by MonitorPage inside its scroll area.
+// in columns; all under one another where it is narrow. Used by DevicePage inside its scroll area.
 //
 // By hand, not by nested layouts: half of the parts have a height that depends on their width, and Qt's box
 // layouts, nested, take that from one part to give it to another.

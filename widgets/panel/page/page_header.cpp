@@ -100,7 +100,7 @@ PageHeader::PageHeader(QWidget* parent)
   grid->setColumnStretch(0, 1);
 }
 
-void PageHeader::setPage(const MonitorPageValues& page) {
+void PageHeader::setPage(const DevicePageValues& page) {
   setText(*m_title, page.title);
   const QString type =
       page.identity.isEmpty() ? page.type : QStringLiteral("%1 · %2").arg(page.identity, page.type);

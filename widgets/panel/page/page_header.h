@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 class QLabel;
 class QToolButton;
@@ -21,7 +21,7 @@ class PageHeader : public QWidget {
  public:
   explicit PageHeader(QWidget* parent = nullptr);
 
-  void setPage(const MonitorPageValues& page);
+  void setPage(const DevicePageValues& page);
   // Whether the button is there that spreads the dial over the window, and what it does now.
   void setFullOffered(bool isOffered);
   void setTraceOffered(bool isOffered);

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 
 class QLabel;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/page/monitor_page.h"
+#include "panel/page/device_page.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ class PageTest : public testing::Test {
 
   Heard m_bus;
   PanelView m_view;
-  MonitorPage m_page;
+  DevicePage m_page;
 };
 
 TEST_F(PageTest, SaysWhatToDoWhereThereIsNothingToShow) {
@@ -157,8 +157,8 @@ TEST_F(PageTest, ChangesFromAnyDeviceToAnyOther) {
     for (const PanelScene& to : scenes) {
       show(from.view, from.device);
       show(to.view, to.device);
-      const MonitorPageValues& v = m_page.values();
-      EXPECT_EQ(v, monitorPageOf(to.view, to.device));
+      const DevicePageValues& v = m_page.values();
+      EXPECT_EQ(v, devicePageOf(to.view, to.device));
       EXPECT_EQ(isShown("dial"), v.isFound && v.dial.has_value()) << from.name << " to " << to.name;
       for (const PageLampGroup& group : v.lamps) {
         EXPECT_TRUE(isShown(qPrintable(group.key + QStringLiteral("Lamps"))))

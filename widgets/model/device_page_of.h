@@ -3,11 +3,11 @@
 // Ages are of the state's own cursor, so that a page never mixes two instants.
 #pragma once
 
-#include "model/monitor_page_values.h"
+#include "model/device_page_values.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
 
-MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key, const DeviceLabels& labels = {});
+DevicePageValues devicePageOf(const LogView& view, const DeviceKey& key, const DeviceLabels& labels = {});
 
 }  // namespace deckpipe

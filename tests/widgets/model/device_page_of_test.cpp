@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/monitor_page_of.h"
+#include "model/device_page_of.h"
 
 #include <gtest/gtest.h>
 
@@ -14,21 +14,21 @@ namespace {
 using namespace test;
 using How = note::OwnAddress::How;
 
-MonitorPageValues pageOf(const Heard& bus, const DeviceKey& key = keyOfA()) {
-  return monitorPageOf(bus.view(), key);
+DevicePageValues pageOf(const Heard& bus, const DeviceKey& key = keyOfA()) {
+  return devicePageOf(bus.view(), key);
 }
 DeviceKey addressKey(int address) {
   return DeviceKey::at(Channel{0}, Address{static_cast<std::uint8_t>(address)});
 }
 DeviceKey nodeKey(int node) { return DeviceKey::at(Channel{0}, NodeId{static_cast<std::uint8_t>(node)}); }
 
-const PageLampGroup* groupOf(const MonitorPageValues& page, const char* key) {
+const PageLampGroup* groupOf(const DevicePageValues& page, const char* key) {
   for (const PageLampGroup& group : page.lamps) {
     if (group.key == QLatin1String(key)) return &group;
   }
   return nullptr;
 }
-std::optional<Status2> lamp(const MonitorPageValues& page, const char* group, const char* label) {
+std::optional<Status2> lamp(const DevicePageValues& page, const char* group, const char* label) {
   if (const PageLampGroup* lamps = groupOf(page, group)) {
     for (const PageLamp& l : lamps->lamps) {
       if (l.label == QLatin1String(label)) return l.state;
@@ -37,7 +37,7 @@ std::optional<Status2> lamp(const MonitorPageValues& page, const char* group, co
   ADD_FAILURE() << "no lamp " << group << ' ' << label;
   return {};
 }
-PageFact fact(const MonitorPageValues& page, const char* label) {
+PageFact fact(const DevicePageValues& page, const char* label) {
   for (const PageFactGroup& group : page.facts) {
     for (const PageFact& f : group.facts) {
       if (f.label == QLatin1String(label)) return f;
@@ -47,10 +47,10 @@ PageFact fact(const MonitorPageValues& page, const char* label) {
   return {};
 }
 
-TEST(MonitorPageOf, GivesAMonitorItsDialFromFeedback) {
+TEST(DevicePageOf, GivesAMonitorItsDialFromFeedback) {
   Heard bus;
   bus.monitor().pass(50ms);
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   ASSERT_TRUE(page.isFound);
   EXPECT_EQ(page.title, QString::fromLatin1(kPinA));
   EXPECT_EQ(page.type, QStringLiteral("6032 Universal II"));
@@ -73,10 +73,10 @@ TEST(MonitorPageOf, GivesAMonitorItsDialFromFeedback) {
   EXPECT_FALSE(rotation.command);
 }
 
-TEST(MonitorPageOf, MakesEachPartStaleByItsOwnPeriod) {
+TEST(DevicePageOf, MakesEachPartStaleByItsOwnPeriod) {
   Heard bus;
   bus.monitor().pass(200ms).hear("18EFFF80", kPosition).pass(100ms);
-  MonitorPageValues page = pageOf(bus);
+  DevicePageValues page = pageOf(bus);
   EXPECT_FALSE(page.dial->rotation.isStale);
   EXPECT_TRUE(page.dial->rotation.areLimitsStale);
   EXPECT_TRUE(page.dial->elevation.areLimitsStale);
@@ -90,7 +90,7 @@ TEST(MonitorPageOf, MakesEachPartStaleByItsOwnPeriod) {
   EXPECT_EQ(page.dial->rotation.degrees, 47.3) << "kept, but as old";
 }
 
-TEST(MonitorPageOf, KnowsNothingOfEnableOnceOutputsAreStaleOrNeverCame) {
+TEST(DevicePageOf, KnowsNothingOfEnableOnceOutputsAreStaleOrNeverCame) {
   Heard bus;
   bus.monitor().pass(299ms);
   EXPECT_EQ(pageOf(bus).dial->enable, true);
@@ -111,7 +111,7 @@ class Readings : public testing::TestWithParam<ReadingCase> {};
 TEST_P(Readings, ComeThroughAsTheControllerSaidThem) {
   Heard bus;
   bus.monitor(GetParam().frame);
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   ASSERT_TRUE(page.dial && page.dial->rotation.reading);
   EXPECT_EQ(page.dial->rotation.reading, GetParam().state);
 }
@@ -135,7 +135,7 @@ TEST_P(Commands, AreOfTheHighestSourceThatDeflectsTheAxis) {
   Heard bus;
   bus.monitor();
   GetParam().story(bus);
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   const auto check = [](const std::optional<DialAxis::Command>& command, double speed, const char* by) {
     EXPECT_EQ(command.has_value(), by[0] != '\0');
     if (!command) return;
@@ -168,10 +168,10 @@ INSTANTIATE_TEST_SUITE_P(
         CommandCase{"OtherChannel", [](Heard& b) { b.hear("0CFDD633", kStickRightBack, 1); }, 0, "", 0, ""}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(MonitorPageOf, TakesANodesCommandFromTheGatewayWhileItIsFresh) {
+TEST(DevicePageOf, TakesANodesCommandFromTheGatewayWhileItIsFresh) {
   Heard bus;
   bus.hear("724", "05").hear("1A4", kPosition).hear("224", kStickRightBack).hear("0CFDD633", kStickLeft);
-  MonitorPageValues page = pageOf(bus, nodeKey(0x24));
+  DevicePageValues page = pageOf(bus, nodeKey(0x24));
   ASSERT_TRUE(page.dial);
   ASSERT_TRUE(page.dial->rotation.command);
   EXPECT_EQ(page.dial->rotation.command->source, QStringLiteral("Gateway joystick"));
@@ -180,7 +180,7 @@ TEST(MonitorPageOf, TakesANodesCommandFromTheGatewayWhileItIsFresh) {
   EXPECT_FALSE(pageOf(bus, nodeKey(0x24)).dial->rotation.command);
 }
 
-TEST(MonitorPageOf, ShowsStopsInTheWordsOfTheType) {
+TEST(DevicePageOf, ShowsStopsInTheWordsOfTheType) {
   Heard bus;
   bus.monitor("011D940371004141");  // axis 3 + and axis 4 -
   const PageStops stops = pageOf(bus).stops;
@@ -194,10 +194,10 @@ TEST(MonitorPageOf, ShowsStopsInTheWordsOfTheType) {
   EXPECT_EQ(stops.axes[3].minus.state, Status2::On);
 }
 
-TEST(MonitorPageOf, ShowsOutputsErrorAndCalibration) {
+TEST(DevicePageOf, ShowsOutputsErrorAndCalibration) {
   Heard bus;
   bus.monitor();
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   EXPECT_EQ(lamp(page, "outputs", "Enabled"), Status2::On);
   EXPECT_EQ(lamp(page, "outputs", "Stowed"), Status2::Off);
   EXPECT_EQ(lamp(page, "outputs", "Discharge valve"), Status2::On);
@@ -206,10 +206,10 @@ TEST(MonitorPageOf, ShowsOutputsErrorAndCalibration) {
   EXPECT_EQ(lamp(page, "status", "Calibrated"), Status2::On);
 }
 
-TEST(MonitorPageOf, LeavesLampsUnknownThatNeverCame) {
+TEST(DevicePageOf, LeavesLampsUnknownThatNeverCame) {
   Heard bus;
   bus.hear("18EFFF80", kAnnouncesA);
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   ASSERT_TRUE(page.dial) << "a 6032 is a monitor though it has not sent anything yet";
   EXPECT_FALSE(page.dial->rotation.reading);
   EXPECT_EQ(page.stops.axes[0].plus.state, std::nullopt);
@@ -217,7 +217,7 @@ TEST(MonitorPageOf, LeavesLampsUnknownThatNeverCame) {
   EXPECT_EQ(groupOf(page, "outputs")->age, std::nullopt);
 }
 
-TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
+TEST(DevicePageOf, ShowsAnswersWithTheirAge) {
   Heard bus;
   bus.monitor();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("never asked"));
@@ -227,7 +227,7 @@ TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
       .hear("18EF0580", "040D1C000E0200")
       .hear("18EF0580", "050398690E0103");
   for (int i = 0; i < 90; ++i) bus.pass(1s).statuses();
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   EXPECT_EQ(fact(page, "Fault bits").value,
             QStringLiteral("Reserved bit 20 (older manuals: pCode fault 4)\nInternal fuse"));
   EXPECT_EQ(fact(page, "Fault bits").tone, Severity::Fault);
@@ -240,7 +240,7 @@ TEST(MonitorPageOf, ShowsAnswersWithTheirAge) {
             QStringLiteral("version 1.3\npart 60320014: Trident with Novotechnik sensors"));
 }
 
-TEST(MonitorPageOf, TellsNeverAskedFromNoAnswer) {
+TEST(DevicePageOf, TellsNeverAskedFromNoAnswer) {
   Heard bus;
   bus.monitor().hear("18EF80F9", "02");
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("asked just now"));
@@ -253,7 +253,7 @@ TEST(MonitorPageOf, TellsNeverAskedFromNoAnswer) {
             QStringLiteral("none set\nasked again 2.0 s ago, no answer"));
 }
 
-TEST(MonitorPageOf, DrawsAnAnswerAsOldAfterASilenceAndAfterARestart) {
+TEST(DevicePageOf, DrawsAnAnswerAsOldAfterASilenceAndAfterARestart) {
   Heard bus;
   bus.monitor().faults().pass(93s);
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set\nasked 93 s ago, silent since"));
@@ -266,11 +266,11 @@ TEST(MonitorPageOf, DrawsAnAnswerAsOldAfterASilenceAndAfterARestart) {
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Fine);
 }
 
-TEST(MonitorPageOf, ListsEveryCauseOfTheHealth) {
+TEST(DevicePageOf, ListsEveryCauseOfTheHealth) {
   Heard bus;
   bus.monitor("01FFF4FFF4000000").hear("18EFFF80", "834051");
   const auto lines = [&] {
-    const MonitorPageValues page = pageOf(bus);
+    const DevicePageValues page = pageOf(bus);
     std::string text;
     for (const PageFactGroup& group : page.facts) {
       if (group.key != QStringLiteral("health")) continue;
@@ -288,19 +288,19 @@ TEST(MonitorPageOf, ListsEveryCauseOfTheHealth) {
   EXPECT_EQ(lines(), "Reasons | It has no faults, and its messages come in time.\n");
 }
 
-TEST(MonitorPageOf, SaysThatAShortFaultAnswerHasNoErrorCode) {
+TEST(DevicePageOf, SaysThatAShortFaultAnswerHasNoErrorCode) {
   Heard bus;
   bus.monitor().hear("18EF0580", "0200000000");
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("none set"));
   EXPECT_TRUE(fact(pageOf(bus), "pCode error").value.contains(QStringLiteral("older firmware")));
 }
 
-TEST(MonitorPageOf, ShowsAPermissiveWithItsSenderAndItsTimeOut) {
+TEST(DevicePageOf, ShowsAPermissiveWithItsSenderAndItsTimeOut) {
   Heard bus;
   bus.monitor();
   EXPECT_EQ(groupOf(pageOf(bus), "permissive"), nullptr);
   bus.hear("18EF8005", "A10009");
-  MonitorPageValues page = pageOf(bus);
+  DevicePageValues page = pageOf(bus);
   EXPECT_EQ(lamp(page, "permissive", "Right"), Status2::On);
   EXPECT_EQ(lamp(page, "permissive", "Left"), Status2::Off);
   EXPECT_EQ(groupOf(page, "permissive")->remark, QStringLiteral("from 05 hex"));
@@ -310,17 +310,17 @@ TEST(MonitorPageOf, ShowsAPermissiveWithItsSenderAndItsTimeOut) {
   EXPECT_EQ(groupOf(page, "permissive")->remark, QStringLiteral("timed out, last from 05 hex"));
 }
 
-TEST(MonitorPageOf, SaysThatAPermissiveIsRequiredAndMissing) {
+TEST(DevicePageOf, SaysThatAPermissiveIsRequiredAndMissing) {
   Heard bus;
   bus.monitor().hear("18EFFF80", "83C800");
   EXPECT_EQ(groupOf(pageOf(bus), "permissive")->remark, QStringLiteral("required, none heard"));
   EXPECT_EQ(lamp(pageOf(bus), "permissive", "Up"), std::nullopt);
 }
 
-TEST(MonitorPageOf, ShowsA6033WithItsRiserAndWithoutADial) {
+TEST(DevicePageOf, ShowsA6033WithItsRiserAndWithoutADial) {
   Heard bus;
   bus.hear("18EFFF91", announcementOf("1033AB000000001")).hear("18EFFF91", "848002");
-  const MonitorPageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1033AB000000001")));
+  const DevicePageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1033AB000000001")));
   EXPECT_FALSE(page.dial);
   EXPECT_TRUE(page.stops.axes.empty());
   EXPECT_EQ(lamp(page, "riser", "Riser extended"), Status2::On);
@@ -328,10 +328,10 @@ TEST(MonitorPageOf, ShowsA6033WithItsRiserAndWithoutADial) {
   EXPECT_EQ(lamp(page, "riser", "Device active"), Status2::On);
 }
 
-TEST(MonitorPageOf, ShowsA6039WithItsInputs) {
+TEST(DevicePageOf, ShowsA6039WithItsInputs) {
   Heard bus;
   bus.hear("18EFFFF0", "8505");
-  const MonitorPageValues page = pageOf(bus, addressKey(0xF0));
+  const DevicePageValues page = pageOf(bus, addressKey(0xF0));
   EXPECT_FALSE(page.dial);
   EXPECT_EQ(page.type, QStringLiteral("6039 CAN I/O module"));
   EXPECT_EQ(lamp(page, "inputs", "Allowed in collision zone"), Status2::On);
@@ -339,12 +339,12 @@ TEST(MonitorPageOf, ShowsA6039WithItsInputs) {
   EXPECT_EQ(lamp(page, "inputs", "Stow"), Status2::On);
 }
 
-TEST(MonitorPageOf, ShowsAJoystickWithItsStickAndTiming) {
+TEST(DevicePageOf, ShowsAJoystickWithItsStickAndTiming) {
   Heard bus;
   bus.hear("18EEFF33", kNameOfSerial2).hear("18EFFF33", announcementOf("1035AB000000002"));
   for (int i = 0; i < 5; ++i) bus.hear("0CFDD633", kRestingStick).pass(20ms);
   bus.pass(120ms).hear("0CFDD633", "107D046400004000");
-  const MonitorPageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1035AB000000002")));
+  const DevicePageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1035AB000000002")));
   EXPECT_FALSE(page.dial);
   ASSERT_FALSE(page.sticks.empty());
   EXPECT_NEAR(*page.sticks[0].x, 0.5, 1e-9);
@@ -368,7 +368,7 @@ class StickWords : public testing::TestWithParam<StickCase> {};
 TEST_P(StickWords, SayWhatTheAxisSays) {
   Heard bus;
   bus.hear("0CFDD634", GetParam().frame);
-  const MonitorPageValues page = pageOf(bus, addressKey(0x34));
+  const DevicePageValues page = pageOf(bus, addressKey(0x34));
   ASSERT_FALSE(page.sticks.empty());
   EXPECT_EQ(page.sticks[0].xText.toStdString(), GetParam().x);
 }
@@ -380,10 +380,10 @@ INSTANTIATE_TEST_SUITE_P(OfAnAxis, StickWords,
                                          StickCase{"BothWays", "147D010000000000", "not valid"}),
                          [](const auto& row) { return std::string(row.param.name); });
 
-TEST(MonitorPageOf, ShowsAForeignNodeWithItsNameInWords) {
+TEST(DevicePageOf, ShowsAForeignNodeWithItsNameInWords) {
   Heard bus;
   bus.hear("18EEFF21", kHigherForeignName).pass(1s);
-  const MonitorPageValues page = pageOf(bus, addressKey(0x21));
+  const DevicePageValues page = pageOf(bus, addressKey(0x21));
   EXPECT_TRUE(page.isFound);
   EXPECT_FALSE(page.dial);
   EXPECT_TRUE(page.lamps.empty());
@@ -392,10 +392,10 @@ TEST(MonitorPageOf, ShowsAForeignNodeWithItsNameInWords) {
   EXPECT_EQ(fact(page, "Claim").value, QStringLiteral("claimed"));
 }
 
-TEST(MonitorPageOf, ShowsAHeartbeatOnlyNodeWithoutADial) {
+TEST(DevicePageOf, ShowsAHeartbeatOnlyNodeWithoutADial) {
   Heard bus;
   bus.hear("724", "05");
-  MonitorPageValues page = pageOf(bus, nodeKey(0x24));
+  DevicePageValues page = pageOf(bus, nodeKey(0x24));
   EXPECT_FALSE(page.dial);
   EXPECT_EQ(page.address, QStringLiteral("CANopen node 24 hex"));
   EXPECT_EQ(fact(page, "NMT state").value, QStringLiteral("operational"));
@@ -406,23 +406,23 @@ TEST(MonitorPageOf, ShowsAHeartbeatOnlyNodeWithoutADial) {
             QStringLiteral("unknown state 22 hex, overdue"));
 }
 
-TEST(MonitorPageOf, ShowsANodesAnswers) {
+TEST(DevicePageOf, ShowsANodesAnswers) {
   Heard bus;
   bus.hear("724", "05")
       .hear("5A4", "4300500116699803")
       .hear("5A4", "4301500100200000")
       .hear("5A4", "4B0150020B00");
-  const MonitorPageValues page = pageOf(bus, nodeKey(0x24));
+  const DevicePageValues page = pageOf(bus, nodeKey(0x24));
   EXPECT_EQ(page.type, QStringLiteral("60320022: Firefox, style 3463, with Novotechnik sensors"));
   EXPECT_EQ(fact(page, "Fault bits").value, QStringLiteral("Internal fuse"));
   EXPECT_EQ(fact(page, "Operational error").value, QStringLiteral("Error 11: rotation sensor error"));
   EXPECT_EQ(page.stops.axes.at(2).axis, QStringLiteral("Pattern")) << "the part is one of the 6032's";
 }
 
-TEST(MonitorPageOf, FollowsTheDeviceToItsNewAddress) {
+TEST(DevicePageOf, FollowsTheDeviceToItsNewAddress) {
   Heard bus;
   bus.monitor().pass(2s).hear("18EFFF81", kAnnouncesA).pass(5s);
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   EXPECT_EQ(page.address, QStringLiteral("address 81 hex"));
   EXPECT_EQ(fact(page, "Address").value, QStringLiteral("81 hex for 5.0 s"));
   EXPECT_EQ(fact(page, "Before").value, QStringLiteral("80 hex until 5.0 s ago"));
@@ -431,7 +431,7 @@ TEST(MonitorPageOf, FollowsTheDeviceToItsNewAddress) {
   EXPECT_EQ(pageOf(bus).address, QStringLiteral("address lost"));
 }
 
-TEST(MonitorPageOf, TellsTheAddressesBeforeAndHowManyMore) {
+TEST(DevicePageOf, TellsTheAddressesBeforeAndHowManyMore) {
   Heard bus;
   for (const char* id : {"18EFFF80", "18EFFF81", "18EFFF82", "18EFFF83", "18EFFF84", "18EFFF85"})
     bus.hear(id, kAnnouncesA).pass(10s);
@@ -444,24 +444,24 @@ TEST(MonitorPageOf, TellsTheAddressesBeforeAndHowManyMore) {
       << fact(pageOf(bus), "Before").value.toStdString();
 }
 
-TEST(MonitorPageOf, PutsTheLabelBeforeThePin) {
+TEST(DevicePageOf, PutsTheLabelBeforeThePin) {
   Heard bus;
   bus.monitor();
   DeviceLabels labels;
   labels.set(keyOfA().pin, QStringLiteral("Roof"));
-  const MonitorPageValues page = monitorPageOf(bus.view(), keyOfA(), labels);
+  const DevicePageValues page = devicePageOf(bus.view(), keyOfA(), labels);
   EXPECT_EQ(page.title, QStringLiteral("Roof"));
   EXPECT_EQ(page.identity, QString::fromLatin1(kPinA));
   EXPECT_EQ(pageOf(bus).identity, QString());
 }
 
-TEST(MonitorPageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
+TEST(DevicePageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
   Heard bus;
   bus.monitor().hear("18EFFF91", kPosition);
   bus.hear("0CFDD634", kStickLeft).hear("0CFDD635", kStickRightBack).hear("0CFDD638", kRestingStick);
   DeviceLabels labels;
   labels.set(keyOfA().pin, QStringLiteral("Roof"));
-  MonitorPageValues page = monitorPageOf(bus.view(), addressKey(0x35), labels);
+  DevicePageValues page = devicePageOf(bus.view(), addressKey(0x35), labels);
   EXPECT_EQ(fact(page, "Rotation").value, QStringLiteral("Joystick 34: left at 100 %"));
   EXPECT_EQ(fact(page, "Elevation").value, QStringLiteral("this one: up at 40 %"));
   EXPECT_EQ(fact(page, "Before it").value,
@@ -475,16 +475,16 @@ TEST(MonitorPageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
   EXPECT_EQ(fact(page, "After it").value, QStringLiteral("Joystick 38: stopped sending"));
 }
 
-TEST(MonitorPageOf, SaysThatAnotherSourceMovesNothing) {
+TEST(DevicePageOf, SaysThatAnotherSourceMovesNothing) {
   Heard bus;
   bus.monitor().hear("0CFDD640", kStickLeft);
   EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, Severity::Attend);
 }
 
-TEST(MonitorPageOf, ShowsAGripWithItsDetentsAndSwitches) {
+TEST(DevicePageOf, ShowsAGripWithItsDetentsAndSwitches) {
   Heard bus;
   bus.hear("0CFDD634", "107D046450000000").hear("0CFDD734", "107D0464FFFF4450");
-  MonitorPageValues page = pageOf(bus, addressKey(0x34));
+  DevicePageValues page = pageOf(bus, addressKey(0x34));
   ASSERT_EQ(page.sticks.size(), 2u);
   EXPECT_NEAR(*page.sticks[1].x, 0.5, 1e-9);
   EXPECT_EQ(page.sticks[1].yText, QStringLiteral("40.0 % back"));
@@ -499,26 +499,26 @@ TEST(MonitorPageOf, ShowsAGripWithItsDetentsAndSwitches) {
   EXPECT_TRUE(pageOf(bus, addressKey(0x34)).sticks[1].isStale);
 }
 
-TEST(MonitorPageOf, DoesNotGuessWhichSourceIsAControlsOwn) {
+TEST(DevicePageOf, DoesNotGuessWhichSourceIsAControlsOwn) {
   Heard bus;
   bus.hear("18EFFF82", announcementOf("1035AE100804442")).hear("0CFDD633", kRestingStick);
-  const MonitorPageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1035AE100804442")));
+  const DevicePageValues page = pageOf(bus, DeviceKey::of(*Pin::parse("1035AE100804442")));
   EXPECT_TRUE(page.sticks.empty());
   EXPECT_EQ(fact(page, "Heard here").value, QStringLiteral("Joystick 33: at rest"));
   EXPECT_TRUE(fact(page, "Its own").value.startsWith(QStringLiteral("not known")));
 }
 
-TEST(MonitorPageOf, SaysThatADriveIsOneBecauseAPersonSaidSo) {
+TEST(DevicePageOf, SaysThatADriveIsOneBecauseAPersonSaidSo) {
   Heard bus;
   bus.hear("18EF0521", "8200");
   bus.note({.frame = 1, .time = bus.now(), .value = note::DriveSaid{{}, {0x21}}});
-  const MonitorPageValues page = pageOf(bus, addressKey(0x21));
+  const DevicePageValues page = pageOf(bus, addressKey(0x21));
   EXPECT_EQ(page.type, QStringLiteral("Copley drive"));
   EXPECT_EQ(fact(page, "Taken for").value, QStringLiteral("a Copley drive, because a person said so"));
   EXPECT_EQ(fact(page, "Frames").value, QStringLiteral("1, now 0 a second"));
 }
 
-TEST(MonitorPageOf, KnowsTheConsoleItselfWhileItHoldsItsAddress) {
+TEST(DevicePageOf, KnowsTheConsoleItselfWhileItHoldsItsAddress) {
   Heard bus;
   bus.note({.frame = 0, .time = bus.now(), .value = note::OwnAddress{{}, {0xF9}, How::Claimed}});
   bus.hear("18EEFFF9", "010000FF00810000");
@@ -527,7 +527,7 @@ TEST(MonitorPageOf, KnowsTheConsoleItselfWhileItHoldsItsAddress) {
   EXPECT_NE(pageOf(bus, addressKey(0xF9)).type, QStringLiteral("This console"));
 }
 
-TEST(MonitorPageOf, SaysHowTheTraceIsFilteredToTheDevice) {
+TEST(DevicePageOf, SaysHowTheTraceIsFilteredToTheDevice) {
   Heard bus;
   bus.monitor().hear("18FEF190", "01");
   EXPECT_EQ(pageOf(bus).traceFilter, QStringLiteral("sa=80"));
@@ -540,18 +540,18 @@ TEST(MonitorPageOf, SaysHowTheTraceIsFilteredToTheDevice) {
   EXPECT_EQ(pageOf(bus, nodeKey(0x24)).traceFilter, QStringLiteral("node=24 and ch=can0"));
 }
 
-TEST(MonitorPageOf, IsNotFoundWhereNothingWasHeardOfTheDevice) {
+TEST(DevicePageOf, IsNotFoundWhereNothingWasHeardOfTheDevice) {
   Heard bus;
   EXPECT_FALSE(pageOf(bus).isFound);
   EXPECT_FALSE(pageOf(bus, {}).isFound);
-  EXPECT_FALSE(monitorPageOf({}, keyOfA()).isFound);
+  EXPECT_FALSE(devicePageOf({}, keyOfA()).isFound);
   EXPECT_EQ(pageOf(bus).key, keyOfA());
 }
 
-TEST(MonitorPageOf, EveryGroupCitesItsManual) {
+TEST(DevicePageOf, EveryGroupCitesItsManual) {
   Heard bus;
   bus.monitor().pass(50ms);
-  const MonitorPageValues page = pageOf(bus);
+  const DevicePageValues page = pageOf(bus);
   for (const PageLampGroup& group : page.lamps)
     EXPECT_TRUE(pageSourceText(group.key).contains(QStringLiteral("manual"))) << group.key.toStdString();
   for (const PageFactGroup& group : page.facts)

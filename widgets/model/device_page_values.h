@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that a device's page draws, as plain values in the person's language. monitorPageOf() makes it from a
-// view; MonitorPage (room panel) only lays it out. What is not there has no part: a page has a dial, a stick,
+// All that a device's page draws, as plain values in the person's language. devicePageOf() makes it from a
+// view; DevicePage (room panel) only lays it out. What is not there has no part: a page has a dial, a stick,
 // lamps and facts as far as the device has something to say with them.
 #pragma once
 
@@ -71,7 +71,7 @@ struct PageStick : StickValues {
   friend bool operator==(const PageStick&, const PageStick&) = default;
 };
 
-struct MonitorPageValues {
+struct DevicePageValues {
   bool isFound = false;  // otherwise only `key` says anything
   DeviceKey key{};
 
@@ -90,7 +90,7 @@ struct MonitorPageValues {
   PageStops stops;
   std::vector<PageLampGroup> lamps{};
   std::vector<PageFactGroup> facts{};
-  friend bool operator==(const MonitorPageValues&, const MonitorPageValues&) = default;
+  friend bool operator==(const DevicePageValues&, const DevicePageValues&) = default;
 };
 
 }  // namespace deckpipe

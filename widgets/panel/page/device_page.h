@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of one device: a monitor's dial with stops and outputs, a joystick's stick, a riser's or node's
-// own facts. The window tells it which device and gives it each new view; it draws monitorPageOf() and sends
+// own facts. The window tells it which device and gives it each new view; it draws devicePageOf() and sends
 // nothing. It scrolls where there is too little room, and puts everything under one another where it is
 // narrow. A double click on the dial, or F11, spreads it over the window.
 #pragma once
@@ -9,7 +9,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/monitor_page_of.h"
+#include "model/device_page_of.h"
 #include "panel/common/panel_view.h"
 
 class QLabel;
@@ -26,16 +26,16 @@ class PageHeader;
 class StickBox;
 class StopsGrid;
 
-class MonitorPage : public QWidget {
+class DevicePage : public QWidget {
   Q_OBJECT
 
  public:
-  explicit MonitorPage(QWidget* parent = nullptr);
-  ~MonitorPage() override;
+  explicit DevicePage(QWidget* parent = nullptr);
+  ~DevicePage() override;
 
   void setView(const PanelView& view);
 
-  const MonitorPageValues& values() const { return m_values; }
+  const DevicePageValues& values() const { return m_values; }
   // The expression that lets only the device's frames through; empty without a device or address.
   QString traceFilter() const { return m_values.isFound ? m_values.traceFilter : QString(); }
 
@@ -63,7 +63,7 @@ class MonitorPage : public QWidget {
   QString missingText() const;
 
   PanelView m_view;
-  MonitorPageValues m_values;
+  DevicePageValues m_values;
 
   PageHeader* m_header;
   QLabel* m_message;  // instead of a page

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/monitor_page_of.h"
+#include "model/device_page_of.h"
 
 #include <QCoreApplication>
 
@@ -35,7 +35,7 @@ QString traceFilterOf(const DeviceRow& row, const QString& channel) {
   return filter.isEmpty() || channel.isEmpty() ? filter : filter + QStringLiteral(" and ch=") + channel;
 }
 
-void describeDevice(MonitorPageValues& page, const State& state, const Device& d, Instant now) {
+void describeDevice(DevicePageValues& page, const State& state, const Device& d, Instant now) {
   if (isMonitor(d)) page.dial = dialOf(state, d);
   page.stops = stopsOf(d, now);
   page.lamps = lampsOf(d, now);
@@ -44,7 +44,7 @@ void describeDevice(MonitorPageValues& page, const State& state, const Device& d
   if (d.kind == Device::Kind::Node) page.facts.push_back(nodeOf(d, now));
 }
 
-void describeJoystick(MonitorPageValues& page, const State& state, Channel channel, const Joystick& stick,
+void describeJoystick(DevicePageValues& page, const State& state, Channel channel, const Joystick& stick,
                       const DeviceLabels& labels) {
   const Instant now = state.cursor().time;
   page.sticks.push_back(stickOf(stick, now));
@@ -57,8 +57,8 @@ void describeJoystick(MonitorPageValues& page, const State& state, Channel chann
 
 }  // namespace
 
-MonitorPageValues monitorPageOf(const LogView& view, const DeviceKey& key, const DeviceLabels& labels) {
-  MonitorPageValues page;
+DevicePageValues devicePageOf(const LogView& view, const DeviceKey& key, const DeviceLabels& labels) {
+  DevicePageValues page;
   page.key = key;
   if (view.state == nullptr) return page;
   const State& state = *view.state;

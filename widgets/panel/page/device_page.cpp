@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/page/monitor_page.h"
+#include "panel/page/device_page.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -32,7 +32,7 @@ bool standsBeside(const PageLampGroup& group) {
 
 }  // namespace
 
-MonitorPage::MonitorPage(QWidget* parent)
+DevicePage::DevicePage(QWidget* parent)
     : QWidget(parent),
       m_header(new PageHeader(this)),
       m_message(new QLabel(this)),
@@ -62,8 +62,8 @@ MonitorPage::MonitorPage(QWidget* parent)
   m_dial->installEventFilter(this);
   m_dial->setToolTip(tr("Double click or F11: large dial") + QStringLiteral("\n\n") +
                      pageSourceText(pageGroupKey(PageGroup::Dial)));
-  connect(m_header, &PageHeader::fullRequested, this, &MonitorPage::toggleFull);
-  connect(m_header, &PageHeader::traceRequested, this, &MonitorPage::traceRequested);
+  connect(m_header, &PageHeader::fullRequested, this, &DevicePage::toggleFull);
+  connect(m_header, &PageHeader::traceRequested, this, &DevicePage::traceRequested);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -74,10 +74,10 @@ MonitorPage::MonitorPage(QWidget* parent)
   showValues();
 }
 
-MonitorPage::~MonitorPage() { delete m_full; }
+DevicePage::~DevicePage() { delete m_full; }
 
 // An oscillating band moves by itself unless the cursor stands still.
-void MonitorPage::setView(const PanelView& view) {
+void DevicePage::setView(const PanelView& view) {
   const bool isOther = view.device != m_view.device;
   m_view = view;
   refresh();
@@ -86,15 +86,15 @@ void MonitorPage::setView(const PanelView& view) {
   if (m_full != nullptr) m_full->setAnimated(view.isMoving);
 }
 
-void MonitorPage::refresh() {
-  MonitorPageValues values = monitorPageOf(m_view.log, m_view.device, m_view.labels);
+void DevicePage::refresh() {
+  DevicePageValues values = devicePageOf(m_view.log, m_view.device, m_view.labels);
   // Without a device the message depends on who else is there.
   if (values == m_values && values.isFound) return;
   m_values = std::move(values);
   showValues();
 }
 
-void MonitorPage::showValues() {
+void DevicePage::showValues() {
   const bool isFound = m_values.isFound;
   if (isFound) {
     m_header->setPage(m_values);
@@ -112,7 +112,7 @@ void MonitorPage::showValues() {
 }
 
 // For F1 on the page as a whole.
-void MonitorPage::explain() {
+void DevicePage::explain() {
   if (m_explained == m_values.key) return;
   m_explained = m_values.key;
   QStringList keys;
@@ -126,14 +126,14 @@ void MonitorPage::explain() {
                          lines.join(QLatin1Char('\n')));
 }
 
-QString MonitorPage::missingText() const {
+QString DevicePage::missingText() const {
   if (!m_view.device.isNull())
     return tr("%1 was not heard up to this place of the log.").arg(nameText(m_view.device, m_view.labels));
   const bool isAnyone = m_view.log.state != nullptr && !deviceRows(*m_view.log.state).empty();
   return isAnyone ? tr("Choose a device on the left.") : tr("Devices are shown here once they are heard.");
 }
 
-void MonitorPage::showParts() {
+void DevicePage::showParts() {
   PageContent::Parts parts;
   if (m_values.dial) {
     m_dial->setValues(*m_values.dial);
@@ -162,7 +162,7 @@ void MonitorPage::showParts() {
   m_content->setParts(parts);
 }
 
-bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
+bool DevicePage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
     m_content->setRoom(m_scroll->viewport()->height());
   if (watched == m_scroll && (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut))
@@ -174,9 +174,9 @@ bool MonitorPage::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-FullDial* MonitorPage::full() const { return m_full; }
+FullDial* DevicePage::full() const { return m_full; }
 
-void MonitorPage::toggleFull() {
+void DevicePage::toggleFull() {
   if (m_full != nullptr) {
     Q_EMIT m_full->closed();
     return;
