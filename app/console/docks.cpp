@@ -5,7 +5,7 @@
 
 #include "panel/common/help_panel.h"
 #include "panel/common/twin_panel.h"
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 #include "panel/events/event_panel.h"
 #include "panel/page/device_page.h"
 #include "panel/page/overview_panel.h"
@@ -55,7 +55,7 @@ constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea,
                kBottom = Qt::BottomDockWidgetArea;
 constexpr DockRow kRows[] = {
     {"devicesDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Devices"), "Alt+1", kLeft, Own, true, false,
-     make<DevicePanel>},
+     make<DeviceListPanel>},
     {"traceDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Trace"), "Alt+2", kBottom, Own, true, false,
      make<TracePanel>},
     {"eventsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Events"), "Alt+3", kBottom, Tab, true, false,

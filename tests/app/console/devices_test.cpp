@@ -11,7 +11,7 @@
 #include "console/settings_labels.h"
 #include "console/workspace.h"
 #include "model/answer_history.h"
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 #include "panel/page/device_page.h"
 #include "panel/page/full_dial.h"
 #include "panel/page/monitor_tile.h"

@@ -16,7 +16,7 @@
 #include "console/workspace.h"
 #include "log/journal_reader.h"
 #include "model/event_model.h"
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 #include "panel/events/event_panel.h"
 #include "panel/trace/trace_panel.h"
 
@@ -140,13 +140,13 @@ TEST_F(LogActions, MarksAndLabelsComeBackWithASavedLogAndTheirOwnerKeepsHis) {
   DeviceLabels own;
   m_session.seekFrames(2);
   m_session.mark(m_session.snapshot().view.cursor, QStringLiteral("valve opened"));
-  Q_EMIT only<DevicePanel>()->labelEdited(pin, QStringLiteral("front bumper"));
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, QStringLiteral("front bumper"));
   const QString path = m_dir.filePath(QStringLiteral("mine.log"));
   m_window.saveLog(path);
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return text("saveText").contains(QStringLiteral("mine.log.deckpipe-notes")); }, kPatience));
   // Another person's computer.
-  Q_EMIT only<DevicePanel>()->labelEdited(pin, {});
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, {});
   const auto labelShown = [&] { return only<Workspace>()->labels().of(pin).toStdString(); };
   EXPECT_EQ(labelShown(), "");
   m_session.openLog(path);
@@ -156,9 +156,9 @@ TEST_F(LogActions, MarksAndLabelsComeBackWithASavedLogAndTheirOwnerKeepsHis) {
   EXPECT_TRUE(std::ranges::any_of(notes, [](const Note& note) {
     return note.frame == 2 && note.value == NoteValue(note::Mark{"valve opened"});
   }));
-  Q_EMIT only<DevicePanel>()->labelEdited(pin, QStringLiteral("my own"));
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, QStringLiteral("my own"));
   EXPECT_EQ(labelShown(), "my own");
-  Q_EMIT only<DevicePanel>()->labelEdited(pin, {});
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, {});
   EXPECT_EQ(labelShown(), "front bumper");
   m_session.openLog(writeLog(kTruck, QStringLiteral("other.log")));
   EXPECT_TRUE(QTest::qWaitFor([&] { return labelShown().empty(); }, kPatience)) << "no other log's";

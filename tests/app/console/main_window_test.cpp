@@ -5,7 +5,7 @@
 #include "app/console/window_test.h"
 #include "console/workspace.h"
 #include "model/decode_model.h"
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 #include "panel/page/device_page.h"
 #include "panel/play/transport_bar.h"
 #include "panel/trace/trace_view.h"

@@ -10,7 +10,7 @@
 #include <QShortcut>
 
 #include "app/console/window_test.h"
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 #include "panel/page/full_dial.h"
 #include "panel/play/transport_bar.h"
 #include "panel/trace/decode_panel.h"

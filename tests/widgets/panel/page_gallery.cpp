@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "paint/app_style.h"
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 #include "panel/page/device_page.h"
 #include "panel/page/full_dial.h"
 #include "panel/page/overview_panel.h"
@@ -30,7 +30,7 @@ QPixmap picture(const test::PanelScene& scene, QSize size, bool hasTable) {
   auto* layout = new QHBoxLayout(&window);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  auto* panel = new DevicePanel;
+  auto* panel = new DeviceListPanel;
   auto* page = new DevicePage;
   panel->setFixedWidth(332);
   panel->setVisible(hasTable);

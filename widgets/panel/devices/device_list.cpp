@@ -39,7 +39,7 @@ DeviceList::DeviceList(QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(NoFrame);
   setHeader(m_header);
-  // setHeader() takes these back where the view does not sort by itself; DevicePanel sorts through the proxy.
+  // setHeader() takes these back where the view does not sort by itself; DeviceListPanel sorts through the proxy.
   m_header->setSectionsClickable(true);
   m_header->setSortIndicatorShown(true);
 }

@@ -19,11 +19,11 @@ class DeviceList;
 class DeviceModel;
 class DeviceOrder;
 
-class DevicePanel : public QWidget {
+class DeviceListPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit DevicePanel(QWidget* parent = nullptr);
+  explicit DeviceListPanel(QWidget* parent = nullptr);
 
   // The device that is chosen there need not be there yet.
   void setView(const PanelView& view);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -22,13 +22,13 @@ namespace {
 
 using namespace test;
 
-class DevicePanelTest : public testing::Test {
+class DeviceListPanelTest : public testing::Test {
  protected:
   void SetUp() override {
     m_panel.resize(332, 600);
     m_panel.show();
     m_list = test::child<QTreeView>(m_panel, "deviceList");
-    QObject::connect(&m_panel, &DevicePanel::deviceSelected,
+    QObject::connect(&m_panel, &DeviceListPanel::deviceSelected,
                      [this](const DeviceKey& key) { m_view.device = key; });
   }
   void show() {
@@ -56,12 +56,12 @@ class DevicePanelTest : public testing::Test {
 
   Heard m_bus;
   PanelView m_view;
-  DevicePanel m_panel;
+  DeviceListPanel m_panel;
   QTreeView* m_list = nullptr;
-  QSignalSpy m_chosen{&m_panel, &DevicePanel::deviceSelected};
+  QSignalSpy m_chosen{&m_panel, &DeviceListPanel::deviceSelected};
 };
 
-TEST_F(DevicePanelTest, SaysWhatIsNotListed) {
+TEST_F(DeviceListPanelTest, SaysWhatIsNotListed) {
   m_bus.monitor();
   show();
   auto* untracked = test::child<QLabel>(m_panel, "untrackedDevices");
@@ -77,7 +77,7 @@ TEST_F(DevicePanelTest, SaysWhatIsNotListed) {
       << untracked->text().toStdString();
 }
 
-TEST_F(DevicePanelTest, SaysWhatIsMissing) {
+TEST_F(DeviceListPanelTest, SaysWhatIsMissing) {
   const auto* empty = test::child<QLabel>(m_panel, "noDevices");
   EXPECT_TRUE(empty->isVisible());
   show();
@@ -92,7 +92,7 @@ TEST_F(DevicePanelTest, SaysWhatIsMissing) {
   EXPECT_TRUE(m_list->isVisible());
 }
 
-TEST_F(DevicePanelTest, ChoosesByMouse) {
+TEST_F(DeviceListPanelTest, ChoosesByMouse) {
   neighbours(m_bus.monitor());
   show();
   EXPECT_TRUE(m_chosen.isEmpty());
@@ -104,7 +104,7 @@ TEST_F(DevicePanelTest, ChoosesByMouse) {
   EXPECT_EQ(m_view.device, DeviceKey::at(Channel{0}, NodeId{0x24}));
 }
 
-TEST_F(DevicePanelTest, ChoosesByKeyboardAndNotByFocus) {
+TEST_F(DeviceListPanelTest, ChoosesByKeyboardAndNotByFocus) {
   neighbours(m_bus.monitor());
   show();
   m_list->setFocus();
@@ -117,7 +117,7 @@ TEST_F(DevicePanelTest, ChoosesByKeyboardAndNotByFocus) {
   EXPECT_EQ(selectedText(), QStringLiteral("Address F9"));
 }
 
-TEST_F(DevicePanelTest, KeepsTheSelectionThroughAddressChangesAndUpdates) {
+TEST_F(DeviceListPanelTest, KeepsTheSelectionThroughAddressChangesAndUpdates) {
   neighbours(m_bus.monitor());
   show();
   click(QString::fromLatin1(kPinA));
@@ -130,7 +130,7 @@ TEST_F(DevicePanelTest, KeepsTheSelectionThroughAddressChangesAndUpdates) {
   EXPECT_EQ(m_chosen.size(), 1);
 }
 
-TEST_F(DevicePanelTest, FollowsADeviceThatSaysItsPin) {
+TEST_F(DeviceListPanelTest, FollowsADeviceThatSaysItsPin) {
   m_bus.hear("18EFFF90", kPosition).hear("18EFFF80", kPosition);
   show();
   click(QStringLiteral("No PIN, address 80"));
@@ -141,7 +141,7 @@ TEST_F(DevicePanelTest, FollowsADeviceThatSaysItsPin) {
   EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
 }
 
-TEST_F(DevicePanelTest, ChoosesNobodyElseWhereTheDeviceIsNotHeardYet) {
+TEST_F(DeviceListPanelTest, ChoosesNobodyElseWhereTheDeviceIsNotHeardYet) {
   Heard early;
   early.hear("18EFFF90", kPosition);
   m_bus.hear("18EFFF90", kPosition).monitor();
@@ -156,7 +156,7 @@ TEST_F(DevicePanelTest, ChoosesNobodyElseWhereTheDeviceIsNotHeardYet) {
   EXPECT_EQ(m_chosen.size(), 1);
 }
 
-TEST_F(DevicePanelTest, SortsByItsHeaderAndBack) {
+TEST_F(DeviceListPanelTest, SortsByItsHeaderAndBack) {
   m_bus.hear("18EFFF95", kPosition).hear("18EFFF93", kPosition).hear("18EFFF94", kPosition);
   show();
   auto* header = test::child<QHeaderView>(*m_list, "deviceListHeader");
@@ -180,7 +180,7 @@ TEST_F(DevicePanelTest, SortsByItsHeaderAndBack) {
   EXPECT_EQ(order(), QStringLiteral("95 93 94"));
 }
 
-TEST_F(DevicePanelTest, HasRowsForGlovesAndNamesForReaders) {
+TEST_F(DeviceListPanelTest, HasRowsForGlovesAndNamesForReaders) {
   neighbours(m_bus.monitor());
   show();
   const QAbstractItemModel* model = m_list->model();
@@ -197,7 +197,7 @@ TEST_F(DevicePanelTest, HasRowsForGlovesAndNamesForReaders) {
   EXPECT_FALSE(m_list->accessibleName().isEmpty());
 }
 
-TEST_F(DevicePanelTest, NeedsNoMoreThanItsWidth) {
+TEST_F(DeviceListPanelTest, NeedsNoMoreThanItsWidth) {
   neighbours(m_bus.monitor());
   show();
   const auto* header = test::child<QHeaderView>(*m_list, "deviceListHeader");
@@ -206,7 +206,7 @@ TEST_F(DevicePanelTest, NeedsNoMoreThanItsWidth) {
   EXPECT_GE(header->sectionSize(DeviceModel::DeviceColumn), pin) << "a PIN is never cut";
 }
 
-TEST_F(DevicePanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {
+TEST_F(DeviceListPanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {
   neighbours(m_bus.monitor());
   show();
   click(QString::fromLatin1(kPinA));
@@ -234,10 +234,10 @@ TEST_F(DevicePanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {
   EXPECT_EQ(selectedText(), QString::fromLatin1(kPinA));
 }
 
-TEST_F(DevicePanelTest, EditsALabelInPlaceByKeyboard) {
+TEST_F(DeviceListPanelTest, EditsALabelInPlaceByKeyboard) {
   neighbours(m_bus.monitor());
   show();
-  QSignalSpy edited(&m_panel, &DevicePanel::labelEdited);
+  QSignalSpy edited(&m_panel, &DeviceListPanel::labelEdited);
   click(QString::fromLatin1(kPinA));
   QTest::keyClick(m_list, Qt::Key_F2);
   auto* editor = test::child<QLineEdit>(*m_list, "labelEditor");
@@ -259,7 +259,7 @@ TEST_F(DevicePanelTest, EditsALabelInPlaceByKeyboard) {
   EXPECT_EQ(m_chosen.size(), 1);
 }
 
-TEST_F(DevicePanelTest, EditsNoLabelOfWhatHasNoPin) {
+TEST_F(DeviceListPanelTest, EditsNoLabelOfWhatHasNoPin) {
   neighbours(m_bus.monitor());
   show();
   click(QStringLiteral("Node 24"));
@@ -267,7 +267,7 @@ TEST_F(DevicePanelTest, EditsNoLabelOfWhatHasNoPin) {
   EXPECT_EQ(m_list->findChild<QLineEdit*>(QStringLiteral("labelEditor")), nullptr);
 }
 
-TEST_F(DevicePanelTest, SortsAndCopiesFromItsMenu) {
+TEST_F(DeviceListPanelTest, SortsAndCopiesFromItsMenu) {
   m_bus.hear("18EFFF95", kPosition).hear("18EFFF93", kPosition).monitor();
   show();
   click(QString::fromLatin1(kPinA));

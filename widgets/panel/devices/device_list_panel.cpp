@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/devices/device_panel.h"
+#include "panel/devices/device_list_panel.h"
 
 #include <QAbstractButton>
 #include <QActionGroup>
@@ -24,7 +24,7 @@
 
 namespace deckpipe {
 
-DevicePanel::DevicePanel(QWidget* parent)
+DeviceListPanel::DeviceListPanel(QWidget* parent)
     : QWidget(parent),
       m_model(new DeviceModel(this)),
       m_order(new DeviceOrder(this)),
@@ -91,9 +91,9 @@ DevicePanel::DevicePanel(QWidget* parent)
     m_filter->setFocus(Qt::ShortcutFocusReason);
     m_filter->selectAll();
   });
-  connect(m_model, &DeviceModel::labelEdited, this, &DevicePanel::labelEdited);
+  connect(m_model, &DeviceModel::labelEdited, this, &DeviceListPanel::labelEdited);
   m_list->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(m_list, &QWidget::customContextMenuRequested, this, &DevicePanel::showMenu);
+  connect(m_list, &QWidget::customContextMenuRequested, this, &DeviceListPanel::showMenu);
 
   connect(m_list->header(), &QHeaderView::sortIndicatorChanged, m_order, &DeviceOrder::orderBy);
   // The selection, not the current row: a list that gets the focus makes its first row current by itself.
@@ -106,13 +106,13 @@ DevicePanel::DevicePanel(QWidget* parent)
   });
 }
 
-void DevicePanel::choose(const DeviceKey& key) {
+void DeviceListPanel::choose(const DeviceKey& key) {
   if (key == m_selected) return;
   m_selected = key;
   Q_EMIT deviceSelected(key);
 }
 
-void DevicePanel::setView(const PanelView& view) {
+void DeviceListPanel::setView(const PanelView& view) {
   m_selected = view.device;
   {
     const QScopedValueRollback updating(m_isUpdating, true);
@@ -126,7 +126,7 @@ void DevicePanel::setView(const PanelView& view) {
   showPage();
 }
 
-void DevicePanel::showPage() {
+void DeviceListPanel::showPage() {
   const bool isEmpty = m_model->rowCount() == 0;
   const bool isFiltered = !isEmpty && m_order->rowCount() == 0;
   if (isEmpty) setText(*m_empty, m_model->emptyText());
@@ -136,7 +136,7 @@ void DevicePanel::showPage() {
 }
 
 // In the filter line Esc shows all devices again, and from there the keys go on into the table.
-bool DevicePanel::eventFilter(QObject* watched, QEvent* event) {
+bool DeviceListPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched != m_filter || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   const bool isLeave =
@@ -147,7 +147,7 @@ bool DevicePanel::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-void DevicePanel::showMenu(const QPoint& at) {
+void DeviceListPanel::showMenu(const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("deviceMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -182,7 +182,7 @@ void DevicePanel::showMenu(const QPoint& at) {
   menu->popup(m_list->viewport()->mapToGlobal(at));
 }
 
-void DevicePanel::showSelection() {
+void DeviceListPanel::showSelection() {
   const QScopedValueRollback updating(m_isUpdating, true);
   const int row = m_model->rowOf(m_selected);
   if (row < 0) {
