@@ -8,8 +8,8 @@
 
 #include "bus/j1939.h"
 #include "model/field_text.h"
+#include "model/filter_worker.h"
 #include "model/trace_cells.h"
-#include "model/trace_sieve.h"
 #include "text/elapsed_text.h"
 
 namespace deckpipe {
@@ -23,7 +23,7 @@ void TraceModel::setView(const LogView& view) {
   const std::uint64_t passedBefore = m_passed;
   m_view = view;
   if (!isSame) startFilter();
-  if (m_sieve) m_sieve->wake();
+  if (m_filterWorker) m_filterWorker->wake();
   const bool isAddedNews = readAdded() && isSame;
   const std::uint64_t rows = countRows();
   if (!isSame || rows < m_count) {
@@ -58,8 +58,9 @@ void TraceModel::setFilter(const TraceFilter& filter) {
 }
 
 void TraceModel::startFilter() {
-  m_sieve.reset();
-  if (m_view.document && isFiltered()) m_sieve = std::make_unique<TraceSieve>(m_view.document, m_filter);
+  m_filterWorker.reset();
+  if (m_view.document && isFiltered())
+    m_filterWorker = std::make_unique<FilterWorker>(m_view.document, m_filter);
 }
 
 // A sidecar's notes come once all frames are there.
@@ -86,13 +87,13 @@ std::uint64_t TraceModel::countRows() {
   m_filteredFrames = m_view.frameCount;
   if (!m_view.document) return 0;
   const std::uint64_t frames = std::min(m_view.frameCount, m_view.document->frames.count());
-  if (!m_sieve) return frames;
-  m_filteredFrames = std::min(frames, m_sieve->rows().scanned());
-  return m_sieve->rows().rowOf(m_filteredFrames);
+  if (!m_filterWorker) return frames;
+  m_filteredFrames = std::min(frames, m_filterWorker->rows().scanned());
+  return m_filterWorker->rows().rowOf(m_filteredFrames);
 }
 
 std::uint64_t TraceModel::rowOf(std::uint64_t frame) const {
-  return std::min(m_count, m_sieve ? m_sieve->rows().rowOf(frame) : frame);
+  return std::min(m_count, m_filterWorker ? m_filterWorker->rows().rowOf(frame) : frame);
 }
 
 std::optional<std::uint64_t> TraceModel::frameOf(std::uint64_t row) const {
@@ -103,7 +104,7 @@ std::optional<std::uint64_t> TraceModel::frameOf(std::uint64_t row) const {
 std::vector<std::uint64_t> TraceModel::framesOf(std::uint64_t firstRow, std::size_t count) const {
   if (firstRow >= m_count) return {};
   count = static_cast<std::size_t>(std::min<std::uint64_t>(count, m_count - firstRow));
-  if (m_sieve) return m_sieve->rows().frames(firstRow, count);
+  if (m_filterWorker) return m_filterWorker->rows().frames(firstRow, count);
   std::vector<std::uint64_t> frames(count);
   std::iota(frames.begin(), frames.end(), firstRow);
   return frames;

@@ -25,7 +25,7 @@
 
 namespace deckpipe {
 
-class TraceSieve;
+class FilterWorker;
 
 class TraceModel : public QAbstractTableModel {
   Q_OBJECT
@@ -127,7 +127,7 @@ class TraceModel : public QAbstractTableModel {
 
   LogView m_view;
   TraceFilter m_filter;
-  std::unique_ptr<TraceSieve> m_sieve;  // null where all frames are rows
+  std::unique_ptr<FilterWorker> m_filterWorker;  // null where all frames are rows
   TimeMode m_timeMode = TimeMode::Absolute;
   std::uint64_t m_count = 0;  // of rows
   std::uint64_t m_filteredFrames = 0;

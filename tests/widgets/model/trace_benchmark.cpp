@@ -6,9 +6,9 @@
 #include <chrono>
 #include <thread>
 
+#include "model/filter_worker.h"
 #include "model/id_table.h"
 #include "model/trace_model.h"
-#include "model/trace_sieve.h"
 
 namespace deckpipe {
 namespace {
@@ -57,7 +57,7 @@ void filter(benchmark::State& state, const char* expression) {
   double taken = 0;
   for (auto _ : state) {
     const auto begin = std::chrono::steady_clock::now();
-    const TraceSieve sieve(log, TraceFilter::parse(QString::fromUtf8(expression)).value());
+    const FilterWorker sieve(log, TraceFilter::parse(QString::fromUtf8(expression)).value());
     while (sieve.rows().scanned() < kFrames) std::this_thread::yield();
     taken += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/trace_sieve.h"
+#include "model/filter_worker.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,14 +13,14 @@ constexpr std::size_t kAtOnce = 4096;  // frames between two glances at whether 
 
 }  // namespace
 
-TraceSieve::TraceSieve(std::shared_ptr<const LogDocument> log, TraceFilter filter)
+FilterWorker::FilterWorker(std::shared_ptr<const LogDocument> log, TraceFilter filter)
     : m_log(std::move(log)),
       m_filter(std::move(filter)),
       m_worker([this](LookOn, const Worker::Turn& turn) { scan(turn); }) {
   wake();
 }
 
-void TraceSieve::scan(const Worker::Turn& turn) {
+void FilterWorker::scan(const Worker::Turn& turn) {
   if (m_filter.needsRoles() && isPastChanged(*m_log, m_notes, m_rows.scanned())) {
     m_rows.clear();
     m_walk.reset();

@@ -15,9 +15,9 @@
 
 namespace deckpipe {
 
-class TraceSieve {
+class FilterWorker {
  public:
-  TraceSieve(std::shared_ptr<const LogDocument> log, TraceFilter filter);
+  FilterWorker(std::shared_ptr<const LogDocument> log, TraceFilter filter);
 
   // The log may have grown, or notes in its past may have changed what frames are.
   void wake() { m_worker.request({}); }

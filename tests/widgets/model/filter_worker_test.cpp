@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/trace_sieve.h"
+#include "model/filter_worker.h"
 
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ std::vector<Frame> traffic(std::size_t count, std::size_t from = 0) {
   return frames;
 }
 
-bool isThrough(const TraceSieve& sieve, const LogDocument& log) {
-  return QTest::qWaitFor([&] { return sieve.rows().scanned() == log.frames.count(); });
+bool isThrough(const FilterWorker& worker, const LogDocument& log) {
+  return QTest::qWaitFor([&] { return worker.rows().scanned() == log.frames.count(); });
 }
 
 TEST(MatchedRows, LeadFromRowToFrameAndBack) {
@@ -51,48 +51,48 @@ TEST(MatchedRows, LeadFromRowToFrameAndBack) {
   EXPECT_TRUE(rows.frames(0, 5).empty());
 }
 
-TEST(TraceSieve, FindsWhatAPlainLoopFinds) {
+TEST(FilterWorker, FindsWhatAPlainLoopFinds) {
   const auto log = test::logOf(traffic(200'000));
-  TraceSieve sieve(log, filterOf("sa=81"));
-  ASSERT_TRUE(isThrough(sieve, *log));
-  ASSERT_EQ(sieve.rows().rows(), 20'000u);
-  const auto frames = sieve.rows().frames(0, 20'000);
+  FilterWorker worker(log, filterOf("sa=81"));
+  ASSERT_TRUE(isThrough(worker, *log));
+  ASSERT_EQ(worker.rows().rows(), 20'000u);
+  const auto frames = worker.rows().frames(0, 20'000);
   for (std::size_t i = 0; i < frames.size(); ++i) ASSERT_EQ(frames[i], i * 10);
 }
 
-TEST(TraceSieve, GoesOnAsTheLogGrows) {
+TEST(FilterWorker, GoesOnAsTheLogGrows) {
   const auto log = test::logOf(traffic(1000));
-  TraceSieve sieve(log, filterOf("sa=81"));
-  ASSERT_TRUE(isThrough(sieve, *log));
+  FilterWorker worker(log, filterOf("sa=81"));
+  ASSERT_TRUE(isThrough(worker, *log));
   ASSERT_TRUE(log->frames.append(traffic(70'000, 1000)));
-  sieve.wake();
-  ASSERT_TRUE(isThrough(sieve, *log));
-  EXPECT_EQ(sieve.rows().rows(), 7'100u);
-  EXPECT_EQ(sieve.rows().rowOf(70'991), 7'100u);
+  worker.wake();
+  ASSERT_TRUE(isThrough(worker, *log));
+  EXPECT_EQ(worker.rows().rows(), 7'100u);
+  EXPECT_EQ(worker.rows().rowOf(70'991), 7'100u);
 }
 
 // The index of roles is not built here: what frames are is learned on the way.
-TEST(TraceSieve, KnowsWhoIsWhoAtEachFrame) {
+TEST(FilterWorker, KnowsWhoIsWhoAtEachFrame) {
   const auto log = std::make_shared<LogDocument>();
   log->frames.channel("can0");
   const Frame pipe = test::frame("18EF80F2", "FE48454C4C4F");
   ASSERT_TRUE(log->frames.append(std::vector{pipe, test::frame("18EFFF80", "FF83150206021A0B"), pipe}));
-  TraceSieve sieve(log, filterOf("name=pipe_data"));
-  ASSERT_TRUE(isThrough(sieve, *log));
-  EXPECT_EQ(sieve.rows().frames(0, 10), std::vector<std::uint64_t>{2});
+  FilterWorker worker(log, filterOf("name=pipe_data"));
+  ASSERT_TRUE(isThrough(worker, *log));
+  EXPECT_EQ(worker.rows().frames(0, 10), std::vector<std::uint64_t>{2});
 }
 
-TEST(TraceSieve, LooksAgainWhenADriveIsSaidInThePast) {
+TEST(FilterWorker, LooksAgainWhenADriveIsSaidInThePast) {
   const auto log = std::make_shared<LogDocument>();
   log->frames.channel("can0");
   ASSERT_TRUE(log->frames.append(std::vector(20, test::frame("18EF2080", "02210002"))));
-  TraceSieve sieve(log, filterOf("family=copley"));
-  ASSERT_TRUE(isThrough(sieve, *log));
-  ASSERT_EQ(sieve.rows().rows(), 0u);
+  FilterWorker worker(log, filterOf("family=copley"));
+  ASSERT_TRUE(isThrough(worker, *log));
+  ASSERT_EQ(worker.rows().rows(), 0u);
   log->notes.append({.frame = 5, .value = note::DriveSaid{{}, {0x20}}});
-  sieve.wake();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return sieve.rows().rows() == 15; }));
-  EXPECT_EQ(sieve.rows().frames(0, 1), std::vector<std::uint64_t>{5});
+  worker.wake();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return worker.rows().rows() == 15; }));
+  EXPECT_EQ(worker.rows().frames(0, 1), std::vector<std::uint64_t>{5});
 }
 
 struct FilteredTrace : testing::Test {
