@@ -6,6 +6,7 @@
 
 #include "ask_words.h"
 #include "base/overload.h"
+#include "base/part_state.h"
 #include "json_line.h"
 #include "output.h"
 #include "protocol/akron.h"
