@@ -422,6 +422,11 @@ QString setUpCommand(const QString& interfaceName, int bitRate, bool isListenOnl
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
   if (Notice unsent = unsentNotice(snapshot.notSent); !unsent.text.isEmpty()) return unsent;
   if (snapshot.notOpened) return notOpenedNotice(*snapshot.notOpened);
+  if (snapshot.isCatchingUp)
+    return {.tone = Severity::Busy,
+            .text = NoticeText::tr(
+                "The log is being looked through: devices and dial do not show the place of the "
+                "cursor yet.")};
   const Notice notice = sourceNotice(snapshot, rates);
   if (!notice.text.isEmpty() || !snapshot.leftRecording) return notice;
   return leftRecordingNotice(*snapshot.leftRecording);

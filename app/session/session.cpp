@@ -22,6 +22,9 @@ namespace {
 // With a link the session ticks by itself only where the bus thread has missed its tick.
 constexpr std::chrono::milliseconds kUnlessTold = 3 * LiveBus::kTick;
 
+// A state that is not found by then is said to be on its way.
+constexpr Duration kCatchesUp = 500ms;
+
 }  // namespace
 
 Session::Session(QObject* parent) : QObject(parent), m_buses(new BusThreads(this)) {
@@ -345,6 +348,15 @@ void Session::updateSource() {
   if (const auto recording = m_recorders.status()) source.recording = recording;
 }
 
+// While a log is played the state is a tick behind: it moves on. Far from every keyframe it stands still until it is
+// found.
+void Session::followWalk() {
+  const Cursor here = m_snapshot.view.state->cursor();
+  const Instant now = monotonicTime();
+  if (here == m_snapshot.view.cursor || std::exchange(m_walkedTo, here) != here) m_walkedAt = now;
+  m_snapshot.isCatchingUp = now - m_walkedAt >= kCatchesUp;
+}
+
 void Session::tick() {
   followCandidate();
   if (m_document == nullptr) return;
@@ -363,6 +375,7 @@ void Session::tick() {
   place();
   LogView& view = m_snapshot.view;
   view.state = isLiveEdge() ? published.state : m_walker->latest();
+  followWalk();
   view.found = m_document->events.count() + m_document->exchanges.list()->size();
   // The walker's indexes grow with the log, wherever the cursor stands, and its events with time alone.
   if (end != m_indexed) m_walker->index(end);
@@ -370,7 +383,7 @@ void Session::tick() {
   const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
                     before.view.frameCount == view.frameCount && before.view.found == view.found &&
                     before.source == m_snapshot.source && before.playing == m_snapshot.playing &&
-                    before.services == m_snapshot.services;
+                    before.isCatchingUp == m_snapshot.isCatchingUp && before.services == m_snapshot.services;
   if (!same) Q_EMIT changed();
 }
 

@@ -107,6 +107,7 @@ class Session : public QObject {
   void forgetSaid();
   void beginRecording();
   void tick();
+  void followWalk();
   void updateSource();
   // Takes into the snapshot where the playback stands.
   void place();
@@ -132,7 +133,9 @@ class Session : public QObject {
   Recorders m_recorders;
   std::uint64_t m_serial = 0;
   QTimer m_timer;
-  Cursor m_indexed;  // the log's end when the walker was last told
+  Cursor m_indexed;    // the log's end when the walker was last told
+  Cursor m_walkedTo;   // where the state of the view stood
+  Instant m_walkedAt;  // since then
 };
 
 }  // namespace deckpipe

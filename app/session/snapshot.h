@@ -77,6 +77,8 @@ struct Snapshot {
   LogView view;
   bool playing = false;
   double speed = 1;
+  // The state of the view stands still at another place than its cursor: it is being found.
+  bool isCatchingUp = false;
   SourceStatus source;
   // Of the live link, whatever the cursor shows; locked and empty without one. Never null.
   std::shared_ptr<const ServiceStatus> services = std::make_shared<const ServiceStatus>();

@@ -118,6 +118,17 @@ TEST(NoticeText, SaysThatNothingWasSentAndWhy) {
   EXPECT_TRUE(says(noticeOf(snapshot, {}).text.toStdString(), "Nothing was sent: there is no link"));
 }
 
+TEST(NoticeOf, SaysThatTheStateAtTheCursorIsStillBeingFound) {
+  Snapshot snapshot;
+  snapshot.source.kind = SourceStatus::Kind::File;
+  snapshot.source.progress = SourceStatus::Progress::Done;
+  snapshot.view = test::viewOf(test::logOfText("(10.000000) can0 18EFFF80#011D940371000041\n"));
+  const Notice before = noticeOf(snapshot, {});
+  snapshot.isCatchingUp = true;
+  EXPECT_TRUE(says(noticeOf(snapshot, {}).text.toStdString(), "do not show the place of the cursor yet"));
+  EXPECT_NE(noticeOf(snapshot, {}), before);
+}
+
 TEST(SourceFact, NamesALogByItsFile) {
   const StatusFact fact = sourceFact(file(kTruck).source);
   EXPECT_EQ(fact.text.toStdString(), "truck.log");
