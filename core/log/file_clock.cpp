@@ -32,18 +32,43 @@ FileClock::Verdict FileClock::next(std::span<const Frame> frames, Follows follow
   return {.kind = Kind::NewOffset, .time = now, .offset = channel.offset};
 }
 
+// A leap forward to a time that no earlier piece knows needs more than one stamp to be believed.
+FileClock::Holds FileClock::isHeld(std::int64_t lastStamp, std::span<const Frame> frames, Follows follows,
+                                   bool isReturn) {
+  const Frame& frame = frames.front();
+  const bool isLeap = frame.stamp > lastStamp && !isReturn;
+  const auto after = frames.subspan(1, std::min(kLookAhead, frames.size() - 1));
+  std::size_t confirming = 0;
+  for (const Frame& other : after) {
+    if (other.channel != frame.channel || !other.hasStamp()) continue;
+    if (isNear(other.stamp, lastStamp)) return Holds::No;
+    if (++confirming == kConfirming || !isLeap) return Holds::Yes;
+  }
+  if (after.size() == kLookAhead) return Holds::Yes;
+  if (follows == Follows::More) return Holds::Undecided;
+  return isLeap ? Holds::No : Holds::Yes;
+}
+
+const FileClock::Piece* FileClock::pieceMet(const Channel& channel, std::int64_t stamp, std::int64_t now) {
+  const auto isMet = [&](const Piece& piece) {
+    const std::int64_t past = saturatedMinus(stamp, piece.lastStamp);
+    return past >= -kReturn.count() &&
+           past <= saturatedPlus(saturatedMinus(now, piece.ended), kReturn.count());
+  };
+  const auto met = std::ranges::find_if(channel.earlier, isMet);
+  return met == channel.earlier.end() ? nullptr : &*met;
+}
+
 FileClock::Verdict FileClock::step(Channel& channel, std::span<const Frame> frames, Follows follows,
                                    std::int64_t now) {
   const Frame& frame = frames.front();
-  const auto after = frames.subspan(1, std::min(kLookAhead, frames.size() - 1));
-  const auto next = std::ranges::find_if(
-      after, [&](const Frame& other) { return other.channel == frame.channel && other.hasStamp(); });
-  if (next == after.end() && after.size() < kLookAhead && follows == Follows::More)
-    return {.kind = Kind::Undecided};
-  if (next != after.end() && isNear(next->stamp, channel.lastStamp))
-    return {.kind = Kind::Timeless, .isStep = true, .offset = channel.offset};
-
   const bool isBack = frame.stamp < channel.lastStamp;
+  const Piece* met = isBack ? nullptr : pieceMet(channel, frame.stamp, now);
+  switch (isHeld(channel.lastStamp, frames, follows, met != nullptr)) {
+    case Holds::Undecided: return {.kind = Kind::Undecided};
+    case Holds::No: return {.kind = Kind::Timeless, .isStep = true, .offset = channel.offset};
+    case Holds::Yes: break;
+  }
   const Piece left{channel.offset, channel.lastStamp, now};
   channel.lastStamp = frame.stamp;
   if (isBack) {
@@ -52,16 +77,10 @@ FileClock::Verdict FileClock::step(Channel& channel, std::span<const Frame> fram
     channel.offset = saturatedMinus(now, frame.stamp);
     return {.kind = Kind::NewOffset, .isStep = true, .time = now, .offset = channel.offset};
   }
-  const auto isMet = [&](const Piece& piece) {
-    const std::int64_t past = saturatedMinus(frame.stamp, piece.lastStamp);
-    return past >= -kReturn.count() &&
-           past <= saturatedPlus(saturatedMinus(now, piece.ended), kReturn.count());
-  };
-  const auto met = std::ranges::find_if(channel.earlier, isMet);
-  if (met == channel.earlier.end())
+  if (met == nullptr)
     return {.isStep = true, .time = saturatedPlus(frame.stamp, channel.offset), .offset = channel.offset};
   channel.offset = met->offset;
-  channel.earlier.erase(met);
+  channel.earlier.erase(channel.earlier.begin() + (met - channel.earlier.data()));
   return {.kind = Kind::NewOffset,
           .isStep = true,
           .time = std::max(now, saturatedPlus(frame.stamp, channel.offset)),

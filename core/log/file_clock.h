@@ -5,7 +5,8 @@
 // 1. A step is judged against the last stamp of the same channel: back by more than kBack, or forward by more
 //    than kForward. Smaller differences are no step, whichever way they go.
 // 2. If the next stamp of the channel undoes the step, that one frame has no time of its own: it takes the time
-//    of the frame before.
+//    of the frame before. A step forward that brings the clock back to no earlier piece has none either until
+//    kConfirming further stamps confirm it: none of them undoes it, and the file does not end before.
 // 3. A step back that holds begins a piece. Its time goes on from the frame before.
 // 4. A step forward that holds is time that passed. But if it brings the clock back to an earlier piece of the
 //    channel, within kReturn, the offset of that piece returns. An earlier piece is met where it stopped, or
@@ -35,6 +36,8 @@ class FileClock {
   static constexpr Duration kReturn = 1s;
   // Number of frames after a step among which the next stamp of its channel is looked for.
   static constexpr std::size_t kLookAhead = 64;
+  // Stamps of the channel that have to follow a step forward, none of them back at the time before it.
+  static constexpr std::size_t kConfirming = 3;
 
   enum class Kind : std::uint8_t {
     Plain,      // the offset of the channel stays as it is
@@ -67,6 +70,9 @@ class FileClock {
   // Pieces beyond this number are forgotten, the oldest first.
   static constexpr std::size_t kMaxPieces = 64;
 
+  enum class Holds : std::uint8_t { Yes, No, Undecided };
+  static Holds isHeld(std::int64_t lastStamp, std::span<const Frame> frames, Follows follows, bool isReturn);
+  static const Piece* pieceMet(const Channel& channel, std::int64_t stamp, std::int64_t now);
   Verdict step(Channel& channel, std::span<const Frame> frames, Follows follows, std::int64_t now);
 
   std::array<Channel, 256> m_channels{};
