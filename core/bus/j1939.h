@@ -38,6 +38,8 @@ struct J1939Id {
 namespace pgn {
 inline constexpr std::uint32_t kAcknowledgement = 0xE800;   // 59392
 inline constexpr std::uint32_t kRequest = 0xEA00;           // 59904
+inline constexpr std::uint32_t kTransport = 0xEC00;         // 60416, announces what is longer than a frame
+inline constexpr std::uint32_t kCommandedAddress = 0xFED8;  // 65240, over transport
 inline constexpr std::uint32_t kAddressClaimed = 0xEE00;    // 60928, the NAME
 inline constexpr std::uint32_t kProprietaryA = 0xEF00;      // 61184, Akron's and Copley's messages
 inline constexpr std::uint32_t kBasicJoystick = 0xFDD6;     // 64982

@@ -56,6 +56,21 @@ void BusWatch::errorCame(const State& state, std::vector<Event>& out) {
 
 void BusWatch::linkChanged(const State& state) {
   m_controller.set(static_cast<std::uint64_t>(kindOf(state.channel(m_channel).controller)));
+  for (StickWatch& stick : m_sticks) {
+    stick.linkChanged(state.cursor().time);
+    m_sticksDue = std::min(m_sticksDue, stick.due());
+  }
+}
+
+Address BusWatch::formerAddress(Address address) const {
+  const Name name = m_holders[address.value];
+  if (!name.isAkron()) return kNullAddress;
+  for (const auto* names : {&m_formerHolders, &m_holders}) {
+    for (std::size_t a = 0; a < kNullAddress.value; ++a) {
+      if ((*names)[a] == name && a != address.value) return {static_cast<std::uint8_t>(a)};
+    }
+  }
+  return kNullAddress;
 }
 
 void BusWatch::compareErrors(const State& state, std::vector<Event>& out) {
@@ -84,6 +99,8 @@ void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices,
     const Name holder = book.holder(address);
     const Name before = std::exchange(m_holders[a], holder);
     if (holder == before) continue;
+    std::ranges::replace(m_formerHolders, before, Name{});
+    if (!before.isNull()) m_formerHolders[a] = before;
     std::erase(m_cannotClaim, holder);
     Event event = eventOf(state, EventKind::AddressLost, address);
     const Instant since = std::exchange(m_heldSince[a], event.time);

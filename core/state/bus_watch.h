@@ -59,6 +59,8 @@ class BusWatch {
   Instant contestsDue() const { return m_contestsDue; }
   // Whether whoever is heard for the first time was not there before.
   bool isSettled(Instant now) const { return m_first != kNotYet && now - m_first >= kSettling; }
+  // Where the NAME at this address was before; null: nowhere.
+  Address formerAddress(Address address) const;
   bool isShared(Address a) const { return m_shared[a.value]; }
 
  private:
@@ -74,6 +76,7 @@ class BusWatch {
   Instant m_sharedDue = kNever, m_contestsDue = kNever, m_sticksDue = kNever, m_retry = kNever;
 
   std::array<Name, 256> m_holders{};
+  std::array<Name, 256> m_formerHolders{};  // by the address that each lost last
   std::array<Instant, 256> m_heldSince{};
   std::vector<Name> m_cannotClaim;  // those of which it was told
   TellCount m_losses;

@@ -36,26 +36,32 @@ bool isFromNode(const Frame& frame) {
 
 }  // namespace
 
+Instant Device::staleDue(MessageId id) const {
+  const Instant last = report(id).at;
+  if (last == kNotYet || isStale(id) || listenedSince == kNever) return kNever;
+  return std::max(last, listenedSince) + staleAfter(id);
+}
+
 Instant Device::nextDeadline() const {
   Instant next = kNever;
-  for (const MessageId id : kPeriodicReports) {
-    const Instant last = report(id).at;
-    if (last != kNotYet && !isStale(id)) next = std::min(next, last + staleAfter(id));
-  }
+  for (const MessageId id : kPeriodicReports) next = std::min(next, staleDue(id));
   return next;
 }
 
 void Device::timeCame(Instant time) {
   for (const MessageId id : kPeriodicReports) {
-    const Instant last = report(id).at;
-    if (last != kNotYet && last + staleAfter(id) <= time) m_stale.add(id);
+    if (staleDue(id) <= time) m_stale.add(id);
   }
+}
+
+void Device::statusCame(Instant time) {
+  if (lastStatus != kNotYet && time - lastStatus >= kSilentAfter) resumed = time;
+  lastStatus = time;
 }
 
 // A status replaces the one before it, which tells how far the two are apart.
 void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
-  if (lastStatus != kNotYet && time - lastStatus >= kSilentAfter) resumed = time;
-  lastStatus = time;
+  statusCame(time);
   // How often a gateway sends is a setting of it.
   if (kind == Kind::Node || !report(id).isKnown()) return;
   const Frame before = report(id).frame();
@@ -90,6 +96,7 @@ void Device::take(const Frame& frame, MessageId id, Instant time) {
   if (const std::size_t place = kReportPlaces[id]; place < kReports.size()) {
     m_reports[place].set(frame, time);
     m_stale.remove(id);
+    m_malformed.remove(id);
   }
   switch (id) {
     case MessageId::SoePermissive: permissiveFrom = J1939Id::of(frame.identifier()).source; break;
@@ -123,13 +130,22 @@ void Device::takeSdo(const Frame& frame, Instant time) {
   }
 }
 
-void Device::takeMalformed(const Frame& frame, MessageId id) {
+void Device::takeMalformed(const Frame& frame, MessageId id, Instant time) {
   ++malformed;
+  if (isOwnPeriodicReport(messageOf(id))) {
+    statusCame(time);
+    m_malformed.add(id);
+    m_malformedStatus = time;
+  }
   const Ask ask = messageOf(id).ask;
   if (isKnown(ask)) refused(ask);
   // Shorter than four bytes it names no object.
   if (id == MessageId::SdoReadResponse && frame.length >= 4 && objectOf(frame) == sdo::kFaultStatus)
     refused(Ask::Fault);
+}
+
+bool Device::isMalformedNow(MessageId id, Instant now) const {
+  return m_malformed.has(id) && now - m_malformedStatus < staleAfter(id);
 }
 
 }  // namespace deckpipe

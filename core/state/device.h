@@ -19,6 +19,9 @@ namespace deckpipe {
 // Without a periodic message for so long a device is silent: three heartbeats, thirty of any other period.
 inline constexpr Duration kSilentAfter = 3s;
 
+// From its first claim to its announcement a device needs up to this long.
+inline constexpr Duration kOneStart = 1s;
+
 // So long two devices at one address are believed after their statuses last showed it.
 inline constexpr Duration kDoubledFor = 10s;
 
@@ -41,14 +44,17 @@ struct Device {
   Instant addressSince = kNotYet;
   std::array<FormerAddress, 3> formerAddresses;  // the latest first; null addresses where there were fewer
   Instant announced = kNotYet;
+  Instant listenedSince = kNotYet;  // when the link of its channel last came up; kNever while it is down
   Instant lastHeard = kNotYet;
   std::uint32_t frames = 0;
   std::uint32_t malformed = 0;
   FrameRate rate;
 
-  Instant lastStatus = kNotYet;  // when one of kOwnPeriodicReports came last
+  Instant lastStatus = kNotYet;  // when one of kOwnPeriodicReports came last, of whatever length
   Instant resumed = kNotYet;     // when they came again after a silence
-  Instant restarted = kNotYet;   // when it announced itself unasked, or as a node booted
+  Instant restarted = kNotYet;   // when it said its NAME or PIN of its own accord, or as a node booted
+  Instant provoked =
+      kNotYet;  // when it alone had cause to: asked for its NAME, or its address claimed by another
   // When statuses first and last showed that two devices send from its address (pace.h). The first time stays as long
   // as it has the address.
   Instant doubledSince = kNotYet;
@@ -70,6 +76,11 @@ struct Device {
     rate.count(time, lastHeard);
     lastHeard = time;
     ++frames;
+  }
+
+  // It claims an address and then announces itself: that is one start.
+  void starts(Instant time) {
+    if (restarted == kNotYet || time - restarted > kOneStart) restarted = time;
   }
 
   // The last message of a kind, one of kReports.
@@ -104,6 +115,8 @@ struct Device {
   // Whether one of kPeriodicReports came and is older than three of its periods.
   bool isStale(MessageId id) const { return m_stale.has(id); }
   const EnumSet<MessageId>& stale() const { return m_stale; }
+  // When one of kPeriodicReports is stale unless another one comes; kNever: it is stale, or nothing can be heard.
+  Instant staleDue(MessageId id) const;
   Instant nextDeadline() const;
   // Marks what is due at `time` stale.
   void timeCame(Instant time);
@@ -111,7 +124,9 @@ struct Device {
   void take(const Frame& frame, MessageId id, Instant time);
 
   // Takes a message of a wrong length that this device sent, or a node's master sent to it.
-  void takeMalformed(const Frame& frame, MessageId id);
+  void takeMalformed(const Frame& frame, MessageId id, Instant time);
+  // Whether one of kOwnPeriodicReports comes in a wrong length now.
+  bool isMalformedNow(MessageId id, Instant now) const;
 
   friend bool operator==(const Device&, const Device&) = default;
 
@@ -125,6 +140,7 @@ struct Device {
     if (m_askedInVain[ask] != kNotYet) m_refused.add(ask);
     m_askedInVain[ask] = kNotYet;
   }
+  void statusCame(Instant time);
   void takeStatus(const Frame& frame, MessageId id, Instant time);
   void takeDoubling(Doubling doubling, Instant time);
   void takeSdo(const Frame& frame, Instant time);
@@ -138,6 +154,8 @@ struct Device {
   }();
   EnumSet<Ask> m_refused;
   EnumSet<MessageId> m_stale;
+  EnumSet<MessageId> m_malformed;       // reports that came in a wrong length last
+  Instant m_malformedStatus = kNotYet;  // when the last of them came
 };
 
 }  // namespace deckpipe

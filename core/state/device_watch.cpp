@@ -90,15 +90,20 @@ Event DeviceWatch::eventOf(const State& state) const {
   return event;
 }
 
-Event DeviceWatch::appeared(const State& state) const {
+Event DeviceWatch::appeared(const State& state, Address former) const {
   Event event = eventOf(state);
   event.kind = EventKind::Appeared;
+  if (former == kNullAddress || m_kind != Device::Kind::Address) return event;
+  event.kind = EventKind::MovedAddress;
+  event.was = former.value;
+  event.now = m_address.value;
   return event;
 }
 
 void DeviceWatch::linkChanged(Instant time) {
   m_linkChanged = time;
   if (!m_isSilent) m_silenceDue = time + kSilentAfter;
+  m_permissiveDue = time;
 }
 
 void DeviceWatch::heard(const State& state, const Device& device, std::vector<Event>& out) {
@@ -140,7 +145,10 @@ void DeviceWatch::compareSilence(const State& state, std::vector<Event>& out) {
 void DeviceWatch::timeCame(const State& state, const Device& device, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
   if (m_silenceDue <= now) lookAtSilence(state, device, out);
-  if (m_permissiveDue <= now) comparePermissive(state, device, out);
+  if (m_permissiveDue <= now) {
+    m_permissiveDue = kNever;
+    if (device.permissive().isKnown()) comparePermissive(state, device, out);
+  }
   if (m_retry > now) return;
   m_retry = kNever;
   m_compared = noneCompared();
@@ -292,7 +300,7 @@ void DeviceWatch::comparePermissive(const State& state, const Device& device, st
   const bool isStale = device.isStale(MessageId::SoePermissive);
   const Permissive p = device.permissive().value();
   const bool any = p.axis1Plus || p.axis1Minus || p.axis2Plus || p.axis2Minus;
-  m_permissiveDue = isStale ? kNever : device.permissive().at + staleAfter(MessageId::SoePermissive);
+  m_permissiveDue = device.staleDue(MessageId::SoePermissive);
   compareFlag(m_permissive, any && !isStale, EventKind::PermissiveBack, EventKind::PermissiveLost,
               eventOf(state), out);
 }

@@ -20,8 +20,8 @@ class DeviceWatch {
   // Begins with a device that the state has just come to know. What is known already is no change.
   void begin(const Device& device, Instant now);
 
-  // That it is heard for the first time.
-  Event appeared(const State& state) const;
+  // That it is heard for the first time; `former`: it was at that address, without a PIN, before.
+  Event appeared(const State& state, Address former) const;
 
   // A frame came from the device, or one to it that it reports. `id`: what it is if the state took it; Count if nothing
   // of it is told.

@@ -20,6 +20,7 @@ class Devices {
 
   // In order of first appearance; free places have Kind::Free.
   std::span<const Device> all() const { return m_devices; }
+  std::span<Device> all() { return m_devices; }
   // A PIN heard on two channels is two devices: each has its own address and says its own things.
   const Device* byPin(Channel channel, const Pin& pin) const;
   // The first that was heard with this PIN, on whatever channel.

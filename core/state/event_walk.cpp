@@ -177,7 +177,7 @@ void EventWalk::look(const Device& device, MessageId id, const Payload& data, Bu
   if (!watch.isUsed()) {
     m_used = std::max(m_used, place + 1);
     watch.begin(device, now);
-    if (bus.isSettled(now)) m_found.push_back(watch.appeared(*m_state));
+    if (bus.isSettled(now)) m_found.push_back(watch.appeared(*m_state, bus.formerAddress(device.address)));
   }
   watch.look(*m_state, device, id, data, m_found);
   if (device.doubled == now && !bus.isShared(device.address)) {

@@ -19,7 +19,10 @@ struct Subject {
   Address address;       // null: lost, or a CANopen node
   const Device* device;  // null: there is none
 
-  Instant now() const { return state.cursor().time; }
+  // What was known when the link went down is said until it is up again.
+  Instant now() const { return channel.heardUntil(state.cursor().time); }
+  // How long nothing came after `last`, although it could have been heard.
+  Duration missed(Instant last) const { return now() - std::max(last, channel.linkUp); }
   bool hasAddress() const { return address != kNullAddress; }
   const Joystick* joystick() const { return hasAddress() ? channel.joysticks.find(address) : nullptr; }
   bool isNode() const { return device != nullptr && device->kind == Device::Kind::Node; }
@@ -81,7 +84,7 @@ Instant lastBeat(const Subject& s) {
 bool isSilent(const Subject& s) {
   // One that has sent nothing of the kind yet has as long for it.
   const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
-  return sendsByItself(s) && (last == kNotYet || s.now() - last >= kSilentAfter);
+  return sendsByItself(s) && (last == kNotYet || s.missed(last) >= kSilentAfter);
 }
 
 AnswerAge ageOf(const Subject& s, Instant answered) {
@@ -161,6 +164,13 @@ Axes axesThatAre(const Subject& s, PositionState state) {
   return {p.rotation.state == state, p.elevation.state == state};
 }
 
+// Without position feedback an axis has no soft limits to send.
+bool isNotFitted(const Subject& s, MessageId id) {
+  const Axes axes = axesThatAre(s, PositionState::NotFitted);
+  return (id == MessageId::RotationSoftLimits && axes.rotation) ||
+         (id == MessageId::ElevationSoftLimits && axes.elevation);
+}
+
 Health factsOf(const Subject& s) {
   Health h;
   takeShared(s, h);
@@ -168,7 +178,9 @@ Health factsOf(const Subject& s) {
   const Device& d = *s.device;
   takeAnswers(s, h);
   for (const MessageId id : kOwnPeriodicReports) {
-    if (d.isStale(id)) h.late.add(id);
+    // It comes, if in a wrong length.
+    if (d.isMalformedNow(id, s.now())) continue;
+    if (d.isStale(id) && !isNotFitted(s, id)) h.late.add(id);
     if (repeats(s).has(id) && !d.report(id).isKnown()) h.neverHeard.add(id);
   }
   h.sensorError = axesThatAre(s, PositionState::SensorError);
@@ -238,7 +250,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     {HealthCause::Idle,
      [](const Subject& s, const Health&) {
        const Instant last = s.lastHeard();
-       return !sendsByItself(s) && (last == kNotYet || s.now() - last >= kSilentAfter);
+       return !sendsByItself(s) && (last == kNotYet || s.missed(last) >= kSilentAfter);
      }},
     {HealthCause::FaultsAwaited,
      [](const Subject& s, const Health& h) {

@@ -30,7 +30,7 @@ Joystick* Joysticks::at(Address source) {
 void Joysticks::heardBasic(Address source, const Frame& frame, Instant time) {
   Joystick* stick = at(source);
   if (stick == nullptr) return;
-  if (stick->basic.isKnown()) {
+  if (stick->basic.isKnown() && stick->basic.at >= m_listensSince) {
     const Duration gap = time - stick->basic.at;
     if (gap <= Joystick::kSilence) {
       stick->worstGap = std::max(stick->worstGap, gap);
@@ -49,17 +49,20 @@ void Joysticks::heardExtended(Address source, const Frame& frame, Instant time) 
   ++stick->frames;
 }
 
+Instant Joysticks::timeoutOf(const Joystick& stick) const {
+  if (!stick.isActive() || m_listensSince == kNever) return kNever;
+  return std::max(stick.basic.at, m_listensSince) + kInputTimeout;
+}
+
 Instant Joysticks::nextDeadline() const {
   Instant next = kNever;
-  for (const Joystick& stick : m_sticks) {
-    if (stick.isActive()) next = std::min(next, stick.basic.at + kInputTimeout);
-  }
+  for (const Joystick& stick : m_sticks) next = std::min(next, timeoutOf(stick));
   return next;
 }
 
 void Joysticks::timeCame(Instant time) {
   for (Joystick& stick : m_sticks) {
-    if (!stick.isActive() || stick.basic.at + kInputTimeout > time) continue;
+    if (timeoutOf(stick) > time) continue;
     stick.timedOut = true;
     ++stick.timeouts;
   }

@@ -47,6 +47,8 @@ class Joysticks {
 
   void heardBasic(Address source, const Frame& frame, Instant time);
   void heardExtended(Address source, const Frame& frame, Instant time);
+  // The link came up; kNever: it went down, and no source times out.
+  void listensSince(Instant time) { m_listensSince = time; }
   Instant nextDeadline() const;
   void timeCame(Instant time);
 
@@ -54,8 +56,10 @@ class Joysticks {
 
  private:
   Joystick* at(Address source);
+  Instant timeoutOf(const Joystick& stick) const;
 
   std::array<Joystick, kMost> m_sticks{};
+  Instant m_listensSince = kNotYet;
 };
 
 }  // namespace deckpipe

@@ -61,6 +61,11 @@ class Nodes {
   }
   // It sent to all, of its own accord.
   void broadcast(Address source, Instant time) { m_broadcasts[source.value].heard(time); }
+  // Whoever was there is not there any more.
+  void left(Address address) {
+    m_broadcasts[address.value] = {};
+    m_malformed[address.value] = 0;
+  }
   void countMalformed(Address source) {
     std::uint16_t& count = m_malformed[source.value];
     if (count < std::numeric_limits<std::uint16_t>::max()) ++count;

@@ -7,6 +7,7 @@
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "bus/load.h"
+#include "protocol/address_use.h"
 #include "protocol/lists.h"
 
 namespace deckpipe {
@@ -21,8 +22,38 @@ constexpr Duration kShortestTimeout = [] {
 
 constexpr BitRange kRequested = fieldOf(j1939::kRequestFields, "pgn").bits;
 
-// An announcement this long after a cause to say its NAME is none of its own accord.
+// A NAME or an announcement this long after a cause to say it is none of its own accord.
 constexpr Duration kAskedWithin = 1s;
+constexpr bool isRecent(Instant cause, Instant time) {
+  return cause != kNotYet && time - cause <= kAskedWithin;
+}
+
+// A device without a status for so long does not run, or says nothing to anybody.
+constexpr Duration kMuteAfter = staleAfter(MessageId::PositionLimitStatus);
+
+// Transport announces the message that commands an address. Who is meant stands in the frames that follow.
+bool commandsAddress(const Frame& frame, const J1939Id& id) {
+  return id.pgn == pgn::kTransport && frame.length == 8 &&
+         (frame.data[5] | frame.data[6] << 8 | frame.data[7] << 16) ==
+             static_cast<int>(pgn::kCommandedAddress);
+}
+
+bool isNamed(const Device& device, Name name, const AddressBook& book) {
+  if (device.kind == Device::Kind::Pin) return isNameOf(name, device.pin);
+  return book.holder(device.address) == name;
+}
+
+// Another NAME claims the address of this device, which has to answer or to look for another one.
+bool isPushed(const Device& device, Address source, Instant time) {
+  const FormerAddress& lost = device.formerAddresses.front();
+  return device.address == source || (lost.address == source && lost.until == time);
+}
+
+// Whether statuses were missing, up to now or to the loss of its address.
+bool isMute(const Device& device, Instant time) {
+  const Instant until = device.address == kNullAddress ? device.formerAddresses.front().until : time;
+  return device.lastStatus != kNotYet && until - device.lastStatus >= kMuteAfter;
+}
 
 // Sent to all, and neither a request nor what one may cause.
 bool isOfItsOwnAccord(const J1939Id& id) {
@@ -94,6 +125,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
   }
   Device* sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
   if (what.malformed) channel.nodes.countMalformed(id.source);
+  if (commandsAddress(frame, id)) channel.namesAsked = time;
 
   if (what.isDecoded()) {
     const Message& message = messageOf(what.message);
@@ -101,9 +133,10 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
       case MessageId::BasicJoystick: channel.joysticks.heardBasic(id.source, frame, time); break;
       case MessageId::ExtendedJoystick: channel.joysticks.heardExtended(id.source, frame, time); break;
       case MessageId::Request:
-        if (readBits(frame.data, kRequested) == pgn::kAddressClaimed) channel.namesAsked = time;
+        if (readBits(frame.data, kRequested) == pgn::kAddressClaimed)
+          namesAsked(channel, channelId, id.destination, time);
         break;
-      case MessageId::Name: nameHeard(channel, frame, time); break;
+      case MessageId::Name: nameHeard(channelId, frame, time); break;
       case MessageId::AddressAnnouncement:
         if (id.destination != kGlobalAddress) break;
         announced(channel, channelId, id.source, frame, time);
@@ -115,8 +148,10 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
         break;
       default:
         if (message.family == Family::Akron && message.device == DeviceEnd::Sender && isNode(id.source)) {
-          // Whoever only sends to a device of Akron's is none: other makers use these types too.
-          const bool isDevice = what.family == Family::Presumed || channel.book.isAkron(id.source);
+          // Whoever only sends to a device of Akron's is none: other makers use these types too. Nothing tells which
+          // end is the device if both may be.
+          const bool isPresumed = what.family == Family::Presumed && !isDynamicAddress(id.destination);
+          const bool isDevice = isPresumed || channel.book.isAkron(id.source);
           if (sender == nullptr && isDevice) sender = m_devices.atAddress(channelId, id.source);
           if (sender != nullptr) sender->take(frame, what.message, time);
         } else if (message.part == Part::Asks) {
@@ -128,14 +163,35 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
   }
   if (sender != nullptr) {
     sender->heard(time);
-    if (what.malformed) sender->takeMalformed(frame, what.message);
+    if (what.malformed) sender->takeMalformed(frame, what.message, time);
   }
 }
 
-// A claim that another one provokes: nobody restarted because of it.
-void State::nameHeard(ChannelState& channel, const Frame& frame, Instant time) {
+void State::namesAsked(ChannelState& channel, Channel channelId, Address destination, Instant time) {
+  if (destination == kGlobalAddress) {
+    channel.namesAsked = time;
+  } else if (Device* device = m_devices.findAddress(channelId, destination)) {
+    device->provoked = time;
+  }
+}
+
+// A device says its NAME when it starts, when it is asked for it, and when another one claims its address. On a bus
+// where all prefer the same address, each start is a contest, too.
+void State::nameHeard(Channel channelId, const Frame& frame, Instant time) {
+  const ChannelState& channel = m_channels[channelId.value];
   const Address source = J1939Id::of(frame.identifier()).source;
-  if (channel.book.isContested(source)) channel.namesAsked = time;
+  const Name name = Name::of(frame);
+  if (name.isNull()) return;
+  for (Device& device : m_devices.all()) {
+    const bool isJ1939 = device.kind == Device::Kind::Pin || device.kind == Device::Kind::Address;
+    if (!isJ1939 || device.channel != channelId) continue;
+    if (!isNamed(device, name, channel.book)) {
+      if (isPushed(device, source, time)) device.provoked = time;
+    } else if (isNode(source) && !isRecent(channel.namesAsked, time)) {
+      const bool isOfItsOwn = device.address != kNullAddress && !isRecent(device.provoked, time);
+      if (isOfItsOwn || isMute(device, time)) device.starts(time);
+    }
+  }
 }
 
 void State::announced(ChannelState& channel, Channel channelId, Address source, const Frame& frame,
@@ -144,11 +200,11 @@ void State::announced(ChannelState& channel, Channel channelId, Address source, 
   if (!pin || !isNode(source)) return;
   const Device* before = m_devices.findAddress(channelId, source);
   // Whoever says who it is unasked, and from where it was before, has just started.
-  const bool isUnasked = channel.namesAsked == kNotYet || time - channel.namesAsked > kAskedWithin;
   const bool hasStayed = before != nullptr && (before->kind != Device::Kind::Pin || before->pin == *pin);
   m_devices.announced(channelId, source, *pin, time);
   Device* device = m_devices.findAddress(channelId, source);
-  if (device != nullptr && hasStayed && isUnasked) device->restarted = time;
+  if (device == nullptr || !hasStayed) return;
+  if (!isRecent(channel.namesAsked, time) && !isRecent(device->provoked, time)) device->starts(time);
 }
 
 void State::applyStandard(const Frame& frame, Instant time, const Classified& what) {
@@ -164,7 +220,7 @@ void State::applyStandard(const Frame& frame, Instant time, const Classified& wh
                                : const_cast<Device*>(m_devices.byNode(channel, cob.node));
   if (device == nullptr) return;
   if (what.malformed) {
-    device->takeMalformed(frame, what.message);
+    device->takeMalformed(frame, what.message, time);
   } else {
     device->take(frame, what.message, time);
   }
@@ -180,10 +236,10 @@ void State::apply(const Note& note) {
   if (!about || about->value >= kMaxChannels) return;
   ChannelState& channel = use(*about);
   std::visit(Overload{[&](const note::LinkUp&) {
-                        channel.link = ChannelLink::Up;
+                        linkIs(*about, ChannelLink::Up);
                         channel.controller = ControllerState::Unknown;
                       },
-                      [&](const note::LinkDown&) { channel.link = ChannelLink::Down; },
+                      [&](const note::LinkDown&) { linkIs(*about, ChannelLink::Down); },
                       [&](const note::Dropped& n) { channel.dropped += n.count; },
                       [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
                       [&](const note::OwnAddress& n) {
@@ -195,6 +251,21 @@ void State::apply(const Note& note) {
                       [](const note::StillWaits&) {}, [](const note::Pipe&) {}, [](const note::LeftOut&) {},
                       [](const note::Label&) {}, [](const note::Added&) {}},
              note.value);
+}
+
+// No time-out runs while nothing can be heard.
+void State::linkIs(Channel channelId, ChannelLink link) {
+  ChannelState& channel = m_channels[channelId.value];
+  if (channel.link == link) return;
+  channel.link = link;
+  const bool isDown = link == ChannelLink::Down;
+  (isDown ? channel.linkDown : channel.linkUp) = m_cursor.time;
+  const Instant since = isDown ? kNever : m_cursor.time;
+  channel.joysticks.listensSince(since);
+  for (Device& device : m_devices.all()) {
+    if (device.kind != Device::Kind::Free && device.channel == channelId) device.listenedSince = since;
+  }
+  m_nextCheck = std::min(m_nextCheck, m_cursor.time);
 }
 
 void State::timeCame(Instant time) {
@@ -226,7 +297,10 @@ void State::fire(Instant due) {
 void State::lose(Channel channel, const AddressBook::Lost& lost, Instant time) {
   if (lost.none()) return;
   for (std::size_t a = 0; a < lost.size(); ++a) {
-    if (lost[a]) m_devices.addressLost(channel, {static_cast<std::uint8_t>(a)}, time);
+    if (!lost[a]) continue;
+    const Address address{static_cast<std::uint8_t>(a)};
+    m_devices.addressLost(channel, address, time);
+    m_channels[channel.value].nodes.left(address);
   }
 }
 

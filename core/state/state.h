@@ -49,9 +49,13 @@ struct ChannelState {
   std::uint64_t remoteFrames = 0;
   std::uint64_t dropped = 0;  // said lost by notes
   Instant lastFrame = kNotYet;
-  // When a node last had cause to say its NAME: a request for NAMEs, or a contest for an address.
+  // When every node last had cause to say its NAME: a request to all for it, or an address that was commanded.
   Instant namesAsked = kNotYet;
   ChannelLink link = ChannelLink::Unknown;
+  // When the link last came up, and when it last went down: nothing can be heard in between.
+  Instant linkUp = kNotYet, linkDown = kNotYet;
+  // The last instant at or before `now` at which this channel could be heard.
+  Instant heardUntil(Instant now) const { return link == ChannelLink::Down ? linkDown : now; }
   Address ownAddress;        // of the console that recorded this; null while it held none
   std::bitset<256> wereOwn;  // addresses that it ever held
   ControllerState controller = ControllerState::Unknown;  // of the adapter, as its error frames said last
@@ -87,9 +91,11 @@ class State {
   ChannelState& use(Channel c);
   void applyExtended(const Frame& frame, Instant time, const Classified& what);
   void applyStandard(const Frame& frame, Instant time, const Classified& what);
-  void nameHeard(ChannelState& channel, const Frame& frame, Instant time);
+  void namesAsked(ChannelState& channel, Channel channelId, Address destination, Instant time);
+  void nameHeard(Channel channelId, const Frame& frame, Instant time);
   void announced(ChannelState& channel, Channel channelId, Address source, const Frame& frame, Instant time);
   void count(const Classified& what, Instant time);
+  void linkIs(Channel channelId, ChannelLink link);
   void lose(Channel channel, const AddressBook::Lost& lost, Instant time);
   Instant nextDeadline() const;
   void fire(Instant due);
@@ -105,6 +111,6 @@ class State {
 };
 // A keyframe stands every 131,072 frames, which are 3.1 MB.
 static_assert(sizeof(State) + 4 * sizeof(ChannelState) <= 155'000, "5 % of the frames with four channels");
-static_assert(sizeof(State) + kMaxChannels * sizeof(ChannelState) <= 310'000, "10 % with all of them");
+static_assert(sizeof(State) + kMaxChannels * sizeof(ChannelState) <= 314'000, "10 % with all of them");
 
 }  // namespace deckpipe

@@ -44,6 +44,7 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   }
   const Instant now = state.cursor().time;
   const Duration gap = m_last == kNotYet ? Duration{0} : now - m_last;
+  const bool wasDeaf = m_last < state.channel(channel).linkUp;
   const bool wasSending = std::exchange(m_isSending, true), hadTimedOut = std::exchange(m_hasTimedOut, false);
   m_last = now;
   if (m_due > now + kInputTimeout) m_due = now + kInputTimeout;
@@ -53,7 +54,8 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   } else if (hadTimedOut) {
     m_timeoutGap = gap;
     compareTimeout(state, channel, out);
-  } else if (gap > (stick.period > kSlowPeriod ? kMostSlowGap : kMostGap) && m_gaps.happens(now)) {
+  } else if (!wasDeaf && gap > (stick.period > kSlowPeriod ? kMostSlowGap : kMostGap) &&
+             m_gaps.happens(now)) {
     Event event = eventOf(state, channel, EventKind::JoystickGap);
     event.now = gap.count();
     m_gaps.settle(event);
@@ -109,7 +111,10 @@ void StickWatch::timeCame(const State& state, Channel channel, const Joystick& s
   const Instant now = state.cursor().time;
   if (m_due > now) return;
   m_due = kNever;
-  const Instant timeout = m_last + kInputTimeout, end = m_last + Joystick::kSilence;
+  const bool isDeaf = state.channel(channel).link == ChannelLink::Down;
+  const Instant from = std::max(m_last, state.channel(channel).linkUp);
+  const Instant timeout = isDeaf ? kNever : from + kInputTimeout;
+  const Instant end = isDeaf ? kNever : from + Joystick::kSilence;
   if (m_isSending && !m_hasTimedOut && timeout <= now) {
     m_hasTimedOut = true;
     m_timeoutGap = now - m_last;

@@ -21,6 +21,10 @@ class StickWatch {
   // whether none had come for a while.
   bool look(const State& state, Channel channel, const Joystick& stick, bool isNews, std::vector<Event>& out);
   void timeCame(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
+  // The link of its channel went up or down: nothing can be heard while it is down, which is told by itself.
+  void linkChanged(Instant time) {
+    if (m_source != kNullAddress) m_due = time;
+  }
   Instant due() const { return m_due; }
 
  private:

@@ -44,6 +44,13 @@ const std::vector<EventCase> kCases{
     {"ALinkThatIsDownIsNoSilence",
      [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(100ms).goOn(5s); },
      {}},
+    {"StatusesOfWrongLengthsAreNoSilence", [](Story& s) { s.monitor().goOn(10s, "0100", "83"); }, {}},
+    {"APermissiveBehindALinkThatIsDown",
+     [](Story& s) {
+       s.monitor().hear("18EF8021", "A1000F").note(note::LinkDown{}).pass(40s).note(note::LinkUp{});
+       s.hear("18EF8021", "A1000F").goOn(1s);
+     },
+     {"46.300 permissive_lost" MONITOR}},
     {"ASilenceAfterTheLinkIsUpAgain",
      [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
      {"49.000 silent" MONITOR " since 5.900"}},
@@ -75,6 +82,12 @@ const std::vector<EventCase> kCases{
        s.hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
      },
      {}},
+    {"ARestartThatClaimsFirst",
+     [](Story& s) {
+       s.monitor().pass(1s).hear("18EEFF80", Story::kNameOfA).pass(10ms).hear("18EEFF80", Story::kHigherName);
+       s.hear("18EEFF80", Story::kNameOfA).pass(240ms).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {"7.000 restarted" MONITOR}},
     {"ANodeThatRestarts",
      [](Story& s) {
        for (const char* state : {"05", "05", "00", "7F", "05"}) s.hear("724", state).pass(1s);
@@ -121,6 +134,25 @@ const std::vector<EventCase> kCases{
     {"AnAddressLostToALowerName",
      [](Story& s) { s.monitor().hear("18EEFF80", Story::kLowerName).pass(1s); },
      {"6.000 address_lost" MONITOR " to another"}},
+    {"AnAddressLostAndAnotherOneTaken",
+     [](Story& s) {
+       s.monitor()
+           .hear("18EEFF80", Story::kLowerName)
+           .pass(1ms)
+           .hear("18EEFF84", Story::kNameOfA)
+           .pass(250ms);
+       s.hear("18EFFF84", Story::kAnnouncesA);
+       for (int i = 0; i < 100; ++i) s.hear("18EFFF84", Story::kPosition).pass(100ms);
+     },
+     {"6.000 address_lost" MONITOR " to another", "6.251 moved_address" MONITOR " 128>132"}},
+    {"AnAddressOfAnInputModuleThatIsLost",
+     [](Story& s) {
+       s.hear("18EEFF83", Story::kNameOfB);
+       for (int i = 0; i < 50; ++i) s.hear("18EFFF83", "8500").pass(100ms);
+       s.hear("18EEFF83", Story::kLowerName).pass(1ms).hear("18EEFF84", Story::kNameOfB).pass(250ms);
+       for (int i = 0; i < 100; ++i) s.hear("18EFFF84", "8500").pass(100ms);
+     },
+     {"6.000 address_lost 83 to another", "6.251 moved_address 84 131>132"}},
     {"AnAddressLostForWantOfAnAnswer",
      [](Story& s) { s.monitor().hear("18EEFF80", Story::kHigherName).pass(1s); },
      {"6.250 address_lost" MONITOR " to another"}},
@@ -267,6 +299,12 @@ const std::vector<EventCase> kCases{
     {"AJoystickThatBeginsAndEnds",
      [](Story& s) { s.hear("18FEF100", "11").pass(5s).stick(1s).pass(3s); },
      {"6.000 joystick_began 33", "7.180 joystick_timed_out 33", "8.980 joystick_ended 33 since 6.980"}},
+    {"AJoystickBehindALinkThatIsDown",
+     [](Story& s) { s.stick(1s).note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(50ms).stick(5s); },
+     {}},
+    {"AJoystickThatIsNotBackWithItsLink",
+     [](Story& s) { s.stick(1s).note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
+     {"42.200 joystick_timed_out 33", "44.000 joystick_ended 33 since 1.980"}},
     {"AJoystickThatBeginsAnew",
      [](Story& s) { s.stick(1s).pass(3s).stick(100ms); },
      {"2.180 joystick_timed_out 33", "3.980 joystick_ended 33 since 1.980", "5.000 joystick_began 33"}},

@@ -37,7 +37,7 @@ class Bus {
     m_state.apply(f, m_now);
     return *this;
   }
-  Bus& note(note::OwnAddress note) {
+  Bus& note(const NoteValue& note) {
     m_state.apply(Note{.time = m_now, .value = note});
     return *this;
   }

@@ -87,6 +87,78 @@ INSTANTIATE_TEST_SUITE_P(
                b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
              },
              "fine"},
+        Case{"AnAddressThatWasDefendedBeforeTheRestart",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EEFF80", kHigherForeignName).pass(50ms).statuses();
+               b.hear("18EEFF80", kNameOfA).goOn(2s).hear("18EEFF80", kNameOfA);
+             },
+             "faults_old"},
+        Case{"ARestartThatContestsTheAddressOfAnother",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EEFF90", kNameOfB).pass(1s).statuses();
+               b.hear("18EEFF90", kNameOfA).hear("18EEFF90", kNameOfB).hear("18EEFF80", kNameOfA);
+               b.pass(250ms).hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "faults_old"},
+        Case{"ARestartThatIsContested",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).pass(1s).hear("18EEFF80", kNameOfA).pass(10ms);
+               b.hear("18EEFF80", kNameOfB).hear("18EEFF80", kNameOfA).hear("18EEFF81", kNameOfB);
+               b.pass(250ms).hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "faults_old"},
+        Case{"ARestartThatComesAfterTheContest",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).pass(1s).hear("18EEFF80", kNameOfB).pass(10ms);
+               b.hear("18EEFF80", kNameOfA).hear("18EEFF81", kNameOfB);
+               b.pass(250ms).hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "faults_old"},
+        Case{"ARestartAtAnotherAddress",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EEFF81", kNameOfA).pass(250ms);
+               b.hear("18EFFF81", kAnnouncesA).hear("18EFFF81", kPosition).hear("18EFFF81", kOutputs);
+             },
+             "faults_old"},
+        Case{"AnAnswerBetweenTheClaimAndTheAnnouncement",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EEFF80", kNameOfA).pass(100ms).answered();
+               b.pass(150ms).hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "fine"},
+        Case{"ANameThatItsDeviceAloneWasAskedFor",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EA80F9", kAsksForNames).hear("18EEFF80", kNameOfA);
+               b.hear("18EFFF80", kAnnouncesA);
+             },
+             "fine"},
+        Case{"ARestartWhileAnotherIsAskedForItsName",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EA90F9", kAsksForNames).hear("18EEFF80", kNameOfA);
+               b.hear("18EFFF80", kAnnouncesA);
+             },
+             "faults_old"},
+        Case{"AnAddressThatWasTakenAndAnotherOne",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18EEFF80", kLowerForeignName).pass(1ms);
+               b.hear("18EEFF84", kNameOfA).pass(250ms).hear("18EFFF84", kAnnouncesA);
+               b.hear("18EFFF84", kPosition).hear("18EFFF84", kOutputs);
+             },
+             "fine"},
+        Case{"AnAddressThatWasCommanded",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).hear("18ECFFF9", "20090002FFD8FE00").pass(200ms).statuses();
+               b.hear("18EEFF84", kNameOfA).pass(250ms).hear("18EFFF84", kAnnouncesA);
+               b.hear("18EFFF84", kPosition).hear("18EFFF84", kOutputs);
+             },
+             "fine"},
+        Case{"ARestartOfAnInputModule",
+             [](Bus& b) {
+               b.hear("18EEFF83", kNameOfB).hear("18EFFF83", "8500").hear("18EF83F9", "02");
+               b.hear("18EFF983", kNoFaults).pass(100ms).hear("18EFFF83", "8500").pass(100ms);
+               b.hear("18EEFF83", kNameOfB).hear("18EFFF83", "8500");
+             },
+             "faults_old"},
         Case{"AMoveToAnotherAddress",
              [](Bus& b) {
                b.monitor().answered().pass(100ms).hear("18EFFF81", kAnnouncesA).hear("18EFFF81", kPosition);
@@ -138,6 +210,35 @@ INSTANTIATE_TEST_SUITE_P(
              "silent faults_old status_never_heard"},
         Case{"OneStatusLate", [](Bus& b) { b.monitor().answered().pass(300ms).hear("18EFFF80", kOutputs); },
              "late"},
+        Case{"ALinkThatIsDown", [](Bus& b) { b.monitor().answered().note(note::LinkDown{}).pass(1h); },
+             "fine"},
+        Case{"ALinkThatGoesDownDuringASilence",
+             [](Bus& b) { b.monitor().answered().pass(5s).note(note::LinkDown{}).pass(1h); },
+             "silent faults_old"},
+        Case{"ALinkThatIsJustUpAgain",
+             [](Bus& b) {
+               b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(250ms);
+             },
+             "fine"},
+        Case{"SilenceAfterTheLinkIsUpAgain",
+             [](Bus& b) {
+               b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(3s);
+             },
+             "silent faults_old"},
+        Case{"AJoystickWhoseLinkIsDown",
+             [](Bus& b) {
+               b.hear("18EEFF33", kNameOfA).hear("18EFFF33", kAnnouncesA);
+               b.hear("0CFDD633", "0100010000000000").note(note::LinkDown{}).pass(1h);
+             },
+             "faults_never_asked status_never_heard"},
+        Case{"AMonitorWhoseSensorsAreNotFittedAnyMore",
+             [](Bus& b) {
+               b.monitor().answered().hear("18EFFF80", "81FED401C200").hear("18EFFF80", "82FE0C00E100");
+               for (int i = 0; i < 50; ++i) b.pass(100ms).statuses("01FFFFFFFF000001");
+             },
+             "fine"},
+        Case{"SoftLimitsThatStop",
+             [](Bus& b) { b.monitor().answered().hear("18EFFF80", "81FED401C200").goOn(5s); }, "late"},
         Case{"ARiserThatStopped", [](Bus& b) { b.hear("18EFFF91", "848000").pass(3s); },
              "silent faults_never_asked"},
         Case{"AJoystickThatStopped",
@@ -176,10 +277,11 @@ INSTANTIATE_TEST_SUITE_P(
              "idle cannot_be_asked"},
         Case{"AnAddressThatWasOurOwn",
              [](Bus& b) {
-               b.note(
-                   {.channel = Channel{0}, .address = Address{0x21}, .how = note::OwnAddress::How::Claimed});
+               b.note(note::OwnAddress{
+                   .channel = Channel{0}, .address = Address{0x21}, .how = note::OwnAddress::How::Claimed});
                for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
-               b.note({.channel = Channel{0}, .address = kNullAddress, .how = note::OwnAddress::How::Locked});
+               b.note(note::OwnAddress{
+                   .channel = Channel{0}, .address = kNullAddress, .how = note::OwnAddress::How::Locked});
                b.pass(3s);
              },
              "idle cannot_be_asked"},
@@ -197,6 +299,17 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"RiserThatIsFaulted", [](Bus& b) { b.hear("18EFFF91", "84C000"); },
              "device_faulted faults_never_asked"},
         Case{"WrongLength", [](Bus& b) { b.monitor().answered().hear("18EFFF80", "0100"); }, "malformed"},
+        Case{"StatusesOfWrongLengths",
+             [](Bus& b) {
+               b.monitor().answered();
+               for (int i = 0; i < 50; ++i) b.pass(100ms).statuses("0100", "83");
+             },
+             "malformed"},
+        Case{"StatusesOfWrongLengthsThatStop",
+             [](Bus& b) { b.monitor().answered().pass(100ms).statuses("0100", "83").pass(3s); },
+             "silent malformed faults_old"},
+        Case{"AStatusThatOnlyEverCameInAWrongLength",
+             [](Bus& b) { b.hear("18EFFF80", kAnnouncesA).answered().statuses("0100"); }, "malformed"},
         Case{"EverythingAtOnce",
              [](Bus& b) { b.monitor("01FFF4FFF4020004", "834051").answered("0200200000000B"); },
              "faults sensor_error operational_error stop_error disabled"},
@@ -273,6 +386,19 @@ TEST(WhoIsADevice, NobodyWhoOnlySendsToOne) {
   for (const Device& device : bus.state().devices().all())
     EXPECT_TRUE(device.kind == Device::Kind::Free || device.address == Address{0x80});
   EXPECT_FALSE(bus.state().channel({}).book.isAkron(Address{0xA0}));
+}
+
+TEST(WhoIsADevice, NobodyWhoOnlySendsToOneThatWasNeverHeard) {
+  Bus bus;
+  for (const char* data : {"02000000000000", "03010203040506", "04010203040506"}) bus.hear("18EF80A0", data);
+  EXPECT_EQ(bus.state().devices().byAddress({}, Address{0xA0}), nullptr);
+}
+
+TEST(WhoIsADevice, NobodyWhoOnlyClaimedTheAddressOfAnother) {
+  Bus bus;
+  bus.monitor().goOn(5s).hear("18EEFF80", kLowerForeignName).hear("18EEFF84", kNameOfA);
+  bus.hear("18EFFF84", kAnnouncesA).pass(10s);
+  EXPECT_EQ(listed(healthOf(bus.state(), Channel{0}, Address{0x80})), "idle cannot_be_asked");
 }
 
 TEST(WhoIsADevice, WhoeverAnswersAsOne) {
