@@ -100,7 +100,7 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
   const SourceStatus& source = m_snapshot.source;
   const ReadSummary& read = source.read;
   if (document != m_document || source.progress != SourceStatus::Progress::Done || frames < read.frames ||
-      read.isOpenEnded || read.cutBytes > 0 || read.newerParts > 0)
+      read.isOpenEnded || !read.isWhole())
     return;
   if (source.name.endsWith(QLatin1String(".deckpipe")))
     std::thread([path = QFile::encodeName(source.name).toStdString()] { markJournalSaved(path); }).detach();
