@@ -194,7 +194,11 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.progress == Progress::Failed)
     return {Severity::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
-  // First, as nothing else that is said of times is true before they are added up.
+  if (source.unkeptMarks)
+    return {Severity::Attend,
+            NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” keeps them.")
+                .arg(*source.unkeptMarks)};
+  // Before the rest, as nothing else that is said of times is true before they are added up.
   if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
     return {
         .tone = Severity::Attend,

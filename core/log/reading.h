@@ -84,6 +84,7 @@ struct ReadSummary {
   std::uint64_t frames = 0;  // put into the store
   std::uint64_t lines = 0;   // of a text format
   bool cancelled = false;
+  bool mayHaveSidecar = false;                 // its notes are kept in a file beside it
   bool hasSidecar = false;                     // its notes came from the file beside it, after its frames
   std::optional<SidecarFault> sidecarFault{};  // the log was read without its notes
   std::uint64_t newerParts = 0;  // that a newer version of Deckpipe wrote, and that were left out
