@@ -80,13 +80,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The end of this recording is not whole: its last %Ln bytes could not be read. Everything before them is here.</source>
-        <translation>
-            <numerusform>The end of this recording is not whole: its last byte could not be read. Everything before them is here.</numerusform>
-            <numerusform>The end of this recording is not whole: its last %Ln bytes could not be read. Everything before them is here.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln times of this log are written with more than nine decimals: only their seconds are kept, so rates and ages are not to be trusted.</source>
         <translation>
             <numerusform>%Ln time of this log is written with more than nine decimals: only its seconds are kept, so rates and ages are not to be trusted.</numerusform>
@@ -105,6 +98,27 @@
         <translation>
             <numerusform>%Ln frame of this log is missing here: it was lost while it was recorded, or is CAN FD or CAN XL, which are not held.</numerusform>
             <numerusform>%Ln frames of this log are missing here: they were lost while it was recorded, or are CAN FD or CAN XL, which are not held.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The end of this recording is not whole: its last %Ln bytes could not be read.</source>
+        <translation>
+            <numerusform>The end of this recording is not whole: its last byte could not be read.</numerusform>
+            <numerusform>The end of this recording is not whole: its last %Ln bytes could not be read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>This recording is damaged in %Ln places, the first at byte %1; %2 bytes could not be read.</source>
+        <translation>
+            <numerusform>This recording is damaged in one place, at byte %1; %2 bytes could not be read.</numerusform>
+            <numerusform>This recording is damaged in %Ln places, the first at byte %1; %2 bytes could not be read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At least %Ln frames are missing.</source>
+        <translation>
+            <numerusform>At least one frame is missing.</numerusform>
+            <numerusform>At least %Ln frames are missing.</numerusform>
         </translation>
     </message>
 </context>

@@ -58,7 +58,7 @@ void MainWindow::makeFileMenu() {
                                        [this] { m_markBar->open(m_snapshot.view); }),
                        "markAction");
   menu->addSeparator();
-  named(menu->addAction(tr("Start the simulated &truck"), &m_session, &Session::openDemo), "demoAction");
+  named(menu->addAction(tr("Start the simulated &truck"), this, &MainWindow::openDemo), "demoAction");
   named(menu->addAction(tr("&Close"), QKeySequence::Close, this, &MainWindow::closeSource), "closeAction");
   menu->addSeparator();
   named(menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close), "quitAction");

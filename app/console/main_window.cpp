@@ -3,16 +3,13 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHelpEvent>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -114,8 +111,9 @@ void MainWindow::connectPanels() {
   const ConnectionPage* page = m_connection->page();
   connect(page, &ConnectionPage::browseRequested, this, &MainWindow::openLogByHand);
   connect(page, &ConnectionPage::logRequested, this, &MainWindow::openLog);
-  connect(page, &ConnectionPage::demoRequested, &m_session, &Session::openDemo);
-  connect(m_connection, &Connection::linkRequested, &m_session, &Session::openLink);
+  connect(page, &ConnectionPage::demoRequested, this, &MainWindow::openDemo);
+  connect(m_connection, &Connection::linkRequested, this,
+          [this](const LinkSettings& link) { leave([=, this] { m_session.openLink(link); }); });
   connect(m_settings, &SettingsPage::themeChosen, this, &MainWindow::setTheme);
   connect(m_settings, &SettingsPage::densityChosen, this, &MainWindow::setDensity);
   connect(m_settings, &SettingsPage::identityChosen, this, [this](int address, int identity) {
@@ -203,8 +201,10 @@ void MainWindow::showExtra(QWidget* page) {
 }
 
 void MainWindow::openLog(const QString& path) {
-  rememberLog(path);
-  m_session.openLog(path);
+  leave([=, this] {
+    rememberLog(path);
+    m_session.openLog(path);
+  });
 }
 
 // Dialogs for files are asynchronous: the bus goes on behind them.
@@ -288,8 +288,10 @@ LabelsByPin MainWindow::labelsToSave() const {
 }
 
 void MainWindow::closeSource() {
-  m_session.closeSource();
-  showSnapshot();
+  leave([this] {
+    m_session.closeSource();
+    showSnapshot();
+  });
 }
 
 void MainWindow::follow(Notice::Action action) {
@@ -348,43 +350,6 @@ bool MainWindow::event(QEvent* event) {
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   focusNextPane({panes().first()}, false);  // the keyboard begins where the work is, not in the strip above
-}
-
-// Quitting would break these off; a line each. A recording that the disk takes is kept, and is not among them.
-QStringList MainWindow::runningWork() const {
-  QStringList work;
-  const ServiceStatus& services = *m_snapshot.services;
-  if (m_session.holdsUnwritten())
-    work << tr("The disk does not take all of a recording: what is in memory alone is lost.");
-  if (m_recordings->isBusy()) work << tr("A copy of a recording is being saved: it is broken off.");
-  if (m_saveBar->isSaving()) work << tr("A log is being saved: what is written of it so far is discarded.");
-  for (const DeviceServices& device : services.devices) {
-    if (device.pipe && device.pipe->isSendingFile())
-      work << tr("A file is being sent: %1. The device has only a part of it then.")
-                  .arg(QString::fromStdString(device.pipe->file));
-  }
-  if (!services.locked) work << tr("Sending is unlocked. It is locked on quitting.");
-  return work;
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  const QStringList work = m_mayClose ? QStringList() : runningWork();
-  if (!work.isEmpty()) {
-    event->ignore();
-    auto* question = new QMessageBox(QMessageBox::Warning, tr("Quit Deckpipe"), work.join(QLatin1Char('\n')),
-                                     QMessageBox::NoButton, this);
-    question->setObjectName(QStringLiteral("quitQuestion"));
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    const QPushButton* quit = question->addButton(tr("Quit"), QMessageBox::DestructiveRole);
-    question->setDefaultButton(question->addButton(tr("Stay"), QMessageBox::RejectRole));
-    connect(quit, &QPushButton::clicked, this, [this] {
-      m_mayClose = true;
-      close();
-    });
-    return question->open();
-  }
-  saveLayout();
-  QMainWindow::closeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
 
 #include "paint/app_style.h"
 #include "panel/common/notice_bar.h"
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   LabelsByPin labelsToSave() const;
   void save(const std::shared_ptr<const LogDocument>& document, const QString& path, SavedPart part);
   void closeSource();
+  void openDemo();
   void connectRecordings();
   void showRecordings();
   void saveRecordingByHand(const QString& path);
@@ -82,6 +84,8 @@ class MainWindow : public QMainWindow {
   QList<QWidget*> panes() const;
   void saveLayout() const;
   QStringList runningWork() const;
+  static QString lostMarksText(const QString& why);
+  void leave(std::function<void()> go);
 
   Session& m_session;
   Snapshot m_snapshot;

@@ -120,21 +120,39 @@ Notice sidecarNotice(const SidecarFault& fault) {
           .arg(where, reasonText(fault))};
 }
 
+QString cutText(std::uint64_t bytes) {
+  return NoticeText::tr("The end of this recording is not whole: its last %Ln bytes could not be read.",
+                        nullptr, forPlural(bytes));
+}
+
+Notice damageNotice(const ReadSummary& read) {
+  const auto number = [](std::uint64_t n) { return QLocale().toString(static_cast<qulonglong>(n)); };
+  QStringList said{
+      NoticeText::tr("This recording is damaged in %Ln places, the first at byte %1; %2 bytes could not "
+                     "be read.",
+                     nullptr, forPlural(read.damage.places))
+          .arg(number(read.damage.firstAt), number(read.damage.bytes))};
+  if (read.damage.frames > 0)
+    said += NoticeText::tr("At least %Ln frames are missing.", nullptr, forPlural(read.damage.frames));
+  if (read.cutBytes > 0) said += cutText(read.cutBytes);
+  said += NoticeText::tr("Everything else is here; times across a damaged place are not to be trusted.");
+  return {Severity::Attend, said.join(QLatin1Char(' '))};
+}
+
 // What is missing of a log that was read.
 Notice readingNotice(const ReadSummary& read) {
   if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
+  if (read.damage.places > 0) return damageNotice(read);
   if (read.cutBytes > 0)
     return {Severity::Attend,
-            NoticeText::tr("The end of this recording is not whole: its last %Ln bytes could not be read. "
-                           "Everything before them is here.",
-                           nullptr, forPlural(read.cutBytes))};
+            cutText(read.cutBytes) + QLatin1Char(' ') + NoticeText::tr("Everything before them is here.")};
   if (read.newerParts > 0)
     return {Severity::Attend,
             NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
                            nullptr, forPlural(read.newerParts))};
   if (read.isOpenEnded)
     return {Severity::Attend,
-            NoticeText::tr("This recording was not ended: it still goes on, or its last second was lost.")};
+            NoticeText::tr("This recording has no end: it still goes on, or its end was lost.")};
   return {};
 }
 
@@ -176,7 +194,11 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.progress == Progress::Failed)
     return {Severity::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
-  // First, as nothing else that is said of times is true before they are added up.
+  if (source.unkeptMarks)
+    return {Severity::Attend,
+            NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” keeps them.")
+                .arg(*source.unkeptMarks)};
+  // Before the rest, as nothing else that is said of times is true before they are added up.
   if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
     return {
         .tone = Severity::Attend,

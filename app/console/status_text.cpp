@@ -106,6 +106,8 @@ QString readErrorWords(const ReadError& error) {
     case ReadError::Kind::NewerVersion: return StatusText::tr("written by a newer version of Deckpipe");
     case ReadError::Kind::NoPipe:
       return StatusText::tr("a log of this format is read from a file only, not from a pipe");
+    case ReadError::Kind::Damaged:
+      return StatusText::tr("its beginning is damaged, and no part behind it is whole");
     case ReadError::Kind::StoreFull:
       return StatusText::tr("no room for more frames, neither in memory nor on disk");
   }
@@ -135,8 +137,7 @@ Severity sourceTone(const SourceStatus& source) {
 
 bool isReadWhole(const SourceStatus& source) {
   const ReadSummary& read = source.read;
-  return read.cutBytes == 0 && read.newerParts == 0 && !read.isOpenEnded && !read.sidecarFault &&
-         source.progress != Progress::Failed;
+  return read.isWhole() && !read.isOpenEnded && source.progress != Progress::Failed;
 }
 
 struct LinkOutages {

@@ -118,6 +118,14 @@ ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& mor
 }
 
 bool LogInput::sayMissing(const ReadSummary& summary) const {
+  const Damage& damage = summary.damage;
+  if (damage.places > 0)
+    std::fprintf(
+        stderr,
+        "%s: damaged in %" PRIu64 " %s, the first at byte %" PRIu64 "; %" PRIu64 " bytes could not be read\n",
+        name().c_str(), damage.places, damage.places == 1 ? "place" : "places", damage.firstAt, damage.bytes);
+  if (damage.frames > 0)
+    std::fprintf(stderr, "%s: at least %" PRIu64 " frames are missing\n", name().c_str(), damage.frames);
   if (summary.cutBytes > 0)
     std::fprintf(stderr, "%s: the last %" PRIu64 " bytes are not whole and were left out\n", name().c_str(),
                  summary.cutBytes);
@@ -125,7 +133,7 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
     std::fprintf(stderr, "%s: %" PRIu64 " parts of a newer version of Deckpipe were left out\n",
                  name().c_str(), summary.newerParts);
   if (summary.isOpenEnded)
-    std::fprintf(stderr, "%s: the recording was not ended: it still goes on, or its last second was lost\n",
+    std::fprintf(stderr, "%s: the recording has no end: it still goes on, or its end was lost\n",
                  name().c_str());
   if (const auto& fault = summary.sidecarFault) {
     std::string where = fault->path;
@@ -134,7 +142,7 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
     if (!fault->detail.empty()) text += ": " + fault->detail;
     complain(where, text + "; the log was read without its notes");
   }
-  return summary.cutBytes == 0 && summary.newerParts == 0 && !summary.sidecarFault;
+  return summary.isWhole();
 }
 
 bool LogInput::sayMissed() const {

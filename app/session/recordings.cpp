@@ -107,8 +107,10 @@ Recording readRecording(const QString& path, std::uint64_t readWhole) {
   recording.isReadable = true;
   recording.isGlanced = tail.has_value();
   recording.frames = tail ? tail->frames : frames.count();
-  recording.isWhole = tail ? tail->isEnded && tail->cutBytes == 0
-                           : !summary.value().isOpenEnded && summary.value().cutBytes == 0;
+  const ReadSummary& read = summary.value();
+  recording.isWhole =
+      tail ? tail->isEnded && tail->cutBytes == 0 && !tail->isDamaged && read.damage.places == 0
+           : !read.isOpenEnded && read.isWhole();
   if (frames.count() == 0) return recording;
   const auto last = tail ? timeOf(*tail, frames) : std::optional(frames.lastTime());
   if (last && *last >= frames.timeAt(0)) recording.length = *last - frames.timeAt(0);

@@ -95,12 +95,13 @@ void Session::beginRecording() {
 bool Session::holdsUnwritten() const { return m_recorders.holdUnwritten(); }
 
 void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
+  if (document == m_document && frames >= document->frames.count()) m_snapshot.source.unkeptMarks.reset();
   if (m_recorders.setSaved(document, frames)) return;
   // A recording of earlier that is open as a file.
   const SourceStatus& source = m_snapshot.source;
   const ReadSummary& read = source.read;
   if (document != m_document || source.progress != SourceStatus::Progress::Done || frames < read.frames ||
-      read.isOpenEnded || read.cutBytes > 0 || read.newerParts > 0)
+      read.isOpenEnded || !read.isWhole())
     return;
   if (source.name.endsWith(QLatin1String(".deckpipe")))
     std::thread([path = QFile::encodeName(source.name).toStdString()] { markJournalSaved(path); }).detach();
@@ -316,7 +317,22 @@ void Session::goToEnd() {
 void Session::mark(Cursor at, const QString& text) {
   if (m_document == nullptr) return;
   m_document->notes.append({.frame = at.frames, .time = at.time, .value = note::Mark{text.toStdString()}});
+  keepMarks();
   Q_EMIT changed();
+}
+
+void Session::keepMarks() {
+  SourceStatus& source = m_snapshot.source;
+  if (source.kind != SourceStatus::Kind::File) return;
+  QString reason;
+  if (source.progress == SourceStatus::Progress::Opening) {
+    reason = tr("the log is still being read");
+  } else if (source.progress == SourceStatus::Progress::Failed) {
+    reason = tr("the log could not be read to its end");
+  } else {
+    reason = m_marks.keep(*m_document);
+  }
+  source.unkeptMarks = reason.isEmpty() ? std::nullopt : std::optional(reason);
 }
 
 void Session::setSpeed(double speed) {
@@ -343,6 +359,8 @@ void Session::updateSource() {
       } else {
         source.error = outcome->error();
       }
+      if (isNews && *outcome) m_marks.opened(source.name, source.read);
+      if (isNews && source.unkeptMarks) keepMarks();
     }
   }
   if (const auto recording = m_recorders.status()) source.recording = recording;

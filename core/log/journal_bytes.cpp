@@ -83,15 +83,14 @@ bool takeJournalHead(std::span<const std::uint8_t> bytes, JournalHead& head) {
     return false;
   const std::uint32_t crc = crcOf(bytes.first(JournalHead::kBytes - kCrcBytes));
   bytes = bytes.subspan(kJournalMagic.size());
-  head = {};
-  head.major = take<std::uint16_t>(bytes);
+  JournalHead read{.major = take<std::uint16_t>(bytes)};
   take<std::uint16_t>(bytes);
-  JournalHead rest{.major = head.major};
   const auto flags = take<std::uint32_t>(bytes);
-  rest.isSimulated = (flags & kSimulated) != 0;
-  rest.isSaved = (flags & kSaved) != 0;
-  rest.begin = take<std::int64_t>(bytes);
-  if (take<std::uint32_t>(bytes) == crc) head = rest;
+  read.isSimulated = (flags & kSimulated) != 0;
+  read.isSaved = (flags & kSaved) != 0;
+  read.begin = take<std::int64_t>(bytes);
+  if (take<std::uint32_t>(bytes) != crc) return false;
+  head = read;
   return true;
 }
 

@@ -19,7 +19,9 @@
 //  2. A channel and the notes before a frame stand before the block of that frame. A clock block tells all
 //     offsets that were set at the frames of the next frame block, in their order. Where no frame follows a
 //     note, it stands at the end of the log; a note at an earlier frame was written down later.
-//  3. A block that is cut, or whose CRC is wrong, ends the journal: what stands before it counts.
+//  3. A block whose CRC is wrong is left out; the next one is found by its own CRC (journal_blocks.h). A block
+//     that is cut ends the journal. The head has this layout in every version; if its CRC is wrong, blocks that
+//     are whole are read as those of this version.
 //  4. Types and layouts are never changed and never used again. A later minor version may add types, and
 //     versions of types. This one skips a type or a version of notes that it does not know; a version of
 //     channels, clocks or frames that it does not know ends what it reads, since what follows depends on them.
@@ -58,8 +60,7 @@ inline constexpr std::string_view kJournalMagic{
     8};
 
 void appendJournalHead(JournalBytes& out, const JournalHead& head);
-// The head at the beginning of `bytes`. If its CRC is wrong only the version is taken, since the frames may be
-// read all the same. False if there is no head.
+// The head at the beginning of `bytes`. False, and nothing of it is taken, if there is none or its CRC is wrong.
 bool takeJournalHead(std::span<const std::uint8_t> bytes, JournalHead& head);
 
 enum class JournalBlock : std::uint16_t { Channel = 1, Clock = 2, Notes = 3, Frames = 4, End = 5 };

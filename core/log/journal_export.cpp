@@ -10,6 +10,10 @@
 namespace deckpipe {
 namespace {
 
+// So many are lost by one wrong bit.
+constexpr std::size_t kFramesOfBlock = 256;
+static_assert(kFramesOfBlock <= kMostJournalFrames);
+
 // Of the log only frames and their log times are known: an offset is written wherever a frame's time does not
 // follow from its stamp and the offset before (FrameStore says how it does).
 class JournalExport final : public LogWriter {
@@ -36,7 +40,7 @@ class JournalExport final : public LogWriter {
     }
     m_time = time.ns;
     m_frames.push_back(frame);
-    if (m_frames.size() < kMostJournalFrames) return;
+    if (m_frames.size() < kFramesOfBlock) return;
     flush();
     moveTo(out);
   }

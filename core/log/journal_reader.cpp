@@ -2,11 +2,14 @@
 #include "log/journal_reader.h"
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <bitset>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "log/journal_bytes.h"
+#include "log/journal_blocks.h"
 #include "log/note_codec.h"
 
 namespace deckpipe {
@@ -14,35 +17,33 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-Bytes bytesOf(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
+// Read at a time.
+constexpr std::uint64_t kPiece = 64 * 1024;
+// A channel of which neither the clock nor the silence before it is known, as its blocks may be lost, goes on
+// where its stamps do so within this time; otherwise at the time of the frame before.
+constexpr std::int64_t kMostUnsure = 3'600'000'000'000;
 
-// Takes the head and the blocks of a journal one after another, wherever they come from.
+// Puts what is in the blocks of a journal into a log, one block after another. Frames, notes and clock offsets
+// name a frame by its place in the whole recording; where blocks are lost the log's own places are lower.
 class JournalContent {
  public:
-  enum class Outcome : std::uint8_t { Taken, Damaged, Full, NewerVersion };
+  enum class Outcome : std::uint8_t { Taken, Damaged, Full };
 
   explicit JournalContent(const LogTarget& target) : m_target(target) { m_summary.isOpenEnded = true; }
 
-  // `bytes`: as many as a head has, or all there are.
-  Outcome takeHead(Bytes bytes) {
-    if (!takeJournalHead(bytes, m_head)) return Outcome::Damaged;
-    return m_head.major > JournalHead::kMajor ? Outcome::NewerVersion : Outcome::Taken;
+  // Of head and content, whole. Nothing of a damaged one is taken.
+  Outcome takeBlock(Bytes bytes) { return take(journalBlockHead(bytes), bytes.subspan(kJournalBlockHead)); }
+  // Here blocks of any kind may be missing.
+  void setGap() {
+    m_isGap = true;
+    m_unsure.set();
   }
-  // Of head and content.
-  Outcome takeBlock(Bytes bytes) {
-    const JournalBlockHead block = journalBlockHead(bytes);
-    if (journalBlockCrc(bytes) != block.crc) return Outcome::Damaged;
-    return take(block, bytes.subspan(kJournalBlockHead));
-  }
-  // How reading ended, if so many bytes at the end were not taken.
-  Result<ReadSummary, ReadError> ended(Outcome outcome, std::uint64_t left) {
-    if (outcome == Outcome::NewerVersion)
-      return Failure{ReadError{ReadError::Kind::NewerVersion, std::to_string(m_head.major)}};
-    if (outcome == Outcome::Full) return Failure{ReadError{ReadError::Kind::StoreFull, {}}};
+  // What came of it, but for damage.
+  ReadSummary ended() {
+    // Their frames are lost; they are not.
+    if (m_isGap) m_next = std::numeric_limits<std::uint64_t>::max();
+    appendNotes();
     m_summary.frames = m_target.frames.count();
-    m_summary.cutBytes = left;
     return m_summary;
   }
   void setCancelled() { m_summary.cancelled = true; }
@@ -70,7 +71,21 @@ class JournalContent {
     std::uint8_t index = 0;
     std::string_view name;
     if (!takeChannelBlock(content, index, name)) return Outcome::Damaged;
-    return m_target.frames.channel(name) == index ? Outcome::Taken : Outcome::Damaged;
+    FrameStore& frames = m_target.frames;
+    if (index < frames.channelCount())
+      return frames.channelName(index) == name ? Outcome::Taken : Outcome::Damaged;
+    nameChannelsBefore(index);
+    return frames.channel(name) == index ? Outcome::Taken : Outcome::Damaged;
+  }
+
+  // The blocks that named them are lost.
+  void nameChannelsBefore(std::size_t end) {
+    FrameStore& frames = m_target.frames;
+    while (frames.channelCount() < end) {
+      const std::size_t index = frames.channelCount();
+      std::string name = "name-lost-" + std::to_string(index);
+      while (frames.channel(name) != index) name += '-';
+    }
   }
 
   Outcome takeNotes(Bytes content) {
@@ -94,53 +109,127 @@ class JournalContent {
 
   // Those whose frame is the next one, or was read before.
   void appendNotes() {
-    const std::uint64_t count = m_target.frames.count();
     std::vector<Note> later;
     for (Note& note : m_notes) {
-      if (note.frame > count) {
+      if (note.frame > m_next) {
         later.push_back(std::move(note));
       } else if (m_target.notes != nullptr) {
+        note.frame = placeInLog(note.frame);
         m_target.notes->append(std::move(note));
       }
     }
     m_notes = std::move(later);
   }
 
+  // A frame that is lost has the place of the next one that is there.
+  std::uint64_t placeInLog(std::uint64_t frame) const {
+    const auto after = std::ranges::upper_bound(m_lost, frame, {}, &Lost::begin);
+    std::uint64_t place = frame;
+    if (after != m_lost.begin()) {
+      const Lost& lost = *std::prev(after);
+      place = std::max(frame, lost.end) - lost.total;
+    }
+    return std::min(place, m_target.frames.count());
+  }
+
   // Each note is there before its frame is, as it was live.
   Outcome takeFrames(Bytes content) {
     std::uint64_t first = 0;
-    if (!takeFrameBlock(content, first, m_frames) || first != m_target.frames.count())
+    if (!takeFrameBlock(content, first, m_frames) || first < m_next || (first > m_next && !m_isGap) ||
+        first > std::numeric_limits<std::uint64_t>::max() - m_frames.size())
       return Outcome::Damaged;
     std::vector<ClockOffset> offsets;
     if (!takeOffsets(first, offsets)) return Outcome::Damaged;
+    std::size_t channels = 0;
+    for (const Frame& frame : m_frames) channels = std::max<std::size_t>(channels, frame.channel + 1u);
+    nameChannelsBefore(channels);
+    if (first > m_next) lose(first);
+    m_isGap = false;
+    appendNotes();
+    if (m_unsure.any() || !offsets.empty()) followClocks(offsets);
     std::span<const ClockOffset> rest(offsets);
     for (std::span<const Frame> frames(m_frames); !frames.empty();) {
-      const std::uint64_t at = first + (m_frames.size() - frames.size());
       std::uint64_t to = first + m_frames.size();
       for (const Note& note : m_notes) to = std::min(to, note.frame);
-      const auto here = frames.first(to - at);
+      const auto here = frames.first(to - m_next);
       if (!m_target.frames.restore(here, rest)) return Outcome::Full;
-      while (!rest.empty() && rest.front().frame < to) rest = rest.subspan(1);
+      while (!rest.empty() && rest.front().frame < m_target.frames.count()) rest = rest.subspan(1);
       frames = frames.subspan(here.size());
+      m_next = to;
       appendNotes();
     }
     return Outcome::Taken;
   }
 
-  // The offsets of this block's frames. False where they are of no such frame.
+  // The frames up to this one are missing.
+  void lose(std::uint64_t first) {
+    m_summary.damage.frames += first - m_next;
+    m_lost.push_back({m_next, first, m_summary.damage.frames});
+    m_next = first;
+  }
+
+  // The offsets of this block's frames, at their places in the log. False where they are of no such frame.
+  // Those of lost frames are remembered.
   bool takeOffsets(std::uint64_t first, std::vector<ClockOffset>& offsets) {
     for (const auto& [channel, offset] : std::exchange(m_offsets, {})) {
       const std::uint64_t i = offset.frame - first;
-      const bool isAfter = offsets.empty() || offset.frame > offsets.back().frame;
+      const std::uint64_t place = m_target.frames.count() + i;
+      const bool isLost = m_isGap && offset.frame >= m_next && offset.frame < first;
+      const bool isAfter = offsets.empty() || place > offsets.back().frame;
+      if (isLost) {
+        m_knownTime = std::max(m_knownTime, offset.at);
+        m_offsetOf[channel] = offset.offset;
+        continue;
+      }
       if (offset.frame < first || i >= m_frames.size() || m_frames[i].channel != channel || !isAfter)
         return false;
-      offsets.push_back(offset);
+      offsets.push_back({place, offset.offset, offset.at});
     }
     return true;
   }
 
+  // Follows the clocks through this block. Behind a gap each channel whose clock is not sure is given an offset at its
+  // first frame. Log times never fall, so none may come to lie behind one that a later block tells.
+  void followClocks(std::vector<ClockOffset>& offsets) {
+    const std::uint64_t place = m_target.frames.count();
+    std::int64_t time = m_target.frames.lastTime().ns;
+    if (m_unsure.any()) time = std::max(time, m_knownTime);
+    std::vector<ClockOffset> all;
+    auto own = offsets.begin();
+    for (std::size_t i = 0; i < m_frames.size(); ++i) {
+      const Frame& frame = m_frames[i];
+      std::int64_t& offset = m_offsetOf[frame.channel];
+      if (own != offsets.end() && own->frame == place + i) {
+        m_unsure.reset(frame.channel);
+        offset = own->offset;
+        time = std::max(time, own->at);
+        all.push_back(*own++);
+        continue;
+      }
+      if (!frame.hasStamp()) continue;
+      if (m_unsure.test(frame.channel)) {
+        m_unsure.reset(frame.channel);
+        const std::int64_t away = saturatedMinus(saturatedPlus(frame.stamp, offset), time);
+        if (away > kMostUnsure || away < -kMostUnsure) offset = saturatedMinus(time, frame.stamp);
+        all.push_back({place + i, offset, saturatedPlus(frame.stamp, offset)});
+      }
+      time = std::max(time, saturatedPlus(frame.stamp, offset));
+    }
+    offsets = std::move(all);
+  }
+
   const LogTarget m_target;
-  JournalHead m_head;
+  // Frames [begin, end) of the recording, and how many are lost with all before them.
+  struct Lost {
+    std::uint64_t begin, end, total;
+  };
+
+  std::uint64_t m_next = 0;  // frame of the recording
+  std::vector<Lost> m_lost;
+  bool m_isGap = false;                        // blocks are missing since the last frames
+  std::bitset<256> m_unsure;                   // channels whose clock may have been in a block that is lost
+  std::int64_t m_knownTime = 0;                // log time of a frame that is lost
+  std::array<std::int64_t, 256> m_offsetOf{};  // in force on each channel
   std::vector<Frame> m_frames;
   std::vector<ChannelOffset> m_offsets;  // of the next frames
   std::vector<Note> m_notes;             // of frames that were not read yet
@@ -150,95 +239,94 @@ class JournalContent {
 
 using Outcome = JournalContent::Outcome;
 
-// Of a block with its head, at the front of `bytes`; nothing if its head is not whole, or none.
-std::optional<std::uint64_t> blockSize(Bytes bytes) {
-  if (bytes.size() < kJournalBlockHead) return {};
-  const std::uint64_t length = journalBlockHead(bytes).length;
-  if (length > kMostJournalContent) return {};
-  return kJournalBlockHead + length;
-}
-
 class JournalStream final : public StreamReader {
  public:
   explicit JournalStream(const LogTarget& target) : m_content(target) {}
 
-  // What comes behind damage is counted.
   bool feed(std::string_view bytes) override {
-    m_pending.append(bytes);
-    std::size_t at = 0;
-    while (m_outcome == Outcome::Taken) {
-      const Bytes rest = bytesOf(m_pending).subspan(at);
-      if (!m_hasHead) {
-        if (rest.size() < JournalHead::kBytes) break;
-        m_outcome = m_content.takeHead(rest.first(JournalHead::kBytes));
-        m_hasHead = true;
-        if (m_outcome == Outcome::Taken) at += JournalHead::kBytes;
-        continue;
-      }
-      if (rest.size() < kJournalBlockHead) break;
-      const auto size = blockSize(rest);
-      if (size && rest.size() < *size) break;
-      m_outcome = size ? m_content.takeBlock(rest.first(*size)) : Outcome::Damaged;
-      if (m_outcome == Outcome::Taken) at += *size;
-    }
-    m_pending.erase(0, at);
-    if (m_outcome == Outcome::Damaged) {
-      m_left += m_pending.size();
-      m_pending.clear();
-    }
-    return m_outcome == Outcome::Taken || m_outcome == Outcome::Damaged;
+    m_blocks.append(bytes);
+    takeAll();
+    return m_outcome != Outcome::Full && !m_blocks.newerVersion();
   }
 
   Result<ReadSummary, ReadError> finish() override {
-    return m_content.ended(m_outcome, m_left + m_pending.size());
+    m_blocks.end();
+    takeAll();
+    if (const auto version = m_blocks.newerVersion())
+      return Failure{ReadError{ReadError::Kind::NewerVersion, std::to_string(*version)}};
+    if (m_outcome == Outcome::Full) return Failure{ReadError{ReadError::Kind::StoreFull, {}}};
+    if (m_blocks.isNothingWhole()) return Failure{ReadError{ReadError::Kind::Damaged, {}}};
+    return summary();
+  }
+  // Reading ends before the log does.
+  ReadSummary cancel() {
+    ReadSummary read = summary();
+    read.cancelled = true;
+    return read;
   }
 
  private:
+  void takeAll() {
+    while (m_outcome != Outcome::Full) {
+      const Bytes block = m_blocks.next();
+      if (std::exchange(m_damagedBytes, m_blocks.damage().bytes) != m_blocks.damage().bytes)
+        m_content.setGap();
+      if (block.empty()) return;
+      m_outcome = m_content.takeBlock(block);
+      if (m_outcome == Outcome::Damaged) m_blocks.reject();
+    }
+  }
+  ReadSummary summary() {
+    ReadSummary read = m_content.ended();
+    const std::uint64_t frames = read.damage.frames;
+    read.damage = m_blocks.damage();
+    read.damage.frames = frames;
+    read.cutBytes = m_blocks.cutBytes();
+    return read;
+  }
+
+  JournalBlocks m_blocks;
   JournalContent m_content;
-  std::string m_pending;  // from a head or block on that is not whole yet
-  bool m_hasHead = false;
   Outcome m_outcome = Outcome::Taken;
-  std::uint64_t m_left = 0;
+  std::uint64_t m_damagedBytes = 0;  // so far
 };
+
+// A file that has a block of a journal is one, even if its first bytes are not whole.
+Sniff sniffDamaged(std::string_view head, bool isWhole) {
+  // The head and the first block have zeroes; a text, which may be a pipe that is to be shown at once, has none.
+  if (head.substr(0, JournalHead::kBytes + kJournalBlockHead).find('\0') == std::string_view::npos)
+    return Sniff::No;
+  JournalBlocks blocks(JournalBlocks::From::Anywhere);
+  blocks.append(head.substr(0, kSniffBytes));
+  blocks.end();
+  if (!blocks.next().empty()) return Sniff::Yes;
+  return isWhole || head.size() >= kSniffBytes ? Sniff::No : Sniff::Open;
+}
 
 }  // namespace
 
 Sniff sniffJournal(std::string_view head, bool isWhole) {
   const std::string_view magic = head.substr(0, kJournalMagic.size());
   if (magic == kJournalMagic) return Sniff::Yes;
-  return !isWhole && kJournalMagic.starts_with(magic) ? Sniff::Open : Sniff::No;
+  if (!isWhole && kJournalMagic.starts_with(magic)) return Sniff::Open;
+  return sniffDamaged(head, isWhole);
 }
 
 Result<ReadSummary, ReadError> readJournal(const LogBytes& bytes, const LogTarget& target,
                                            const ReadOptions& options) {
-  JournalContent content(target);
+  JournalStream stream(target);
   std::vector<char> buffer;
   std::string_view piece;
   const std::uint64_t size = bytes.size();
-  std::uint64_t at = 0;
-  const auto get = [&](std::uint64_t length) { return bytes.get(at, at + length, buffer, piece); };
-  const auto cannotRead = [](std::string why) {
-    return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
-  };
-  if (std::string why = get(std::min<std::uint64_t>(size, JournalHead::kBytes)); !why.empty())
-    return cannotRead(std::move(why));
-  Outcome outcome = content.takeHead(bytesOf(piece));
-  if (outcome == Outcome::Taken) at = JournalHead::kBytes;
-  while (outcome == Outcome::Taken && at < size) {
-    if (std::string why = get(std::min<std::uint64_t>(size - at, kJournalBlockHead)); !why.empty())
-      return cannotRead(std::move(why));
-    const auto length = blockSize(bytesOf(piece));
-    if (!length || *length > size - at) break;
-    if (std::string why = get(*length); !why.empty()) return cannotRead(std::move(why));
-    outcome = content.takeBlock(bytesOf(piece));
-    if (outcome != Outcome::Taken) break;
-    at += *length;
-    if (options.onProgress && !options.onProgress({at, size, target.frames.count()})) {
-      content.setCancelled();
-      return content.ended(outcome, 0);
-    }
+  for (std::uint64_t at = 0; at < size;) {
+    const std::uint64_t end = std::min(size, at + kPiece);
+    if (std::string why = bytes.get(at, end, buffer, piece); !why.empty())
+      return Failure{ReadError{ReadError::Kind::CannotRead, std::move(why)}};
+    if (!stream.feed(piece)) break;
+    at = end;
+    if (options.onProgress && !options.onProgress({at, size, target.frames.count()})) return stream.cancel();
   }
-  return content.ended(outcome, size - at);
+  return stream.finish();
 }
 
 std::unique_ptr<StreamReader> streamJournal(const LogTarget& target, const ReadOptions&) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a journal (journal_bytes.h), as a format of the table in log_format.h: its frames with the log times
 // that they had, its channels and its notes. One that is still being written is read as far as it is whole
-// now.
+// now. What is damaged is left out and counted; all blocks that are whole are read. A channel whose name is lost is
+// called "name-lost-0", by its place.
 #pragma once
 
 #include "log/journal_export.h"

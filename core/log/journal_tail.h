@@ -16,6 +16,7 @@ struct JournalTail {
   std::optional<std::int64_t> offset{};  // to the stamps of its channel, if one was set within the tail
   bool isEnded = false;                  // the recording was ended on purpose
   std::uint64_t cutBytes = 0;            // at its end, that are not whole
+  bool isDamaged = false;                // some of its bytes, with whole blocks before them
 };
 
 // Looks at the last so many bytes, which must be more than a block can have (journal_bytes.h). Nothing if no

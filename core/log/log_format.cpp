@@ -55,8 +55,10 @@ Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, const std::strin
     return Failure{std::move(error)};
   }
   const bool mayHaveSidecar = !path.empty() && !format.value()->isOwn && target.notes != nullptr;
-  if (mayHaveSidecar && !result.value().cancelled)
+  if (mayHaveSidecar && !result.value().cancelled) {
+    result.value().mayHaveSidecar = true;
     readSidecar(path, target.frames, *target.notes, result.value());
+  }
   return result;
 }
 

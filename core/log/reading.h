@@ -70,16 +70,31 @@ constexpr std::string_view sidecarFaultText(SidecarFault::Kind kind) {
   return {};
 }
 
+// Of a recording: what could not be read with something readable behind it.
+struct Damage {
+  std::uint64_t places = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t firstAt = 0;  // byte of the file, from 0
+  std::uint64_t frames = 0;   // missing at least: the frames behind a damaged place tell how many
+
+  friend bool operator==(const Damage&, const Damage&) = default;
+};
+
 struct ReadSummary {
   std::uint64_t frames = 0;  // put into the store
   std::uint64_t lines = 0;   // of a text format
   bool cancelled = false;
+  bool mayHaveSidecar = false;                 // its notes are kept in a file beside it
   bool hasSidecar = false;                     // its notes came from the file beside it, after its frames
   std::optional<SidecarFault> sidecarFault{};  // the log was read without its notes
   std::uint64_t newerParts = 0;  // that a newer version of Deckpipe wrote, and that were left out
   // Of a recording:
   std::uint64_t cutBytes = 0;  // at its end, that are not whole and were left out
-  bool isOpenEnded = false;    // it has no end: it still goes on, or its last second was lost
+  bool isOpenEnded = false;    // it has no end: it still goes on, or its end was lost
+  Damage damage{};
+
+  // Nothing of what is there was left out. One that still goes on is whole as well.
+  bool isWhole() const { return cutBytes == 0 && newerParts == 0 && damage.places == 0 && !sidecarFault; }
 
   friend bool operator==(const ReadSummary&, const ReadSummary&) = default;
 };
@@ -91,6 +106,7 @@ struct ReadError {
     UnknownFormat,  // its content is that of no log in the table of formats
     NewerVersion,   // a newer version of Deckpipe wrote it; detail: which
     NoPipe,         // a log of this format can be read from a file only
+    Damaged,        // its beginning, and nothing behind that is whole
     StoreFull,      // neither memory nor disk for more; what was read before is in the store
   };
   Kind kind = Kind::CannotOpen;
@@ -108,6 +124,7 @@ constexpr std::string_view readErrorText(ReadError::Kind kind) {
     case ReadError::Kind::UnknownFormat: return "not a log of a known format";
     case ReadError::Kind::NewerVersion: return "written by a newer version of Deckpipe";
     case ReadError::Kind::NoPipe: return "a log of this format is read from a file only, not from a pipe";
+    case ReadError::Kind::Damaged: return "its beginning is damaged, and no part behind it is whole";
     case ReadError::Kind::StoreFull: return "no room for more frames, neither in memory nor on disk";
   }
   return {};

@@ -172,6 +172,24 @@ std::string SidecarMaker::text() const {
   return text;
 }
 
+std::string SidecarMaker::textOf(const FrameStore& frames, const NoteStore& notes) {
+  SidecarMaker maker;
+  Sidecar& sidecar = maker.m_sidecar;
+  for (std::size_t i = 0; i < frames.channelCount(); ++i)
+    maker.channel(frames.channelName(static_cast<std::uint8_t>(i)));
+  sidecar.frames = frames.count();
+  if (sidecar.frames > 0) {
+    sidecar.first = lineOf(frames[0], sidecar.channels[frames[0].channel]);
+    maker.m_last = frames[sidecar.frames - 1];
+  }
+  for (const Note& note : notes.all()) {
+    const std::uint64_t before = note.frame > 0 ? note.frame - 1 : 0;
+    const Instant since = before < sidecar.frames ? frames.timeAt(before) : Instant{};
+    sidecar.notes.push_back({note.frame, note.time - since, note.value});
+  }
+  return maker.text();
+}
+
 Result<Sidecar, SidecarFault> parseSidecar(std::string_view text) { return SidecarParser(text).run(); }
 
 std::optional<SidecarFault> applySidecar(const Sidecar& sidecar, FrameStore& frames, NoteStore& notes) {

@@ -55,6 +55,8 @@ class SidecarMaker {
   void frame(const Frame& frame, Instant time);
   // Empty if there is no note.
   std::string text() const;
+  // Of a log that is there, as it was read.
+  static std::string textOf(const FrameStore& frames, const NoteStore& notes);
 
  private:
   Sidecar m_sidecar;

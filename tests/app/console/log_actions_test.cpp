@@ -233,6 +233,24 @@ TEST_F(LogActions, GoFromEventToEventByKeys) {
   EXPECT_EQ(cursor(), Instant{20'000'000'000});
 }
 
+TEST_F(LogActions, AskBeforeMarksAreLostThatNoFileTakes) {
+  openLog(kTruck);
+  const QString path = m_session.snapshot().source.name;
+  ASSERT_TRUE(QDir(QFileInfo(path).path()).mkdir(path + QStringLiteral(".deckpipe-notes")));
+  m_session.mark(m_session.snapshot().view.cursor, QStringLiteral("valve opened"));
+  EXPECT_TRUE(m_session.snapshot().source.unkeptMarks);
+  named<QAction>("closeAction")->trigger();
+  auto* question = named<QMessageBox>("leaveQuestion");
+  ASSERT_TRUE(question);
+  EXPECT_TRUE(question->text().contains(QStringLiteral("Marks"))) << qPrintable(question->text());
+  EXPECT_TRUE(m_session.snapshot().view.document);
+  EXPECT_FALSE(m_window.close()) << "quitting asks as well";
+  EXPECT_TRUE(named<QMessageBox>("quitQuestion")->text().contains(QStringLiteral("Marks")));
+  for (QAbstractButton* button : question->buttons())
+    if (question->buttonRole(button) == QMessageBox::DestructiveRole) button->click();
+  EXPECT_FALSE(m_session.snapshot().view.document);
+}
+
 TEST_F(LogActions, KeepNoMarkAfterEscape) {
   openLog(kTruck);
   trigger("markAction");

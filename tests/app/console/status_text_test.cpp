@@ -85,10 +85,15 @@ TEST(RecordingFact, IsSaidOnlyWhileAFileGrows) {
 TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
   Snapshot snapshot = file(kTruck);
   snapshot.source.read.isOpenEnded = true;
-  EXPECT_TRUE(says(notice(snapshot), "was not ended"));
+  EXPECT_TRUE(says(notice(snapshot), "has no end"));
   EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
   snapshot.source.read.cutBytes = 37;
   EXPECT_TRUE(says(notice(snapshot), "last 37 bytes")) << notice(snapshot);
+  EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
+  snapshot.source.read.damage = {.places = 2, .bytes = 1'000, .firstAt = 4'711, .frames = 33};
+  for (const char* words : {"damaged in 2 places", "byte 4711", "1000 bytes", "33 frames", "last 37 bytes"})
+    EXPECT_TRUE(says(notice(snapshot), words)) << notice(snapshot);
+  EXPECT_FALSE(says(notice(snapshot), "Everything before")) << notice(snapshot);
   EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
   snapshot.source.read = {.newerParts = 2};
   EXPECT_TRUE(says(notice(snapshot), "newer version")) << notice(snapshot);

@@ -50,7 +50,7 @@ TEST_F(RecordingsOfTheTool, AreReadByInfoAndDecodeWhileTheyGrow) {
   for (const char* command : {"info", "decode"}) {
     const Outcome r = run({QLatin1String(command), m_path});
     EXPECT_EQ(r.status, 0) << command << r.err.constData();
-    EXPECT_TRUE(r.err.contains("was not ended")) << r.err.constData();
+    EXPECT_TRUE(r.err.contains("has no end")) << r.err.constData();
   }
   EXPECT_EQ(run({QStringLiteral("decode"), m_path}).lines().size(), 3);
   m_writer->end();
@@ -139,6 +139,24 @@ TEST_F(RecordingsOfTheTool, ThatWereCutOffSayHowMuchIsMissing) {
   const Outcome r = run({QStringLiteral("info"), m_path});
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("bytes are not whole and were left out")) << r.err.constData();
+}
+
+TEST_F(RecordingsOfTheTool, ThatAreDamagedInTheMiddleKeepWhatIsBehindAndSaySo) {
+  record();
+  m_writer->end();
+  const Outcome whole = run({QStringLiteral("decode"), m_path});
+  ASSERT_EQ(whole.status, 0) << whole.err.constData();
+  QFile file(m_path);
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  file.seek(28 + 13);  // in the name of the channel
+  ASSERT_EQ(file.write("!"), 1);
+  file.close();
+  const Outcome r = run({QStringLiteral("decode"), m_path});
+  EXPECT_EQ(r.status, 1);
+  EXPECT_EQ(r.lines().size(), whole.lines().size());
+  EXPECT_TRUE(r.out.contains("name-lost-0")) << r.out.constData();
+  EXPECT_TRUE(r.err.contains("damaged in 1 place, the first at byte 28;")) << r.err.constData();
+  EXPECT_FALSE(r.err.contains("has no end")) << r.err.constData();
 }
 
 TEST_F(RecordingsOfTheTool, ThatWereCutBeforeTheirFirstFrameHoldNoneAndHaveNoReport) {

@@ -59,6 +59,85 @@ class OpenedLog : public testing::Test {
   Session m_session;
 };
 
+// The texts of the marks of a log, as it opens anew.
+QStringList marksIn(const QString& path) {
+  FrameStore frames;
+  NoteStore notes;
+  UnkeptList unkept;
+  const auto read = openLog(path.toStdString(), {frames, unkept, &notes});
+  EXPECT_TRUE(read && !read.value().sidecarFault);
+  QStringList marks;
+  for (const Note& note : notes.all()) {
+    if (const auto* mark = std::get_if<note::Mark>(&note.value)) {
+      const std::string_view text = mark->text.str();
+      marks += QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    }
+  }
+  return marks;
+}
+
+TEST_F(OpenedLog, KeepsAMarkBesideItAtOnce) {
+  const QString path = m_session.snapshot().source.name;
+  m_session.mark(view().cursor, QStringLiteral("water on"));
+  EXPECT_EQ(marksIn(path), QStringList{QStringLiteral("water on")});
+  EXPECT_FALSE(m_session.snapshot().source.unkeptMarks);
+
+  Session again;
+  again.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return again.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  again.mark({1, Instant{11'000'000'000}}, QStringLiteral("before"));
+  EXPECT_EQ(marksIn(path), (QStringList{QStringLiteral("before"), QStringLiteral("water on")}));
+
+  // The first window does not know of it, and replaces nothing.
+  const QString sidecar = path + QStringLiteral(".deckpipe-notes");
+  QFile file(sidecar);
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  ASSERT_TRUE(file.setFileTime(QDateTime::currentDateTime().addSecs(-60), QFileDevice::FileModificationTime));
+  file.close();
+  m_session.mark(view().cursor, QStringLiteral("third"));
+  EXPECT_TRUE(m_session.snapshot().source.unkeptMarks);
+  EXPECT_EQ(marksIn(path).size(), 2);
+}
+
+TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
+  QTemporaryDir dir;
+  const QString path = writeLog(dir, kThreeFrames);
+  QFile file(path + QStringLiteral(".deckpipe-notes"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("of somebody else\n");
+  file.close();
+  Session session;
+  session.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  session.mark({1, Instant{11'000'000'000}}, QStringLiteral("mine"));
+  EXPECT_TRUE(session.snapshot().source.unkeptMarks);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(file.readAll(), QByteArray("of somebody else\n"));
+  session.setSaved(session.snapshot().view.document, 3);
+  EXPECT_FALSE(session.snapshot().source.unkeptMarks) << "they are in the file that was saved";
+}
+
+TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {
+  QTemporaryDir dir;
+  const auto writer = formatToWrite("x.deckpipe").makeWriter();
+  std::string bytes;
+  writer->begin(bytes);
+  writer->channel("can0", bytes);
+  Frame frame = test::frame("123", "00");
+  frame.stamp = 1;
+  writer->frame(frame, {1}, bytes);
+  writer->end(bytes);
+  Session session;
+  session.openLog(writeLog(dir, QByteArray::fromStdString(bytes)));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  session.mark({1, {1}}, QStringLiteral("mine"));
+  EXPECT_TRUE(session.snapshot().source.unkeptMarks);
+  EXPECT_EQ(QDir(dir.path()).entryList(QDir::Files).size(), 1);
+}
+
 TEST_F(OpenedLog, StaysOpenWhereAnotherCannotBeRead) {
   const auto before = m_session.snapshot().view.document;
   m_session.openLog(QStringLiteral("/no/such/file.log"));
