@@ -37,6 +37,10 @@ bool mayBegin(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
+JournalBlocks::JournalBlocks(From from) : m_from(from), m_isBegun(from == From::Anywhere) {
+  if (m_isBegun) m_bad = Bad{};
+}
+
 void JournalBlocks::append(std::string_view bytes) {
   const std::size_t steps = m_at / kStep;
   const auto gone = static_cast<std::ptrdiff_t>(steps * kStep);

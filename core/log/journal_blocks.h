@@ -24,9 +24,7 @@ class JournalBlocks {
     Anywhere
   };  // Anywhere: what stands before the first whole block is no damage
 
-  explicit JournalBlocks(From from = From::Head) : m_from(from), m_isBegun(from == From::Anywhere) {
-    if (m_isBegun) m_bad.emplace();
-  }
+  explicit JournalBlocks(From from = From::Head);
 
   void append(std::string_view bytes);
   // No more bytes come.
