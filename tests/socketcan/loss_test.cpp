@@ -2,6 +2,7 @@
 // The link goes and comes back: set down, deleted, pulled out of its slot. It is known at once, the gap is a
 // note in the log, and nobody has to connect again.
 #include "guest_bench.h"
+#include "session/clocks.h"
 
 namespace deckpipe::guest {
 namespace {
