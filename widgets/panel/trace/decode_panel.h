@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One frame in full: its bytes bit by bit, and what they say field by field. The field that is selected in
 // the list, or pointed at, has its bits brought out; a bit that is picked selects its field, and one that is
-// pointed at marks it. The console gives it the model,
-// and the model the frame that is selected in the trace.
+// pointed at marks it.
 #pragma once
 
 #include <QWidget>
