@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the main window asks before it leaves a log or quits, where something would be lost.
+// The main window asks before it leaves a log or quits, if something would be lost.
 #include <QCloseEvent>
 #include <QMessageBox>
 #include <QPushButton>

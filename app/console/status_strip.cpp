@@ -91,7 +91,7 @@ void StatusStrip::setSnapshot(const Snapshot& snapshot) {
   if (isOther) fit();
 }
 
-// Of a log that grows the count waits as the rates do; what else is said does not.
+// The count of a log that grows is shown anew only as often as the rates are; the rest of the fact at once.
 bool StatusStrip::tellRecording(const Snapshot& snapshot) {
   const StatusFact fact = recordingFact(snapshot);
   const auto said = [](const StatusFact& f) { return std::tie(f.tone, f.glyph, f.story); };
@@ -118,8 +118,8 @@ void StatusStrip::fit() {
 
 void StatusStrip::resizeEvent(QResizeEvent*) { fit(); }
 
-// Only where there is a bus to send on. Locking is always possible, unlocking at the live edge of a link that
-// is up.
+// The button is there only if there is a bus to send on. A person can always lock, and unlock at the live edge of a
+// link that is up.
 bool StatusStrip::showLockButton(const Snapshot& snapshot) {
   const bool isLocked = snapshot.services->locked;
   const QString text = isLocked ? tr("Unlock…") : tr("Lock");

@@ -65,8 +65,8 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   m_view.labels = m_labels;
 }
 
-// A panel may choose another device while it is shown the view, as one that has said its PIN: what is shown after it
-// knows.
+// While it is shown the view, the list of devices may choose the same device under the PIN that it has said now. The
+// panels that are shown the view after it know that.
 void Workspace::showView() {
   const QScopedValueRollback showing(m_isShowing, true);
   m_view.name = nameOf(m_view.device);

@@ -41,7 +41,7 @@ class Workspace : public QMainWindow {
   EventPanel* events() const { return m_events; }
   // What devices are called: by the person, and where the person has no label, by the log that is shown.
   const DeviceLabels& labels() const { return m_view.labels; }
-  // Whom all panels show.
+  // The device that all panels show; null if none is chosen.
   const DeviceKey& device() const { return m_view.device; }
   QMenu* createPopupMenu() override;
   void resetLayout();
@@ -66,7 +66,7 @@ class Workspace : public QMainWindow {
  public Q_SLOTS:
   // Of the demo; its dock is there only while one runs.
   void setTwin(const deckpipe::TwinStatus& status);
-  // What panels ask for.
+  // Panels ask for these.
   void selectDevice(const deckpipe::DeviceKey& key);
   void showPageOf(const deckpipe::DeviceKey& key);
   void showFrame(std::optional<std::uint64_t> frame);

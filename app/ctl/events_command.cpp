@@ -24,7 +24,7 @@ class EventTeller {
     const std::uint64_t count = m_frames.count();
     return count == 0 || tellUntil(cursorAfter(m_frames, count), count);
   }
-  // What falls due behind the last frame, and the notes there.
+  // Tells what falls due behind the last frame, and the notes there. To be called once the log is read.
   bool tellRest() {
     const std::uint64_t count = m_frames.count();
     return count == 0 || tellUntil(endOf(m_frames, m_notes), count + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The adapters that a person can connect to. The connection page asks for them. A listing may take long, as
-// plugins load their maker's library, and holds serialBusMutex() meanwhile: ask on a worker thread, not on
-// every tick.
+// plugins load their maker's library, and it holds serialBusMutex() meanwhile. So ask on a worker thread, and
+// not on every tick.
 #pragma once
 
 #include <QList>

@@ -10,8 +10,8 @@
 //    virtualcan waits for ever where nobody listens: that is given up after kConnectTimeout.
 // 3. An interface of Linux that goes down, is pulled out or comes back at another rate is Lost, and Up again
 //    by itself as soon as one of that name is up at the rate asked for. However short the gap was, it is
-//    told: the kernel's events are followed one by one. Other adapters that are gone are Lost until opened
-//    again.
+//    told: the kernel's events are followed one by one. Other adapters that are gone are Lost until the link
+//    is opened again.
 // 4. A failed write is told by its result and status().reason, not by linkChanged. Error frames are never
 //    written: virtualcan would put them on the bus as identifier 0, which is an NMT command.
 // 5. It asks the kernel nothing that waits. open() returns Connecting while a worker asks how the interface

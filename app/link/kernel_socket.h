@@ -20,8 +20,8 @@ std::optional<ReceiveBuffer> readReceiveBuffer(int descriptor);
 // Asks for room; the system's limit (net.core.rmem_max) may give less.
 void growReceiveBuffer(int descriptor, int bytes);
 
-// From now on frames are stamped as they come; otherwise those that wait when the first is read get the time
-// of reading.
+// From now on the kernel stamps frames as they come. Otherwise frames that wait when the first one is read get
+// the time at which they are read.
 void startStamping(int descriptor);
 
 }  // namespace deckpipe

@@ -48,8 +48,8 @@ void AdapterScan::ask(std::function<AdapterList()> question, void (AdapterScan::
     connect(m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
     m_thread->start();
   }
-  // The answer is a signal of an object that ends with the work, so that it cannot come to us when we are
-  // gone.
+  // The answer is a signal of an object that ends with the work. So it cannot come to a scan that has been
+  // destroyed meanwhile.
   const auto list = std::make_shared<AdapterList>();
   const auto answer = std::make_shared<QObject>();
   connect(

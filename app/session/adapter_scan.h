@@ -42,8 +42,8 @@ class AdapterScan : public QObject {
   void look();
   void found(AdapterList list);
   void looked(AdapterList list);
-  // Puts the question on the worker's thread, and hands over its answer here. Answers come in the order of
-  // the questions.
+  // Puts the question on the worker's thread, and hands over its answer on this one. Answers come in the order
+  // in which the questions were put.
   void ask(std::function<AdapterList()> question, void (AdapterScan::*answered)(AdapterList));
 
   AdapterList m_list, m_before;

@@ -32,7 +32,7 @@ bool PartWriter::frame(std::uint64_t i, const std::stop_token& stop) {
   return true;
 }
 
-// What comes before the first frame of the part is in force there.
+// Nothing is written before the first frame that passes: beginAt() writes what is in force there.
 void PartWriter::heldBack(std::uint64_t i) {
   const Frame& frame = m_log.frames[i];
   if (m_written == 0 || !tellsWhoIsWho(frame)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the cursor of a log stands and how it moves: by hand, with the log's end, or by playing. Reads no
-// clock: the session passes the time in, of a clock that never falls.
+// Playback says where the cursor of a log stands, and moves it: by hand, with the log's end, or by playing. It reads
+// no clock: the session passes the time in, of a clock that never falls.
 #pragma once
 
 #include "base/time.h"

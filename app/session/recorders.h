@@ -16,7 +16,7 @@ class Recorders {
   // Writes down the log of the open source from now on.
   void begin(const std::shared_ptr<LogDocument>& document, JournalWriter::MakeFile makeFile,
              bool isSimulated);
-  // Of the open source; nothing where it is not recorded.
+  // The status of the recording of the open source; nothing if it is not recorded.
   std::optional<JournalStatus> status() const;
   // The source is no longer the open one; its last status. Where a bus may still write into the log, the
   // recorder goes on until endOf().

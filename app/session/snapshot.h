@@ -62,7 +62,7 @@ struct SourceStatus {
   bool isListenOnly = false;  // the driver says so
   ControllerState controller = ControllerState::Unknown;
   bool simulated = false;  // behind it is the bench twin
-  // Of a file: why marks that a person made in it are in memory alone; nothing if there is none such.
+  // The reason why marks that a person made in a file are in memory alone; nothing if there are no such marks.
   std::optional<QString> unkeptMarks{};
   // Of a link: how it is written down. A recording without a path has no frame yet, or could not be begun.
   std::optional<JournalStatus> recording{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the status of a source takes from what its bus has published.
+// The status of a source takes these facts from what its bus has published.
 #pragma once
 
 #include "session/live_bus.h"

@@ -25,7 +25,7 @@ struct NoResult {};
 template <typename Request, typename Result = NoResult>
 class LatestRequestWorker {
  public:
-  // What the work function knows of the request it works on.
+  // A turn tells the work function whether its request still counts, and takes what it has found.
   class Turn {
    public:
     bool isGivenUp() const { return m_worker.m_newest.load(std::memory_order_relaxed) != m_number; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a controller says of one of its parts: a stop, a switch, a sensor of position. The keys are frozen contract.
+// A controller says these states of its parts: a stop, a switch, a sensor of position. The keys are frozen contract.
 #pragma once
 
 #include <cstdint>
