@@ -97,14 +97,20 @@ void PartWriter::end() {
 // The frames that the log's own file had and the store cannot hold; what a live log left out is noted where it came.
 // The lines of a file are no places in the log, so a part of it cannot say which of them are missing there.
 void PartWriter::noteLeftOut() {
-  std::uint64_t leftOut = m_log.unkept.content().skipped();
-  for (const Note& note : m_notes) {
-    const auto* noted = std::get_if<note::LeftOut>(&note.value);
-    if (noted != nullptr) leftOut -= std::min(leftOut, noted->count);
+  using Why = note::LeftOut::Why;
+  if (m_channels.empty()) return;
+  const UnkeptPlaces unkept = m_log.unkept.content();
+  const std::uint64_t count = m_log.frames.count();
+  const Instant time = count > 0 ? m_log.frames.timeAt(count - 1) : Instant{};
+  for (const auto& [why, kind] :
+       {std::pair(Why::CanFd, Unkept::CanFd), std::pair(Why::NotClassic, Unkept::CanXl)}) {
+    std::uint64_t leftOut = unkept.count(kind);
+    for (const Note& note : m_notes) {
+      const auto* noted = std::get_if<note::LeftOut>(&note.value);
+      if (noted != nullptr && noted->why == why) leftOut -= std::min(leftOut, noted->count);
+    }
+    if (leftOut > 0) write(note::LeftOut{{m_channels.begin()->first}, why, leftOut}, time);
   }
-  if (leftOut == 0 || m_channels.empty()) return;
-  const Instant time = m_log.frames.count() > 0 ? m_log.frames.timeAt(m_log.frames.count() - 1) : Instant{};
-  write(note::LeftOut{{m_channels.begin()->first}, note::LeftOut::Why::CanFd, leftOut}, time);
 }
 
 void PartWriter::write(const Frame& frame, Instant time) {

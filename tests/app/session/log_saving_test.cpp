@@ -224,6 +224,18 @@ TEST_F(SavedPartTest, FramesThatTheFilesReaderSkippedAreNoted) {
   EXPECT_EQ(reopened()->notes.missedFrames(), 1u) << "once";
 }
 
+TEST_F(SavedPartTest, SkippedFramesKeepTheirKind) {
+  log->unkept.add(7, Unkept::CanFd);
+  log->unkept.add(8, Unkept::CanXl);
+  log->unkept.add(9, Unkept::CanXl);
+  save();
+  std::vector<note::LeftOut> leftOut;
+  for (const Note& note : reopened()->notes.all()) leftOut.push_back(std::get<note::LeftOut>(note.value));
+  using Why = note::LeftOut::Why;
+  EXPECT_EQ(leftOut,
+            (std::vector<note::LeftOut>{{Channel{0}, Why::CanFd, 1}, {Channel{0}, Why::NotClassic, 2}}));
+}
+
 TEST_F(SavedPartTest, WhoLeftItsAddressIsNotAddedThere) {
   log = test::logOfText(
       "(100.000000) can0 18EFFF80#FF83150206021A0B\n"
