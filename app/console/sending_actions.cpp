@@ -32,11 +32,11 @@ SendingActions::SendingActions(Session& session, QWidget* window)
                              &SendingActions::toggleLock);
   m_lock->setObjectName(QStringLiteral("lockAction"));
   m_menu->addSeparator();
-  m_names = m_menu->addAction(tr("Ask who is &there"), this, [this] { wish(wish::AskNames{}); });
+  m_names = m_menu->addAction(tr("Ask who is &there"), this, [this] { wish(wish::RequestNames{}); });
   m_names->setObjectName(QStringLiteral("askNamesAction"));
   m_names->setToolTip(tr("A request for the NAME to everyone (PGN 60928)"));
   m_everyone = m_menu->addAction(tr("&Ask every device"), this, [this] {
-    wish(wish::AskDevice{{}, kPolls});
+    wish(wish::SendRequests{{}, kPolls});
   });
   m_everyone->setObjectName(QStringLiteral("askEveryoneAction"));
   m_stop = m_menu->addAction(tr("&Give up all that is asked"), this, [this] { wish(wish::Cancel{}); });
@@ -54,8 +54,8 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
   m_lock->setText(m_isLocked ? tr("&Unlock sending…") : tr("&Lock sending"));
   m_lock->setEnabled(isLive && (!m_isLocked || (snapshot.view.atEnd && services.linkUp)));
   m_names->setEnabled(isLive && snapshot.view.atEnd && !m_isLocked && services.linkUp);
-  m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canAsk());
-  m_stop->setEnabled(isLive && services.canAsk());
+  m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canRequest());
+  m_stop->setEnabled(isLive && services.canRequest());
   const auto repeated = std::ranges::count_if(
       services.devices, [](const DeviceServices& device) { return device.longestPeriod() > 0ns; });
   m_endRepeats->setEnabled(repeated > 0);
@@ -73,7 +73,7 @@ void SendingActions::askToUnlock() {
   // Is refused; the notice says why and what to do.
   if (source.isListenOnly) return wish(wish::Unlock{});
   const QString where = source.simulated ? tr("the simulated truck") : source.name;
-  DangerDialog::ask(
+  DangerDialog::request(
       m_window,
       {tr("Unlock sending?"),
        tr("While locked, this program only listens. Unlocked, it claims an address of its own on %1, "

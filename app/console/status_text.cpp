@@ -260,13 +260,14 @@ StatusFact sentFact(const Snapshot& snapshot) {
   const int commands = forPlural(services.waitingCommands.size());
   for (const WaitingCommand& command : services.waitingCommands) {
     story += StatusText::tr("%1 of %2 was handed to the adapter and is not on the bus yet.")
-                 .arg(askText(command.ask), deviceName(command.device));
+                 .arg(requestText(command.request), deviceName(command.device));
   }
   if (commands > 0) {
     fact.tone = Severity::Fault;
-    fact.text = commands == 1
-                    ? StatusText::tr("%1: not on the bus yet").arg(askText(services.waitingCommands[0].ask))
-                    : StatusText::tr("%Ln commands not on the bus yet", nullptr, commands);
+    fact.text =
+        commands == 1
+            ? StatusText::tr("%1: not on the bus yet").arg(requestText(services.waitingCommands[0].request))
+            : StatusText::tr("%Ln commands not on the bus yet", nullptr, commands);
   } else if (services.unconfirmed > 0) {
     fact.tone = Severity::Fault;
     fact.text = StatusText::tr("%Ln frames not on the bus yet", nullptr, forPlural(services.unconfirmed));

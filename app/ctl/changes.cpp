@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "changes.h"
 
-#include "ask_words.h"
 #include "base/overload.h"
 #include "json_line.h"
 #include "protocol/device_types.h"
 #include "protocol/lists.h"
 #include "report/decode_lines.h"
+#include "request_words.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -76,8 +76,8 @@ void Changes::noteCame(const Note& note) {
                  return line.add("frames", static_cast<std::int64_t>(n.count)), true;
                },
                [](const note::Mark&) { return false; }, [](const note::DriveSaid&) { return false; },
-               [](const note::Asked&) { return false; }, [](const note::AskWaits&) { return false; },
-               [](const note::AskEnded&) { return false; }, [](const note::Pipe&) { return false; },
+               [](const note::Asked&) { return false; }, [](const note::RequestWaits&) { return false; },
+               [](const note::RequestEnded&) { return false; }, [](const note::Pipe&) { return false; },
                [](const note::Label&) { return false; }, [](const note::Added&) { return false; }},
       note.value);
   if (isSaid) m_out += line.text();

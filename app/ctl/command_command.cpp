@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "arguments.h"
-#include "asker.h"
 #include "command.h"
 #include "device_finder.h"
+#include "requester.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -15,9 +15,9 @@ struct Word {
   const char* word;
   const char* deed;
 };
-constexpr KeyTable<kCommands, Word> kWords{{{Ask::ZeroAxes, {"zero-axes", "zero the axes of"}},
-                                            {Ask::Reset, {"reset", "reset"}},
-                                            {Ask::SetupMode, {"setup-mode", "put into setup mode"}}}};
+constexpr KeyTable<kCommands, Word> kWords{{{Request::ZeroAxes, {"zero-axes", "zero the axes of"}},
+                                            {Request::Reset, {"reset", "reset"}},
+                                            {Request::SetupMode, {"setup-mode", "put into setup mode"}}}};
 
 }  // namespace
 
@@ -35,10 +35,10 @@ ExitStatus commandCommand(const QStringList& arguments) {
   const QCommandLineOption yes(QStringLiteral("yes"), QStringLiteral("Yes, this device."));
   parser.addOption(yes);
   if (const auto status = parse(parser, arguments)) return *status;
-  const auto ask = std::ranges::find_if(kCommands, [&](Ask known) {
+  const auto request = std::ranges::find_if(kCommands, [&](Request known) {
     return parser.positionalArguments() == QStringList(QLatin1String(kWords.find(known)->word));
   });
-  if (ask == kCommands.end())
+  if (request == kCommands.end())
     return badUsage(QStringLiteral("command: one of zero-axes, reset and setup-mode is wanted"));
   const auto whom = device.read(QStringLiteral("command"));
   if (!whom) return kBadUsage;
@@ -47,24 +47,24 @@ ExitStatus commandCommand(const QStringList& arguments) {
 
   LiveRun run(*settings, true);
   DeviceFinder finder(run, *whom);
-  Asker asker(run, true);
+  Requester requester(run, true);
   bool isAsking = false;
   run.onReady = [&] { finder.begin(); };
-  run.onStop = [&] { return asker.interrupted(kNotWhole); };
+  run.onStop = [&] { return requester.interrupted(kNotWhole); };
   run.onTick = [&] {
     if (isAsking) {
-      asker.tick();
+      requester.tick();
     } else if (finder.hasFound()) {
       const std::vector<DeviceServices> found = finder.devices();
       if (!parser.isSet(yes)) {
         run.say(QStringLiteral("this would %1 %2; add --yes to do it")
-                    .arg(QLatin1String(kWords.find(*ask)->deed), deviceText(found.front())));
+                    .arg(QLatin1String(kWords.find(*request)->deed), deviceText(found.front())));
         return run.finish(kBadUsage);
       }
       isAsking = true;
-      asker.begin(found, AskSet(*ask), Asker::NotTaken::IsAFailure);
+      requester.begin(found, RequestSet(*request), Requester::NotTaken::IsAFailure);
     }
-    if (isAsking && asker.isOver()) run.finish(asker.allAnswered() ? kDone : kNotWhole);
+    if (isAsking && requester.isOver()) run.finish(requester.allAnswered() ? kDone : kNotWhole);
   };
   return run.run();
 }

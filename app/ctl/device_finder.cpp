@@ -16,12 +16,12 @@ QString latin1(std::string_view text) {
 
 void DeviceFinder::begin() {
   m_since.start();
-  ask();
+  request();
 }
 
-void DeviceFinder::ask() {
+void DeviceFinder::request() {
   m_asked = m_since.elapsed();
-  m_run.session().want(wish::AskNames{});
+  m_run.session().want(wish::RequestNames{});
 }
 
 std::vector<DeviceServices> DeviceFinder::devices() const {
@@ -39,7 +39,7 @@ bool DeviceFinder::hasFound() {
   if (m_hasFound) return true;
   const std::vector<DeviceServices> found = devices();
   // An answer may get lost on a busy bus.
-  if (m_since.elapsed() - m_asked >= kAskAgain) ask();
+  if (m_since.elapsed() - m_asked >= kAskAgain) request();
   const bool heardEveryone = m_since.elapsed() >= kHearEveryone;
   // An address alone may yet turn out to be a PIN's.
   const bool isCertain =

@@ -22,7 +22,7 @@ class DeviceFinder {
   std::vector<DeviceServices> devices() const;
 
  private:
-  void ask();
+  void request();
   QString whyNotFound() const;
 
   LiveRun& m_run;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "ask_words.h"
 #include "base/overload.h"
 #include "base/part_state.h"
 #include "json_line.h"
@@ -12,6 +11,7 @@
 #include "protocol/akron.h"
 #include "protocol/field.h"
 #include "protocol/name.h"
+#include "request_words.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -237,22 +237,24 @@ void EventLines::append(std::string& out, const Note& note) const {
       },
       note.value);
   std::string what = spoken(key);
-  std::visit(Overload{[&](const note::Mark& n) { what += ": " + n.text.str(); },
-                      [&](const note::Asked& n) { what += ": " + std::string(askWord(n.ask)); },
-                      [&](const note::AskWaits& n) { what += ": " + std::string(askWord(n.ask)); },
-                      [&](const note::AskEnded& n) {
-                        what += ": " + std::string(askWord(n.ask)) + ", " + spoken(endWord(n.ask, n.end));
-                      },
-                      [&](const note::Dropped& n) { what += ": " + std::to_string(n.count) + " frames"; },
-                      [&](const note::StillWaits& n) { what += ": " + std::to_string(n.count) + " frames"; },
-                      [&](const note::LeftOut& n) { what += ": " + std::to_string(n.count) + " frames"; },
-                      [&](const note::Added& n) { what += ": " + std::to_string(n.count) + " frames"; },
-                      [&](const note::Label& n) { what += ": " + std::string(n.text.str()); },
-                      [&](const note::LinkUp& n) {
-                        if (!n.adapter.isEmpty()) what += ": " + std::string(n.adapter.str());
-                      },
-                      [](const auto&) {}},
-             note.value);
+  std::visit(
+      Overload{[&](const note::Mark& n) { what += ": " + n.text.str(); },
+               [&](const note::Asked& n) { what += ": " + std::string(requestWord(n.request)); },
+               [&](const note::RequestWaits& n) { what += ": " + std::string(requestWord(n.request)); },
+               [&](const note::RequestEnded& n) {
+                 what +=
+                     ": " + std::string(requestWord(n.request)) + ", " + spoken(endWord(n.request, n.end));
+               },
+               [&](const note::Dropped& n) { what += ": " + std::to_string(n.count) + " frames"; },
+               [&](const note::StillWaits& n) { what += ": " + std::to_string(n.count) + " frames"; },
+               [&](const note::LeftOut& n) { what += ": " + std::to_string(n.count) + " frames"; },
+               [&](const note::Added& n) { what += ": " + std::to_string(n.count) + " frames"; },
+               [&](const note::Label& n) { what += ": " + std::string(n.text.str()); },
+               [&](const note::LinkUp& n) {
+                 if (!n.adapter.isEmpty()) what += ": " + std::string(n.adapter.str());
+               },
+               [](const auto&) {}},
+      note.value);
   out += begin(who, noteWeight(note.value), note.time, channel ? m_frames.channelName(channel->value) : "-") +
          printable(what) + "\n";
 }
@@ -311,28 +313,29 @@ std::string EventLines::json(const Note& note) const {
       note.value);
   line.add("weight", eventWeightKey(noteWeight(note.value)));
   std::visit(
-      Overload{
-          [&](const note::Mark& n) { line.add("text", n.text.str()); },
-          [&](const note::LinkDown& n) {
-            line.add("reason", kLinkFaultKeys[n.fault]);
-            if (!n.words.isEmpty()) line.add("words", n.words.str());
-          },
-          [&](const note::Dropped& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
-          [&](const note::StillWaits& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
-          [&](const note::OwnAddress& n) { line.add("reason", ownAddressWord(n.how)); },
-          [&](const note::Asked& n) { line.add("ask", askWord(n.ask)); },
-          [&](const note::AskWaits& n) { line.add("ask", askWord(n.ask)); },
-          [&](const note::AskEnded& n) { line.add("ask", askWord(n.ask)).add("end", endWord(n.ask, n.end)); },
-          [&](const note::Pipe& n) {
-            if (!n.file.isEmpty()) line.add("file", n.file.str());
-          },
-          [&](const note::LinkUp& n) {
-            if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
-          },
-          [&](const note::LeftOut& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
-          [&](const note::Added& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
-          [&](const note::Label& n) { line.add("text", n.text.str()); }, [](const note::Locked&) {},
-          [](const note::Unlocked&) {}, [](const note::DriveSaid&) {}},
+      Overload{[&](const note::Mark& n) { line.add("text", n.text.str()); },
+               [&](const note::LinkDown& n) {
+                 line.add("reason", kLinkFaultKeys[n.fault]);
+                 if (!n.words.isEmpty()) line.add("words", n.words.str());
+               },
+               [&](const note::Dropped& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+               [&](const note::StillWaits& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+               [&](const note::OwnAddress& n) { line.add("reason", ownAddressWord(n.how)); },
+               [&](const note::Asked& n) { line.add("ask", requestWord(n.request)); },
+               [&](const note::RequestWaits& n) { line.add("ask", requestWord(n.request)); },
+               [&](const note::RequestEnded& n) {
+                 line.add("ask", requestWord(n.request)).add("end", endWord(n.request, n.end));
+               },
+               [&](const note::Pipe& n) {
+                 if (!n.file.isEmpty()) line.add("file", n.file.str());
+               },
+               [&](const note::LinkUp& n) {
+                 if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
+               },
+               [&](const note::LeftOut& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+               [&](const note::Added& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+               [&](const note::Label& n) { line.add("text", n.text.str()); }, [](const note::Locked&) {},
+               [](const note::Unlocked&) {}, [](const note::DriveSaid&) {}},
       note.value);
   return line.text();
 }

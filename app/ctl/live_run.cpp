@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "ask_words.h"
 #include "base/overload.h"
 #include "link/plugins.h"
+#include "request_words.h"
 #include "signals.h"
 
 namespace deckpipe::ctl {

@@ -66,10 +66,10 @@ ExitStatus nodesCommand(const QStringList& arguments) {
   };
   run.onStop = tell;
   // Again every second: an answer may get lost on a busy bus.
-  QTimer ask;
-  QObject::connect(&ask, &QTimer::timeout, [&] { run.session().want(wish::AskNames{}); });
+  QTimer request;
+  QObject::connect(&request, &QTimer::timeout, [&] { run.session().want(wish::RequestNames{}); });
   run.onReady = [&] {
-    if (settings->unlock) ask.start(std::chrono::seconds(1));
+    if (settings->unlock) request.start(std::chrono::seconds(1));
     QTimer::singleShot(std::chrono::milliseconds(static_cast<int>(*length * 1000)), &run,
                        [&] { run.finish(tell()); });
   };

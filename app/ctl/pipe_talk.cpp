@@ -9,10 +9,10 @@
 #include <cstring>
 #include <utility>
 
-#include "ask_words.h"
 #include "bus/j1939.h"
 #include "command.h"
 #include "control/pipe_event.h"
+#include "request_words.h"
 
 namespace deckpipe::ctl {
 namespace {

@@ -5,20 +5,20 @@
 #include <algorithm>
 
 #include "arguments.h"
-#include "ask_words.h"
-#include "asker.h"
 #include "command.h"
 #include "control/intent.h"
 #include "device_finder.h"
+#include "request_words.h"
+#include "requester.h"
 
 namespace deckpipe::ctl {
 namespace {
 
-std::optional<AskSet> parseKinds(const QString& text) {
-  AskSet set;
+std::optional<RequestSet> parseKinds(const QString& text) {
+  RequestSet set;
   for (const QString& word : text.split(QLatin1Char(','))) {
-    const auto found = std::ranges::find(kAllOf<Ask>, word.toStdString(), askWord);
-    if (found == kAllOf<Ask>.end() || isCommand(*found)) return {};
+    const auto found = std::ranges::find(kAllOf<Request>, word.toStdString(), requestWord);
+    if (found == kAllOf<Request>.end() || isCommand(*found)) return {};
     set.add(*found);
   }
   return set;
@@ -26,27 +26,27 @@ std::optional<AskSet> parseKinds(const QString& text) {
 
 struct Plan {
   DeviceName whom;
-  std::optional<AskSet> kinds;  // nothing: all that a device takes
-  double every = 0;             // s; 0: once
-  unsigned rounds = 1;          // 0: until Ctrl+C
+  std::optional<RequestSet> kinds;  // nothing: all that a device takes
+  double every = 0;                 // s; 0: once
+  unsigned rounds = 1;              // 0: until Ctrl+C
 };
 
 class Poll {
  public:
   Poll(LiveRun& run, const Plan& plan)
-      : m_run(run), m_plan(plan), m_finder(run, plan.whom), m_asker(run, false) {
+      : m_run(run), m_plan(plan), m_finder(run, plan.whom), m_requester(run, false) {
     run.onReady = [this] { m_finder.begin(); };
     run.onTick = [this] { tick(); };
     // Between two rounds, what is asked until Ctrl+C ends well by it; everything else is cut short.
     run.onStop = [this] {
-      return m_asker.interrupted(m_plan.rounds == 0 && m_rounds > 0 ? status() : kNotWhole);
+      return m_requester.interrupted(m_plan.rounds == 0 && m_rounds > 0 ? status() : kNotWhole);
     };
     m_next.setSingleShot(true);
     QObject::connect(&m_next, &QTimer::timeout, [this] { beginRound(); });
   }
 
  private:
-  ExitStatus status() const { return m_asker.allAnswered() ? kDone : kNotWhole; }
+  ExitStatus status() const { return m_requester.allAnswered() ? kDone : kNotWhole; }
 
   void tick() {
     if (m_rounds == 0) {
@@ -54,8 +54,8 @@ class Poll {
       return;
     }
     if (!m_isAsking) return;
-    m_asker.tick();
-    if (m_asker.isOver()) endRound();
+    m_requester.tick();
+    if (m_requester.isOver()) endRound();
   }
 
   void beginRound() {
@@ -64,13 +64,14 @@ class Poll {
     m_since.start();
     // Everyone there now; who was named stays, gone or not.
     if (m_devices.empty() || isAll()) m_devices = m_finder.devices();
-    m_asker.begin(m_devices, m_plan.kinds.value_or(kPolls),
-                  isAll() || !m_plan.kinds ? Asker::NotTaken::IsLeftOut : Asker::NotTaken::IsAFailure);
+    m_requester.begin(
+        m_devices, m_plan.kinds.value_or(kPolls),
+        isAll() || !m_plan.kinds ? Requester::NotTaken::IsLeftOut : Requester::NotTaken::IsAFailure);
   }
 
   void endRound() {
     m_isAsking = false;
-    if (m_rounds == m_plan.rounds || m_asker.isStopping()) return m_run.finish(status());
+    if (m_rounds == m_plan.rounds || m_requester.isStopping()) return m_run.finish(status());
     const auto left = static_cast<qint64>(m_plan.every * 1000) - m_since.elapsed();
     m_next.start(std::chrono::milliseconds(std::max<qint64>(left, 0)));
   }
@@ -80,7 +81,7 @@ class Poll {
   LiveRun& m_run;
   Plan m_plan;
   DeviceFinder m_finder;
-  Asker m_asker;
+  Requester m_requester;
   std::vector<DeviceServices> m_devices;
   QTimer m_next;
   QElapsedTimer m_since;

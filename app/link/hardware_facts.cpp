@@ -9,12 +9,12 @@ namespace deckpipe {
 HardwareFacts::HardwareFacts(std::string name, std::unique_ptr<InterfaceSource> source, QObject* parent)
     : QObject(parent), m_name(std::move(name)), m_source(std::move(source)), m_timer(this) {
   m_timer.setSingleShot(true);
-  connect(&m_timer, &QTimer::timeout, this, &HardwareFacts::ask);
+  connect(&m_timer, &QTimer::timeout, this, &HardwareFacts::request);
   connect(m_source.get(), &InterfaceSource::answered, this, &HardwareFacts::answered);
   connect(m_source.get(), &InterfaceSource::changed, this, &HardwareFacts::changed);
   connect(m_source.get(), &InterfaceSource::overrun, this, [this] {
     m_hasMissedNews = true;
-    ask();
+    request();
   });
 }
 
@@ -22,7 +22,7 @@ HardwareFacts::HardwareFacts(std::string name, std::unique_ptr<InterfaceSource> 
 void HardwareFacts::start() {
   m_isFirst = true;
   m_source->start();
-  ask();
+  request();
 }
 
 void HardwareFacts::stop() {
@@ -44,14 +44,14 @@ void HardwareFacts::readSoon() {
 }
 
 // The timer rests until the answer is there: a kernel that is slow to answer is not asked twice.
-void HardwareFacts::ask() {
+void HardwareFacts::request() {
   m_timer.stop();
   m_isOvertaken = false;
-  m_source->ask(m_name);
+  m_source->request(m_name);
 }
 
 void HardwareFacts::answered(const InterfaceReader::Answer& answer) {
-  if (m_isOvertaken) return ask();
+  if (m_isOvertaken) return request();
   m_timer.start(kPeriod);
   const bool hasMissedNews = std::exchange(m_hasMissedNews, false);
   if (!answer) {

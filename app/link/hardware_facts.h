@@ -47,7 +47,7 @@ class HardwareFacts : public QObject {
   void lost(std::uint32_t frames);
 
  private:
-  void ask();
+  void request();
   void answered(const InterfaceReader::Answer& answer);
   void changed(const CanInterface& facts);
   void learn(const CanInterface& facts);

@@ -32,7 +32,7 @@ InterfaceReader::~InterfaceReader() {
   m_desk->changed.notify_one();
 }
 
-void InterfaceReader::ask(const std::string& name) {
+void InterfaceReader::request(const std::string& name) {
   forget();
   {
     const std::lock_guard lock(m_desk->mutex);

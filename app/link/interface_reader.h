@@ -27,7 +27,7 @@ class InterfaceReader : public QObject {
   explicit InterfaceReader(Read read, QObject* parent = nullptr);
   ~InterfaceReader() override;
 
-  void ask(const std::string& name);
+  void request(const std::string& name);
   // No answer comes any more until the next ask().
   void forget();
 

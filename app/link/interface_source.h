@@ -15,7 +15,7 @@ class InterfaceSource : public QObject {
   using QObject::QObject;
 
   // Asks how the interface of that name is. Only the newest question is answered.
-  virtual void ask(const std::string& name) = 0;
+  virtual void request(const std::string& name) = 0;
   // Between start() and stop() the news are told. After stop(), which may come from inside a signal, nothing
   // is told or answered any more.
   virtual void start() = 0;

@@ -21,7 +21,7 @@ InterfaceWatch::InterfaceWatch(QObject* parent) : InterfaceSource(parent), m_rea
 
 InterfaceWatch::~InterfaceWatch() { stop(); }
 
-void InterfaceWatch::ask(const std::string& name) { m_reader.ask(name); }
+void InterfaceWatch::request(const std::string& name) { m_reader.request(name); }
 
 #ifdef __linux__
 

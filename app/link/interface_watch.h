@@ -19,7 +19,7 @@ class InterfaceWatch : public InterfaceSource {
   explicit InterfaceWatch(QObject* parent = nullptr);
   ~InterfaceWatch() override;
 
-  void ask(const std::string& name) override;
+  void request(const std::string& name) override;
   // Needs the event loop of its thread. Without rtnetlink nothing will be told.
   void start() override;
   void stop() override;

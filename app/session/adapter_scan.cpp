@@ -35,11 +35,11 @@ void AdapterScan::setRunning(bool isRunning) {
 void AdapterScan::search() {
   if (m_isSearching) return;
   m_isSearching = true;
-  ask(&listAdapters, &AdapterScan::found);
+  request(&listAdapters, &AdapterScan::found);
   Q_EMIT changed();
 }
 
-void AdapterScan::ask(std::function<AdapterList()> question, void (AdapterScan::*answered)(AdapterList)) {
+void AdapterScan::request(std::function<AdapterList()> question, void (AdapterScan::*answered)(AdapterList)) {
   if (m_thread == nullptr) {
     m_thread = new QThread(this);
     m_thread->setObjectName(QStringLiteral("adapters"));
@@ -69,7 +69,7 @@ void AdapterScan::found(AdapterList list) {
 
 void AdapterScan::look() {
   if (m_isSearching || std::exchange(m_isLooking, true)) return;
-  ask(
+  request(
       [list = m_list] {
         AdapterList now = list;
         refreshInterfaces(now);

@@ -44,7 +44,7 @@ class AdapterScan : public QObject {
   void looked(AdapterList list);
   // Puts the question on the worker's thread, and hands over its answer on this one. Answers come in the order
   // in which the questions were put.
-  void ask(std::function<AdapterList()> question, void (AdapterScan::*answered)(AdapterList));
+  void request(std::function<AdapterList()> question, void (AdapterScan::*answered)(AdapterList));
 
   AdapterList m_list, m_before;
   bool m_isSearching = false;

@@ -10,7 +10,7 @@
 
 #include "base/device_key.h"
 #include "base/time.h"
-#include "control/ask.h"
+#include "control/request.h"
 
 namespace deckpipe {
 namespace wish {
@@ -19,17 +19,17 @@ namespace wish {
 struct Unlock {};
 struct Lock {};
 // A request for the NAME to everyone.
-struct AskNames {};
+struct RequestNames {};
 // Once; polls and commands alike. A null device means every device, and then polls only.
-struct AskDevice {
+struct SendRequests {
   DeviceKey device;
-  AskSet asks;
+  RequestSet requests;
 };
 // Polls again and again, every `period` (at least kShortestPeriod); zero ends it. Null device: every one.
 struct Repeat {
   static constexpr Duration kShortestPeriod = 500ms;
   DeviceKey device;
-  AskSet asks;
+  RequestSet requests;
   Duration period{0};
 };
 // Gives up what is asked of a device and not yet answered, repeated polls too. Null device: every one.
@@ -63,7 +63,7 @@ struct PipeAction {
 
 }  // namespace wish
 
-using Wish = std::variant<wish::Lock, wish::Unlock, wish::AskNames, wish::AskDevice, wish::Repeat,
+using Wish = std::variant<wish::Lock, wish::Unlock, wish::RequestNames, wish::SendRequests, wish::Repeat,
                           wish::Cancel, wish::PipeWrite, wish::PipeFile, wish::PipeAction>;
 
 // Whether it only holds or ends what is under way: that is offered whatever the cursor shows. What begins

@@ -11,7 +11,7 @@
 
 #include "base/device_key.h"
 #include "base/time.h"
-#include "control/ask.h"
+#include "control/request.h"
 
 namespace deckpipe {
 
@@ -147,11 +147,11 @@ struct PipeStatus {
 struct DeviceServices {
   DeviceKey device;
   Address address;
-  AskSet takes;  // what may be asked of it, by its type
-  EnumArray<Ask, RequestStatus> requests;
+  RequestSet takes;  // what may be asked of it, by its type
+  EnumArray<Request, RequestStatus> requests;
   std::optional<PipeStatus> pipe;
 
-  const RequestStatus& of(Ask ask) const { return requests[ask]; }
+  const RequestStatus& of(Request request) const { return requests[request]; }
   // Period of the repeated polls, the longest if they differ; 0 if none is repeated.
   Duration longestPeriod() const {
     return std::ranges::max_element(requests, {}, &RequestStatus::period)->period;
@@ -163,7 +163,7 @@ struct DeviceServices {
 // out, until the interface is taken down.
 struct WaitingCommand {
   DeviceKey device;
-  Ask ask{};
+  Request request{};
   Instant since;
   friend bool operator==(const WaitingCommand&, const WaitingCommand&) = default;
 };
@@ -187,7 +187,7 @@ struct ServiceStatus {
   std::uint64_t refusedSerial = 0;
 
   // An address of our own to send from.
-  bool canAsk() const {
+  bool canRequest() const {
     return !locked && !isEnding && linkUp && claim.progress == ClaimStatus::Progress::Claimed;
   }
   const DeviceServices* find(const DeviceKey& key) const {

@@ -26,8 +26,8 @@ std::string_view noteKey(const NoteValue& value) {
                [](const note::DriveSaid& n) -> Key { return n.isDrive ? "drive_said" : "drive_unsaid"; },
                [](const note::OwnAddress&) -> Key { return "own_address"; },
                [](const note::Asked&) -> Key { return "asked"; },
-               [](const note::AskEnded&) -> Key { return "ask_ended"; },
-               [](const note::AskWaits&) -> Key { return "ask_waits"; },
+               [](const note::RequestEnded&) -> Key { return "ask_ended"; },
+               [](const note::RequestWaits&) -> Key { return "ask_waits"; },
                [](const note::StillWaits&) -> Key { return "still_waits"; },
                [](const note::Pipe&) -> Key { return "pipe"; },
                [](const note::LeftOut&) -> Key { return "left_out"; },
@@ -52,10 +52,10 @@ Severity noteWeight(const NoteValue& value) {
                                return isMeant ? Severity::Plain : Severity::Attend;
                              },
                              [](const note::Asked&) { return Severity::Plain; },
-                             [](const note::AskEnded& n) {
+                             [](const note::RequestEnded& n) {
                                return n.end == RequestEnd::Answered ? Severity::Plain : Severity::Attend;
                              },
-                             [](const note::AskWaits&) { return Severity::Fault; },
+                             [](const note::RequestWaits&) { return Severity::Fault; },
                              [](const note::StillWaits&) { return Severity::Fault; },
                              [](const note::Pipe&) { return Severity::Plain; },
                              [](const note::LeftOut&) { return Severity::Attend; },

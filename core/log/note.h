@@ -15,8 +15,8 @@
 #include "base/ids.h"
 #include "base/link_fault.h"
 #include "base/time.h"
-#include "control/ask.h"
 #include "control/pipe_event.h"
+#include "control/request.h"
 
 namespace deckpipe {
 
@@ -101,24 +101,24 @@ struct Asked {
   Channel channel;
   Address address;
   Pin pin;  // null where the device has none
-  Ask ask = Ask::Fault;
+  Request request = Request::Fault;
   friend bool operator==(const Asked&, const Asked&) = default;
 };
-struct AskEnded {
+struct RequestEnded {
   Channel channel;
   Address address;
   Pin pin;  // null where the device has none
-  Ask ask = Ask::Fault;
+  Request request = Request::Fault;
   RequestEnd end = RequestEnd::None;
-  friend bool operator==(const AskEnded&, const AskEnded&) = default;
+  friend bool operator==(const RequestEnded&, const RequestEnded&) = default;
 };
 // A command was handed over and is not on the bus yet; it may still go out.
-struct AskWaits {
+struct RequestWaits {
   Channel channel;
   Address address;
   Pin pin;  // null where the device has none
-  Ask ask = Ask::Fault;
-  friend bool operator==(const AskWaits&, const AskWaits&) = default;
+  Request request = Request::Fault;
+  friend bool operator==(const RequestWaits&, const RequestWaits&) = default;
 };
 // At a lock, a close or the loss of an address so many frames of ours were not on the bus yet.
 struct StillWaits {
@@ -182,7 +182,7 @@ constexpr bool isKnown(LeftOut::Why why) {
 
 using NoteValue =
     std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
-                 note::DriveSaid, note::OwnAddress, note::Asked, note::AskEnded, note::AskWaits,
+                 note::DriveSaid, note::OwnAddress, note::Asked, note::RequestEnded, note::RequestWaits,
                  note::StillWaits, note::Pipe, note::LeftOut, note::Label, note::Added>;
 
 struct Note {

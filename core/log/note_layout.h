@@ -73,13 +73,13 @@ template <>
 inline constexpr auto kLayout<note::Asked> = layout(9, field("channel", &note::Asked::channel),
                                                     field("address", &note::Asked::address),
                                                     field("pin", &note::Asked::pin),
-                                                    field("ask", &note::Asked::ask));
+                                                    field("ask", &note::Asked::request));
 template <>
-inline constexpr auto kLayout<note::AskEnded> = layout(10, field("channel", &note::AskEnded::channel),
-                                                       field("address", &note::AskEnded::address),
-                                                       field("pin", &note::AskEnded::pin),
-                                                       field("ask", &note::AskEnded::ask),
-                                                       field("end", &note::AskEnded::end));
+inline constexpr auto kLayout<note::RequestEnded> = layout(10, field("channel", &note::RequestEnded::channel),
+                                                           field("address", &note::RequestEnded::address),
+                                                           field("pin", &note::RequestEnded::pin),
+                                                           field("ask", &note::RequestEnded::request),
+                                                           field("end", &note::RequestEnded::end));
 template <>
 inline constexpr auto kLayout<note::Pipe> = layout(11, field("channel", &note::Pipe::channel),
                                                    field("address", &note::Pipe::address),
@@ -87,10 +87,10 @@ inline constexpr auto kLayout<note::Pipe> = layout(11, field("channel", &note::P
                                                    field("event", &note::Pipe::event),
                                                    field("file", &note::Pipe::file));
 template <>
-inline constexpr auto kLayout<note::AskWaits> = layout(12, field("channel", &note::AskWaits::channel),
-                                                       field("address", &note::AskWaits::address),
-                                                       field("pin", &note::AskWaits::pin),
-                                                       field("ask", &note::AskWaits::ask));
+inline constexpr auto kLayout<note::RequestWaits> = layout(12, field("channel", &note::RequestWaits::channel),
+                                                           field("address", &note::RequestWaits::address),
+                                                           field("pin", &note::RequestWaits::pin),
+                                                           field("ask", &note::RequestWaits::request));
 template <>
 inline constexpr auto kLayout<note::StillWaits> = layout(13, field("channel", &note::StillWaits::channel),
                                                          field("count", &note::StillWaits::count));

@@ -26,7 +26,7 @@ struct DeviceTypeFacts {
   DeviceUse use = DeviceUse::Other;
   EnumSet<MessageId> repeats{};    // always
   EnumSet<MessageId> mayRepeat{};  // only with analog position feedback, which nothing on the bus tells
-  EnumSet<Ask> takes{};            // besides what every device of Akron's takes
+  EnumSet<Request> takes{};        // besides what every device of Akron's takes
   std::array<AxisUse, 5> axes = {AxisUse::Rotation, AxisUse::Elevation};  // 1 to 5
 };
 
@@ -35,14 +35,14 @@ inline constexpr auto kDeviceTypes = [] {
   using enum MessageId;
   using enum AxisUse;
   constexpr EnumSet kMonitorRepeats(PositionLimitStatus, DigitalOutputs);
-  constexpr EnumSet kMonitorTakes(Ask::Reset, Ask::SetupMode);
+  constexpr EnumSet kMonitorTakes(Request::Reset, Request::SetupMode);
   return std::array{
       DeviceTypeFacts{.number = 1032,
                       .name = "6032 Universal II",
                       .use = DeviceUse::Monitor,
                       .repeats = kMonitorRepeats,
                       .mayRepeat = EnumSet(RotationSoftLimits, ElevationSoftLimits),
-                      .takes = EnumSet(Ask::Vista, Ask::ZeroAxes, Ask::Reset, Ask::SetupMode),
+                      .takes = EnumSet(Request::Vista, Request::ZeroAxes, Request::Reset, Request::SetupMode),
                       .axes = {Rotation, Elevation, Pattern, DependsOnMonitor, DischargeValve}},
       DeviceTypeFacts{.number = 1033, .name = "6033 Mini Universal", .repeats = EnumSet(MiniDigitalOutputs)},
       DeviceTypeFacts{.number = 1034, .name = "6034 Operator Station", .use = DeviceUse::Control},
@@ -88,12 +88,12 @@ constexpr bool isOfUse(unsigned number, DeviceUse use) {
 }
 
 // What a device takes that is of none of the types, or of which no type is known: all that no type has for itself.
-inline constexpr EnumSet<Ask> kTakenByAll = [] {
-  EnumSet<Ask> all;
-  for (const Ask ask : kAllOf<Ask>) {
+inline constexpr EnumSet<Request> kTakenByAll = [] {
+  EnumSet<Request> all;
+  for (const Request request : kAllOf<Request>) {
     const bool isOfSome =
-        std::ranges::any_of(kDeviceTypes, [ask](const auto& t) { return t.takes.has(ask); });
-    if (!isOfSome) all.add(ask);
+        std::ranges::any_of(kDeviceTypes, [request](const auto& t) { return t.takes.has(request); });
+    if (!isOfSome) all.add(request);
   }
   return all;
 }();

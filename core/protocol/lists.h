@@ -70,26 +70,26 @@ constexpr bool hasTypeOf(const Frame& frame, MessageId id) {
 }
 
 // The ask whose answer or acknowledgement a message is; nothing for any other message.
-constexpr std::optional<Ask> askAnsweredBy(MessageId id) {
+constexpr std::optional<Request> requestAnsweredBy(MessageId id) {
   const Message& message = messageOf(id);
-  if (message.part == Part::Answers || message.part == Part::Acknowledges) return message.ask;
+  if (message.part == Part::Answers || message.part == Part::Acknowledges) return message.request;
   return {};
 }
 
 // The request of an ask.
-constexpr MessageId requestOf(Ask ask) {
+constexpr MessageId requestOf(Request request) {
   for (const Message& message : kCatalogue) {
-    if (message.ask == ask && message.part == Part::Asks) return message.id;
+    if (message.request == request && message.part == Part::Asks) return message.id;
   }
   return MessageId::Count;
 }
 // The messages that end a request, all of them together; Count where there are fewer.
 inline constexpr std::size_t kMostAnswers = 2;
-constexpr std::array<MessageId, kMostAnswers> answersOf(Ask ask) {
+constexpr std::array<MessageId, kMostAnswers> answersOf(Request request) {
   std::array<MessageId, kMostAnswers> ids{MessageId::Count, MessageId::Count};
   std::size_t at = 0;
   for (const Message& message : kCatalogue) {
-    if (message.ask == ask && message.part != Part::Asks) ids.at(at++) = message.id;
+    if (message.request == request && message.part != Part::Asks) ids.at(at++) = message.id;
   }
   return ids;
 }
@@ -135,20 +135,20 @@ constexpr bool everyTwinIsARequestOrItsAck() {
   }
   return true;
 }
-constexpr bool everyAskHasItsMessages() {
-  for (const Ask ask : kAllOf<Ask>) {
+constexpr bool everyRequestHasItsMessages() {
+  for (const Request request : kAllOf<Request>) {
     std::size_t requests = 0;
     for (const Message& message : kCatalogue) {
-      if (message.ask == ask && message.part == Part::Asks) ++requests;
+      if (message.request == request && message.part == Part::Asks) ++requests;
     }
-    if (requests != 1 || answersOf(ask)[0] == MessageId::Count) return false;
+    if (requests != 1 || answersOf(request)[0] == MessageId::Count) return false;
   }
   return true;
 }
-constexpr bool everyPartSaysItsAsk() {
+constexpr bool everyPartSaysItsRequest() {
   for (const Message& message : kCatalogue) {
-    const bool hasAsk = message.ask != Ask::Count;
-    if (hasAsk == (message.part == Part::None || message.part == Part::Pipe)) return false;
+    const bool hasRequest = message.request != Request::Count;
+    if (hasRequest == (message.part == Part::None || message.part == Part::Pipe)) return false;
   }
   return true;
 }
@@ -168,8 +168,8 @@ constexpr bool everyPageGroupHasAMessage() {
 }
 
 static_assert(everyTwinIsARequestOrItsAck(), "classify() tells a request from its ack, and no other two");
-static_assert(everyAskHasItsMessages(), "an ask has one request, and one or two messages that end it");
-static_assert(everyPartSaysItsAsk(), "a message that asks or answers says what, any other says nothing");
+static_assert(everyRequestHasItsMessages(), "an ask has one request, and one or two messages that end it");
+static_assert(everyPartSaysItsRequest(), "a message that asks or answers says what, any other says nothing");
 static_assert(everyPeriodicReportIsShown(), "a periodic report is watched and stands on a page");
 static_assert(everyPageGroupHasAMessage(), "a page group is made from messages");
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <string_view>
 
-#include "base/ask.h"
 #include "base/enum_table.h"
+#include "base/request.h"
 #include "base/time.h"
 #include "protocol/field.h"
 #include "protocol/page_group.h"
@@ -84,7 +84,7 @@ struct Message {
   Duration period{0};         // nominal; 0 = not periodic
   std::uint8_t priority = 6;  // J1939, for sending
   std::string_view source{};  // manual and section, for people
-  Ask ask = Ask::Count;       // the request that it is part of
+  Request request = Request::Count;  // the request that it is part of
   Part part = Part::None;
   bool isWatched = false;  // `deckpipectl watch` reports it; a periodic one when its bytes changed
   PageGroups page{};       // where a device's page shows it
@@ -99,15 +99,19 @@ struct Message {
 };
 
 // What a table line adds to the message that a family's builder made.
-constexpr Message partOf(Ask ask, Part part, Message message) {
-  message.ask = ask;
+constexpr Message partOf(Request request, Part part, Message message) {
+  message.request = request;
   message.part = part;
   return message;
 }
-constexpr Message asks(Ask ask, Message message) { return partOf(ask, Part::Asks, message); }
-constexpr Message answers(Ask ask, Message message) { return partOf(ask, Part::Answers, message); }
-constexpr Message acknowledges(Ask ask, Message message) { return partOf(ask, Part::Acknowledges, message); }
-constexpr Message ends(Ask ask, Message message) { return partOf(ask, Part::Ends, message); }
+constexpr Message requests(Request request, Message message) { return partOf(request, Part::Asks, message); }
+constexpr Message answers(Request request, Message message) {
+  return partOf(request, Part::Answers, message);
+}
+constexpr Message acknowledges(Request request, Message message) {
+  return partOf(request, Part::Acknowledges, message);
+}
+constexpr Message ends(Request request, Message message) { return partOf(request, Part::Ends, message); }
 constexpr Message every(Duration period, Message message) {
   message.period = period;
   return message;

@@ -70,7 +70,7 @@ void ClaimService::stop(const Live& live, How why, Outgoing& out) {
 }
 
 std::optional<Refusal> ClaimService::wants(Instant, const Live& live, const Wish& wish, Outgoing& out) {
-  if (!m_settings.isConsole || !std::holds_alternative<wish::AskNames>(wish)) return {};
+  if (!m_settings.isConsole || !std::holds_alternative<wish::RequestNames>(wish)) return {};
   askNames(live, out);
   return Refusal::None;
 }

@@ -5,7 +5,7 @@
 
 #include "bus/j1939.h"
 #include "protocol/lists.h"
-#include "service/ask_rules.h"
+#include "service/request_rules.h"
 
 namespace deckpipe {
 

@@ -14,15 +14,15 @@ namespace {
 using Progress = RequestStatus::Progress;
 
 // What a request and its whole answer take of the bus.
-unsigned costOf(Ask ask) {
+unsigned costOf(Request request) {
   const auto bits = [](MessageId id) {
     Frame frame;
     frame.id = kExtendedBit;
     frame.length = static_cast<std::uint8_t>(messageOf(id).maxLength());
     return estimatedBits(frame);
   };
-  unsigned sum = bits(ruleOf(ask).request);
-  for (const MessageId answer : ruleOf(ask).answers) sum += answer == kNoAnswer ? 0 : bits(answer);
+  unsigned sum = bits(ruleOf(request).request);
+  for (const MessageId answer : ruleOf(request).answers) sum += answer == kNoAnswer ? 0 : bits(answer);
   return sum;
 }
 
@@ -56,8 +56,8 @@ std::optional<Refusal> RequestService::wants(Instant now, const Live& live, cons
     adopt(now, live, out);
     return carryOut();
   };
-  if (const auto* it = std::get_if<wish::AskDevice>(&wish))
-    return ifAddressed([&] { return ask(now, live, *it, out); });
+  if (const auto* it = std::get_if<wish::SendRequests>(&wish))
+    return ifAddressed([&] { return request(now, live, *it, out); });
   if (const auto* it = std::get_if<wish::Repeat>(&wish))
     return ifAddressed([&] { return repeat(now, live, *it, out); });
   if (const auto* it = std::get_if<wish::Cancel>(&wish))
@@ -66,10 +66,10 @@ std::optional<Refusal> RequestService::wants(Instant now, const Live& live, cons
 }
 
 void RequestService::status(const Live& live, ServiceStatus& into) const {
-  for (const DeviceKey& key : askableDevices(live)) statusOf(live, key, into);
+  for (const DeviceKey& key : requestTargets(live)) statusOf(live, key, into);
   for (const Asked& known : m_devices) statusOf(live, known.device, into).requests = known.statuses;
   for (const Handed& command : m_commands) {
-    if (command.isSaid) into.waitingCommands.push_back({command.device, command.ask, command.since});
+    if (command.isSaid) into.waitingCommands.push_back({command.device, command.request, command.since});
   }
 }
 
@@ -80,14 +80,15 @@ void RequestService::queue(RequestStatus& status, Timing& timing, Instant due) {
   ++status.asked;
 }
 
-Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice& wish, Outgoing& out) {
+Refusal RequestService::request(Instant now, const Live& live, const wish::SendRequests& wish,
+                                Outgoing& out) {
   if (wish.device.isNull()) {
-    for (const DeviceKey& key : askableDevices(live)) ask(now, live, {key, wish.asks & kPolls}, out);
+    for (const DeviceKey& key : requestTargets(live)) request(now, live, {key, wish.requests & kPolls}, out);
     return Refusal::None;
   }
   const Device* device = live.find(wish.device);
   if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
-  const AskSet takes = asksTakenBy(live, *device) & wish.asks;
+  const RequestSet takes = requestsTakenBy(live, *device) & wish.requests;
   if (takes.isEmpty()) return Refusal::NotTaken;
   // A silent device may be polled; nothing is sent to an address that is contested.
   const Refusal why = live.whyNotTo(now, wish.device);
@@ -95,14 +96,14 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
   if (why == Refusal::Contested || (why != Refusal::None && (takes & kPolls) != takes)) return why;
   Asked& at = asked(live.canonical(wish.device));
   Refusal refusal = Refusal::Busy;
-  takes.forEach([&](Ask ask) {
-    RequestStatus& status = at.status(ask);
+  takes.forEach([&](Request request) {
+    RequestStatus& status = at.status(request);
     // A repeated poll that waits for its turn may as well come now.
     if (status.progress == Progress::Waiting || (status.isOpen() && status.period == 0ns)) return;
-    if (isHanded(at.device, ask)) return;
-    queue(status, at.timing(ask), now);
+    if (isHanded(at.device, request)) return;
+    queue(status, at.timing(request), now);
     refusal = Refusal::None;
-    if (isCommand(ask)) send(now, live, at, ask, out);
+    if (isCommand(request)) send(now, live, at, request, out);
   });
   sendDue(now, live, out);
   return refusal;
@@ -110,40 +111,40 @@ Refusal RequestService::ask(Instant now, const Live& live, const wish::AskDevice
 
 Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat& wish, Outgoing& out) {
   if (wish.device.isNull()) {
-    std::vector<DeviceKey> keys = askableDevices(live);
+    std::vector<DeviceKey> keys = requestTargets(live);
     if (wish.period == 0ns) {
       for (const Asked& known : m_devices) keys.push_back(known.device);
     }
-    for (const DeviceKey& key : keys) repeat(now, live, {key, wish.asks, wish.period}, out);
+    for (const DeviceKey& key : keys) repeat(now, live, {key, wish.requests, wish.period}, out);
     return Refusal::None;
   }
   const DeviceKey key = live.canonical(wish.device);
   if (wish.period == 0ns) {
     if (find(key) == nullptr) return Refusal::None;
     Asked& at = asked(key);
-    wish.asks.forEach([&](Ask ask) {
-      RequestStatus& status = at.status(ask);
+    wish.requests.forEach([&](Request request) {
+      RequestStatus& status = at.status(request);
       if (status.period == 0ns) return;
       status.period = 0ns;
       if (status.progress != Progress::Queued) return;
       status.progress = status.end == RequestEnd::None ? Progress::Idle : Progress::Ended;
-      at.timing(ask) = {};
+      at.timing(request) = {};
       --status.asked;
     });
     return Refusal::None;
   }
   const Device* device = live.find(key);
   if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
-  const AskSet takes = asksTakenBy(live, *device) & wish.asks & kPolls;
+  const RequestSet takes = requestsTakenBy(live, *device) & wish.requests & kPolls;
   if (takes.isEmpty()) return Refusal::NotTaken;
   Asked& at = asked(key);
-  takes.forEach([&](Ask ask) {
-    RequestStatus& status = at.status(ask);
+  takes.forEach([&](Request request) {
+    RequestStatus& status = at.status(request);
     status.period = std::max<Duration>(wish.period, wish::Repeat::kShortestPeriod);
     if (!status.isOpen()) {
-      queue(status, at.timing(ask), now);
+      queue(status, at.timing(request), now);
     } else if (status.progress == Progress::Queued) {
-      at.timing(ask).due = std::min(at.timing(ask).due, now);
+      at.timing(request).due = std::min(at.timing(request).due, now);
     }
   });
   sendDue(now, live, out);
@@ -164,22 +165,22 @@ void RequestService::endAll(Instant now, const Live& live, RequestEnd how, Outgo
 }
 
 void RequestService::endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out) {
-  for (const Ask ask : kAllOf<Ask>) {
-    at.status(ask).period = 0ns;
-    if (at.status(ask).isOpen()) end(now, live, at, ask, how, out);
+  for (const Request request : kAllOf<Request>) {
+    at.status(request).period = 0ns;
+    if (at.status(request).isOpen()) end(now, live, at, request, how, out);
   }
 }
 
-void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out) {
+void RequestService::send(Instant now, const Live& live, Asked& at, Request request, Outgoing& out) {
   const auto to = live.addressOf(at.device);
-  if (!to) return end(now, live, at, ask, RequestEnd::Gone, out);
-  const AskRule& rule = ruleOf(ask);
-  RequestStatus& status = at.status(ask);
-  Timing& timing = at.timing(ask);
+  if (!to) return end(now, live, at, request, RequestEnd::Gone, out);
+  const RequestRule& rule = ruleOf(request);
+  RequestStatus& status = at.status(request);
+  Timing& timing = at.timing(request);
   // What may be asked of it can change after the wish: a drive is said to be one.
-  if (!asksTakenBy(live, *live.find(at.device)).has(ask)) {
+  if (!requestsTakenBy(live, *live.find(at.device)).has(request)) {
     status.period = 0ns;
-    return end(now, live, at, ask, RequestEnd::Cancelled, out);
+    return end(now, live, at, request, RequestEnd::Cancelled, out);
   }
   // A command was refused before; a poll waits until it is decided whose the address is.
   if (live.bus().book.isContested(*to)) {
@@ -199,19 +200,21 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Ask ask, Out
   timing.to = *to;
   timing.answers = 0;
   timing.isOnBus = false;
-  timing.deadline = isCommand(ask) ? kNever : now + rule.patience;
+  timing.deadline = isCommand(request) ? kNever : now + rule.patience;
   Encoded data{.length = 1};
   data.data[0] = typeOf(rule.request);
   timing.tag = out.send(live, source(), rule.request, *to, data);
-  if (isCommand(ask)) m_commands.push_back({timing.tag, at.device, ask, *to, now});
-  m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(ask));
+  if (isCommand(request)) m_commands.push_back({timing.tag, at.device, request, *to, now});
+  m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(request));
   // Of what is repeated only changes are noted, at its end.
-  if (status.tries == 1 && status.period == 0ns) out.note(note::Asked{live.channel, *to, at.device.pin, ask});
+  if (status.tries == 1 && status.period == 0ns)
+    out.note(note::Asked{live.channel, *to, at.device.pin, request});
 }
 
-void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out) {
-  RequestStatus& status = at.status(ask);
-  Timing& timing = at.timing(ask);
+void RequestService::end(Instant now, const Live& live, Asked& at, Request request, RequestEnd how,
+                         Outgoing& out) {
+  RequestStatus& status = at.status(request);
+  Timing& timing = at.timing(request);
   const bool isNews = status.period == 0ns || how != status.end;
   status.progress = Progress::Ended;
   status.end = how;
@@ -220,11 +223,11 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
     ++status.answered;
     status.latency = std::max<Duration>(now - status.sent, 0ns);
   }
-  if (isNews) noteEnd(live, at.device, timing.to, ask, how, out);
+  if (isNews) noteEnd(live, at.device, timing.to, request, how, out);
   // Each try may still be answered.
   const int tries = how == RequestEnd::Answered ? status.tries - 1 : 0;
   timing = {.to = timing.to,
-            .spare = static_cast<std::uint8_t>(tries * std::popcount(wholeAnswer(ruleOf(ask))))};
+            .spare = static_cast<std::uint8_t>(tries * std::popcount(wholeAnswer(ruleOf(request))))};
   if (status.period == 0ns) return;
   // Without an address nothing was sent: it is looked for again a period from now, never at once.
   const bool wasSent = status.sent != kNotYet && how != RequestEnd::Gone;
@@ -232,16 +235,16 @@ void RequestService::end(Instant now, const Live& live, Asked& at, Ask ask, Requ
   queue(status, timing, std::max(next, now));
 }
 
-void RequestService::noteEnd(const Live& live, const DeviceKey& device, Address to, Ask ask, RequestEnd how,
-                             Outgoing& out) {
-  out.note(note::AskEnded{live.channel, to, device.pin, ask, how});
+void RequestService::noteEnd(const Live& live, const DeviceKey& device, Address to, Request request,
+                             RequestEnd how, Outgoing& out) {
+  out.note(note::RequestEnded{live.channel, to, device.pin, request, how});
 }
 
-void RequestService::expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out) {
-  const AskRule& rule = ruleOf(ask);
-  if (!at.timing(ask).isOnBus) return end(now, live, at, ask, RequestEnd::NotOnBus, out);
-  if (at.status(ask).tries < rule.tries) return send(now, live, at, ask, out);
-  end(now, live, at, ask, at.timing(ask).wrong ? RequestEnd::WrongAnswer : RequestEnd::NoAnswer, out);
+void RequestService::expire(Instant now, const Live& live, Asked& at, Request request, Outgoing& out) {
+  const RequestRule& rule = ruleOf(request);
+  if (!at.timing(request).isOnBus) return end(now, live, at, request, RequestEnd::NotOnBus, out);
+  if (at.status(request).tries < rule.tries) return send(now, live, at, request, out);
+  end(now, live, at, request, at.timing(request).wrong ? RequestEnd::WrongAnswer : RequestEnd::NoAnswer, out);
 }
 
 Instant RequestService::nextTime() const {
@@ -251,10 +254,11 @@ Instant RequestService::nextTime() const {
     if (!command.isSaid) next = std::min(next, command.since + kOnBusTime);
   }
   for (const Asked& at : m_devices) {
-    for (const Ask ask : kAllOf<Ask>) {
-      if (at.statuses[ask].progress == Progress::Waiting) next = std::min(next, at.timings[ask].deadline);
-      if (at.statuses[ask].progress == Progress::Queued)
-        next = std::min(next, std::max(at.timings[ask].due, m_nextPoll));
+    for (const Request request : kAllOf<Request>) {
+      if (at.statuses[request].progress == Progress::Waiting)
+        next = std::min(next, at.timings[request].deadline);
+      if (at.statuses[request].progress == Progress::Queued)
+        next = std::min(next, std::max(at.timings[request].due, m_nextPoll));
     }
   }
   return next;
@@ -267,9 +271,9 @@ void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
     if (command.since + kOnBusTime <= now) sayNotOnBus(live, command, out);
   }
   for (Asked& at : m_devices) {
-    for (const Ask ask : kAllOf<Ask>) {
-      if (at.status(ask).progress == Progress::Waiting && at.timing(ask).deadline <= now)
-        expire(now, live, at, ask, out);
+    for (const Request request : kAllOf<Request>) {
+      if (at.status(request).progress == Progress::Waiting && at.timing(request).deadline <= now)
+        expire(now, live, at, request, out);
     }
   }
   sendDue(now, live, out);
@@ -279,15 +283,15 @@ void RequestService::timeCame(Instant now, const Live& live, Outgoing& out) {
 void RequestService::sendDue(Instant now, const Live& live, Outgoing& out) {
   while (m_nextPoll <= now) {
     Asked* next = nullptr;
-    Ask kind{};
+    Request kind{};
     Instant due = now;
     for (Asked& at : m_devices) {
-      for (const Ask ask : kAllOf<Ask>) {
-        if (at.status(ask).progress != Progress::Queued || at.timing(ask).due > due) continue;
-        if (next != nullptr && at.timing(ask).due == due) continue;
+      for (const Request request : kAllOf<Request>) {
+        if (at.status(request).progress != Progress::Queued || at.timing(request).due > due) continue;
+        if (next != nullptr && at.timing(request).due == due) continue;
         next = &at;
-        kind = ask;
-        due = at.timing(ask).due;
+        kind = request;
+        due = at.timing(request).due;
       }
     }
     if (next == nullptr) return;

@@ -17,9 +17,9 @@
 
 #include "control/intent.h"
 #include "control/status.h"
-#include "service/ask_rules.h"
 #include "service/bus_budget.h"
 #include "service/claim_service.h"
+#include "service/request_rules.h"
 
 namespace deckpipe {
 
@@ -60,20 +60,20 @@ class RequestService : public Service {
   struct Handed {
     FrameTag tag{};
     DeviceKey device;
-    Ask ask;
+    Request request;
     Address to;
     Instant since;
     bool isSaid = false;  // that it is not on the bus yet
   };
   struct Asked {
     DeviceKey device;
-    EnumArray<Ask, RequestStatus> statuses;
-    EnumArray<Ask, Timing> timings;
-    RequestStatus& status(Ask ask) { return statuses[ask]; }
-    Timing& timing(Ask ask) { return timings[ask]; }
+    EnumArray<Request, RequestStatus> statuses;
+    EnumArray<Request, Timing> timings;
+    RequestStatus& status(Request request) { return statuses[request]; }
+    Timing& timing(Request request) { return timings[request]; }
   };
 
-  Refusal ask(Instant now, const Live& live, const wish::AskDevice& wish, Outgoing& out);
+  Refusal request(Instant now, const Live& live, const wish::SendRequests& wish, Outgoing& out);
   Refusal repeat(Instant now, const Live& live, const wish::Repeat& wish, Outgoing& out);
   Refusal cancel(Instant now, const Live& live, const wish::Cancel& wish, Outgoing& out);
   // Everything ends, nothing is repeated any more.
@@ -84,19 +84,20 @@ class RequestService : public Service {
   Asked& asked(const DeviceKey& device);
   const Asked* find(const DeviceKey& device) const;
   static void queue(RequestStatus& status, Timing& timing, Instant due);
-  void send(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
+  void send(Instant now, const Live& live, Asked& at, Request request, Outgoing& out);
   // Polls whose turn has come.
   void sendDue(Instant now, const Live& live, Outgoing& out);
   void commandEnded(Instant now, const Live& live, const Handed& command, RequestEnd how, Outgoing& out);
   void sayNotOnBus(const Live& live, Handed& command, Outgoing& out);
-  bool isHanded(const DeviceKey& device, Ask ask) const;
+  bool isHanded(const DeviceKey& device, Request request) const;
   // The request whose last try this frame is; null where it has ended.
-  Asked* openWith(FrameTag tag, Ask& ask);
-  void noteEnd(const Live& live, const DeviceKey& device, Address to, Ask ask, RequestEnd how, Outgoing& out);
-  void expire(Instant now, const Live& live, Asked& at, Ask ask, Outgoing& out);
-  void end(Instant now, const Live& live, Asked& at, Ask ask, RequestEnd how, Outgoing& out);
+  Asked* openWith(FrameTag tag, Request& request);
+  void noteEnd(const Live& live, const DeviceKey& device, Address to, Request request, RequestEnd how,
+               Outgoing& out);
+  void expire(Instant now, const Live& live, Asked& at, Request request, Outgoing& out);
+  void end(Instant now, const Live& live, Asked& at, Request request, RequestEnd how, Outgoing& out);
   void endDevice(Instant now, const Live& live, Asked& at, RequestEnd how, Outgoing& out);
-  void answered(Instant now, const Live& live, Asked& at, Ask ask, std::size_t part, Outgoing& out);
+  void answered(Instant now, const Live& live, Asked& at, Request request, std::size_t part, Outgoing& out);
   void broadcastHeard(Instant now, const Live& live, Address source, const Frame& frame, Outgoing& out);
 
   BusBudget& m_budget;

@@ -92,7 +92,7 @@ void Device::takeDoubling(Doubling doubling, Instant time) {
 
 void Device::take(const Frame& frame, MessageId id, Instant time) {
   if (isOwnPeriodicReport(messageOf(id))) takeStatus(frame, id, time);
-  if (const std::optional<Ask> ask = askAnsweredBy(id)) answered(*ask);
+  if (const std::optional<Request> request = requestAnsweredBy(id)) answered(*request);
   if (const std::size_t place = kReportPlaces[id]; place < kReports.size()) {
     m_reports[place].set(frame, time);
     m_stale.remove(id);
@@ -102,11 +102,11 @@ void Device::take(const Frame& frame, MessageId id, Instant time) {
     case MessageId::SoePermissive: permissiveFrom = J1939Id::of(frame.identifier()).source; break;
     case MessageId::GatewayJoystick: commanded.set(frame, time); break;
     case MessageId::SdoReadRequest:
-      if (objectOf(frame) == sdo::kFaultStatus) asked(Ask::Fault, time);
+      if (objectOf(frame) == sdo::kFaultStatus) asked(Request::Fault, time);
       break;
     case MessageId::SdoReadResponse: takeSdo(frame, time); break;
     case MessageId::SdoAbort:
-      if (isFromNode(frame) && objectOf(frame) == sdo::kFaultStatus) refused(Ask::Fault);
+      if (isFromNode(frame) && objectOf(frame) == sdo::kFaultStatus) refused(Request::Fault);
       break;
     case MessageId::Heartbeat:
       if (heartbeatState(frame) == gateway::kBooting) restarted = time;
@@ -122,9 +122,9 @@ void Device::takeSdo(const Frame& frame, Instant time) {
     partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
   } else if (object == sdo::kFaultStatus && size == 4) {
     m_reports[kReportPlaces[MessageId::FaultResponse]].set(frame, time);
-    answered(Ask::Fault);
+    answered(Request::Fault);
   } else if (object == sdo::kFaultStatus) {
-    refused(Ask::Fault);
+    refused(Request::Fault);
   } else if (object == sdo::kOperationalError && size == 2) {
     operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
   }
@@ -137,11 +137,11 @@ void Device::takeMalformed(const Frame& frame, MessageId id, Instant time) {
     m_malformed.add(id);
     m_malformedStatus = time;
   }
-  const Ask ask = messageOf(id).ask;
-  if (isKnown(ask)) refused(ask);
+  const Request request = messageOf(id).request;
+  if (isKnown(request)) refused(request);
   // Shorter than four bytes it names no object.
   if (id == MessageId::SdoReadResponse && frame.length >= 4 && objectOf(frame) == sdo::kFaultStatus)
-    refused(Ask::Fault);
+    refused(Request::Fault);
 }
 
 bool Device::isMalformedNow(MessageId id, Instant now) const {

@@ -104,13 +104,13 @@ struct Device {
   auto heartbeat() const { return reported<&heartbeatState>(MessageId::Heartbeat); }
 
   // When it was first asked for something without an answer since; kNotYet: it answered, or was never asked.
-  Instant askedInVain(Ask ask) const { return m_askedInVain[ask]; }
-  void asked(Ask ask, Instant time) {
-    if (m_askedInVain[ask] == kNotYet) m_askedInVain[ask] = time;
+  Instant askedInVain(Request request) const { return m_askedInVain[request]; }
+  void asked(Request request, Instant time) {
+    if (m_askedInVain[request] == kNotYet) m_askedInVain[request] = time;
   }
 
   // Whether it was asked for something and the last answer does not say it: an SDO abort, or a wrong length.
-  bool hasRefused(Ask ask) const { return m_refused.has(ask); }
+  bool hasRefused(Request request) const { return m_refused.has(request); }
 
   // Whether one of kPeriodicReports came and is older than three of its periods.
   bool isStale(MessageId id) const { return m_stale.has(id); }
@@ -131,14 +131,14 @@ struct Device {
   friend bool operator==(const Device&, const Device&) = default;
 
  private:
-  void answered(Ask ask) {
-    m_askedInVain[ask] = kNotYet;
-    m_refused.remove(ask);
+  void answered(Request request) {
+    m_askedInVain[request] = kNotYet;
+    m_refused.remove(request);
   }
   // What was not asked cannot be refused.
-  void refused(Ask ask) {
-    if (m_askedInVain[ask] != kNotYet) m_refused.add(ask);
-    m_askedInVain[ask] = kNotYet;
+  void refused(Request request) {
+    if (m_askedInVain[request] != kNotYet) m_refused.add(request);
+    m_askedInVain[request] = kNotYet;
   }
   void statusCame(Instant time);
   void takeStatus(const Frame& frame, MessageId id, Instant time);
@@ -147,12 +147,12 @@ struct Device {
 
   std::array<Report, kReports.size()> m_reports;
   std::array<Pace, kOwnPeriodicReports.size()> m_paces;
-  EnumArray<Ask, Instant> m_askedInVain = [] {
-    EnumArray<Ask, Instant> never;
+  EnumArray<Request, Instant> m_askedInVain = [] {
+    EnumArray<Request, Instant> never;
     for (Instant& time : never) time = kNotYet;
     return never;
   }();
-  EnumSet<Ask> m_refused;
+  EnumSet<Request> m_refused;
   EnumSet<MessageId> m_stale;
   EnumSet<MessageId> m_malformed;       // reports that came in a wrong length last
   Instant m_malformedStatus = kNotYet;  // when the last of them came

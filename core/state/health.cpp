@@ -43,7 +43,7 @@ Subject subjectOf(const State& state, const Device& device) {
 }
 
 // A device of Akron's, or one that speaks as they do; a node if it has shown that it is a monitor.
-bool canBeAsked(const Subject& s) {
+bool canBeRequested(const Subject& s) {
   if (s.device == nullptr) return false;
   if (!s.isNode()) return true;
   const Device& d = *s.device;
@@ -209,7 +209,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     {HealthCause::TwoAtOneAddress,
      [](const Subject&, const Health& h) { return h.sharedAddress != kNullAddress; }},
     {HealthCause::FaultsNamed,
-     [](const Subject& s, const Health& h) { return canBeAsked(s) && !h.faults.isEmpty(); }},
+     [](const Subject& s, const Health& h) { return canBeRequested(s) && !h.faults.isEmpty(); }},
     {HealthCause::SensorError, [](const Subject&, const Health& h) { return !h.sensorError.isEmpty(); }},
     {HealthCause::OperationalError,
      [](const Subject& s, const Health&) {
@@ -240,12 +240,12 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     {HealthCause::Malformed, [](const Subject& s, const Health&) { return isMalformed(s); }},
     {HealthCause::FaultsNotAnswered,
      [](const Subject& s, const Health&) {
-       return canBeAsked(s) && isUnanswered(*s.device, Ask::Fault, s.now());
+       return canBeRequested(s) && isUnanswered(*s.device, Request::Fault, s.now());
      }},
     {HealthCause::FaultsRefused,
      [](const Subject& s, const Health&) {
-       return canBeAsked(s) && s.device->hasRefused(Ask::Fault) &&
-              !isUnanswered(*s.device, Ask::Fault, s.now());
+       return canBeRequested(s) && s.device->hasRefused(Request::Fault) &&
+              !isUnanswered(*s.device, Request::Fault, s.now());
      }},
     {HealthCause::Idle,
      [](const Subject& s, const Health&) {
@@ -254,14 +254,15 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      }},
     {HealthCause::FaultsAwaited,
      [](const Subject& s, const Health& h) {
-       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) != kNotYet &&
-              !s.device->hasRefused(Ask::Fault) && !isUnanswered(*s.device, Ask::Fault, s.now());
+       return canBeRequested(s) && h.answered == kNotYet &&
+              s.device->askedInVain(Request::Fault) != kNotYet && !s.device->hasRefused(Request::Fault) &&
+              !isUnanswered(*s.device, Request::Fault, s.now());
      }},
-    {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return canBeAsked(s) && isOld(h); }},
+    {HealthCause::FaultsOld, [](const Subject& s, const Health& h) { return canBeRequested(s) && isOld(h); }},
     {HealthCause::FaultsNeverAsked,
      [](const Subject& s, const Health& h) {
-       return canBeAsked(s) && h.answered == kNotYet && s.device->askedInVain(Ask::Fault) == kNotYet &&
-              !s.device->hasRefused(Ask::Fault);
+       return canBeRequested(s) && h.answered == kNotYet &&
+              s.device->askedInVain(Request::Fault) == kNotYet && !s.device->hasRefused(Request::Fault);
      }},
     {HealthCause::StatusNeverHeard, [](const Subject&, const Health& h) { return !h.neverHeard.isEmpty(); }},
     {HealthCause::NotAnnounced,
@@ -270,7 +271,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      }},
     {HealthCause::CannotBeAsked,
      [](const Subject& s, const Health&) {
-       return !canBeAsked(s) && (s.device != nullptr || !s.channel.book.isAkron(s.address));
+       return !canBeRequested(s) && (s.device != nullptr || !s.channel.book.isAkron(s.address));
      }},
 }};
 
@@ -287,7 +288,7 @@ Health judge(const Subject& s) {
     h.answer = AnswerAge::Current;
   }
   if (!h.has(HealthCause::Late)) h.late = {};
-  if (h.has(HealthCause::FaultsNotAnswered)) h.asked = s.device->askedInVain(Ask::Fault);
+  if (h.has(HealthCause::FaultsNotAnswered)) h.asked = s.device->askedInVain(Request::Fault);
   return h;
 }
 
@@ -316,8 +317,8 @@ Address sharedAddressOf(const State& state, const Device& device) {
   return health.sharedAddress;
 }
 
-bool isUnanswered(const Device& device, Ask ask, Instant now) {
-  const Instant first = device.askedInVain(ask);
+bool isUnanswered(const Device& device, Request request, Instant now) {
+  const Instant first = device.askedInVain(request);
   return first != kNotYet && now - first >= kUnansweredAfter;
 }
 

@@ -76,6 +76,6 @@ Address sharedAddressOf(const State& state, const Device& device);
 AnswerAge ageOfAnswer(const State& state, const Device& device, Instant answered);
 // An answer is missing if none came within the three tries of a poll.
 inline constexpr Duration kUnansweredAfter = 1500ms;
-bool isUnanswered(const Device& device, Ask ask, Instant now);
+bool isUnanswered(const Device& device, Request request, Instant now);
 
 }  // namespace deckpipe

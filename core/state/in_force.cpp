@@ -65,10 +65,11 @@ std::optional<NoteSubject> subjectOf(const NoteValue& value) {
                  return About({3, n.channel, n.address});
                },
                [](const note::Mark&) { return About(); }, [](const note::Dropped&) { return About(); },
-               [](const note::Asked&) { return About(); }, [](const note::AskEnded&) { return About(); },
-               [](const note::AskWaits&) { return About(); }, [](const note::StillWaits&) { return About(); },
-               [](const note::Pipe&) { return About(); }, [](const note::LeftOut&) { return About(); },
-               [](const note::Label&) { return About(); }, [](const note::Added&) { return About(); }},
+               [](const note::Asked&) { return About(); }, [](const note::RequestEnded&) { return About(); },
+               [](const note::RequestWaits&) { return About(); },
+               [](const note::StillWaits&) { return About(); }, [](const note::Pipe&) { return About(); },
+               [](const note::LeftOut&) { return About(); }, [](const note::Label&) { return About(); },
+               [](const note::Added&) { return About(); }},
       value);
 }
 

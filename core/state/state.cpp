@@ -156,7 +156,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
           if (sender != nullptr) sender->take(frame, what.message, time);
         } else if (message.part == Part::Asks) {
           if (Device* device = m_devices.findAddress(channelId, id.destination))
-            device->asked(message.ask, time);
+            device->asked(message.request, time);
         }
         break;
     }
@@ -235,22 +235,23 @@ void State::apply(const Note& note) {
   const auto about = channelOf(note.value);
   if (!about || about->value >= kMaxChannels) return;
   ChannelState& channel = use(*about);
-  std::visit(Overload{[&](const note::LinkUp&) {
-                        linkIs(*about, ChannelLink::Up);
-                        channel.controller = ControllerState::Unknown;
-                      },
-                      [&](const note::LinkDown&) { linkIs(*about, ChannelLink::Down); },
-                      [&](const note::Dropped& n) { channel.dropped += n.count; },
-                      [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
-                      [&](const note::OwnAddress& n) {
-                        channel.ownAddress = n.address;
-                        if (isNode(n.address)) channel.wereOwn.set(n.address.value);
-                      },
-                      [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
-                      [](const note::Asked&) {}, [](const note::AskWaits&) {}, [](const note::AskEnded&) {},
-                      [](const note::StillWaits&) {}, [](const note::Pipe&) {}, [](const note::LeftOut&) {},
-                      [](const note::Label&) {}, [](const note::Added&) {}},
-             note.value);
+  std::visit(
+      Overload{[&](const note::LinkUp&) {
+                 linkIs(*about, ChannelLink::Up);
+                 channel.controller = ControllerState::Unknown;
+               },
+               [&](const note::LinkDown&) { linkIs(*about, ChannelLink::Down); },
+               [&](const note::Dropped& n) { channel.dropped += n.count; },
+               [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
+               [&](const note::OwnAddress& n) {
+                 channel.ownAddress = n.address;
+                 if (isNode(n.address)) channel.wereOwn.set(n.address.value);
+               },
+               [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
+               [](const note::Asked&) {}, [](const note::RequestWaits&) {}, [](const note::RequestEnded&) {},
+               [](const note::StillWaits&) {}, [](const note::Pipe&) {}, [](const note::LeftOut&) {},
+               [](const note::Label&) {}, [](const note::Added&) {}},
+      note.value);
 }
 
 // No time-out runs while nothing can be heard.

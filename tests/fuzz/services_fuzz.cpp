@@ -149,19 +149,20 @@ void announce(Console& console, Input& in) {
 
 void wishFrom(Console& console, Input& in) {
   const DeviceKey device = deviceFrom(in);
-  AskSet asks;
+  RequestSet requests;
   const unsigned bits = in.next();
-  for (const Ask ask : kAllOf<Ask>) {
-    if ((bits >> static_cast<unsigned>(ask) & 1u) != 0) asks.add(ask);
+  for (const Request request : kAllOf<Request>) {
+    if ((bits >> static_cast<unsigned>(request) & 1u) != 0) requests.add(request);
   }
   switch (in.next() % 12) {
     case 0: return console.want(wish::Lock{});
-    case 1: return console.want(wish::AskNames{});
+    case 1: return console.want(wish::RequestNames{});
     case 2: return console.want(wish::Cancel{device});
     case 3:
-      return console.want(wish::Repeat{device, asks, Duration(1s) * static_cast<std::int64_t>(in.next())});
+      return console.want(
+          wish::Repeat{device, requests, Duration(1s) * static_cast<std::int64_t>(in.next())});
     case 4:
-    case 5: return console.want(wish::AskDevice{device, asks});
+    case 5: return console.want(wish::SendRequests{device, requests});
     case 6: return console.want(wish::PipeWrite{device, std::string(in.next(), 'x')});
     case 7:
       return console.want(

@@ -27,14 +27,14 @@ struct Stuck : ::testing::Test {
   bool begin() {
     if (!console.waitFor(SourceStatus::Progress::Running)) return false;
     console.session.want(wish::Unlock{});
-    return console.waitUntil([&] { return services().canAsk() && services().find(monitor) != nullptr; });
+    return console.waitUntil([&] { return services().canRequest() && services().find(monitor) != nullptr; });
   }
   const ServiceStatus& services() const { return *console.session.snapshot().services; }
   RequestStatus command() const {
     const DeviceServices* device = services().find(monitor);
-    return device != nullptr ? device->of(Ask::SetupMode) : RequestStatus{};
+    return device != nullptr ? device->of(Request::SetupMode) : RequestStatus{};
   }
-  void ask() { console.session.want(wish::AskDevice{monitor, AskSet{Ask::SetupMode}}); }
+  void request() { console.session.want(wish::SendRequests{monitor, RequestSet{Request::SetupMode}}); }
   const Program twin;
   Console console{QStringLiteral("can0")};
   const DeviceKey monitor = DeviceKey::of(*Pin::parse(kMonitorPin));
@@ -43,11 +43,11 @@ struct Stuck : ::testing::Test {
 TEST_F(Stuck, ACommandInAFrozenAdapterIsSaidToWaitBeyondALockUntilTheInterfaceGoesDown) {
   ASSERT_TRUE(begin());
   if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
-  console.session.want(wish::AskNames{});  // takes what the queue lets pass at once
-  ask();
+  console.session.want(wish::RequestNames{});  // takes what the queue lets pass at once
+  request();
   ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
   EXPECT_EQ(command().progress, RequestStatus::Progress::NotOnBusYet);
-  EXPECT_EQ(console.notes<note::AskWaits>().size(), 1u);
+  EXPECT_EQ(console.notes<note::RequestWaits>().size(), 1u);
   console.session.want(wish::Lock{});
   ASSERT_TRUE(console.waitUntil([&] { return services().locked; }));
   EXPECT_EQ(console.notes<note::StillWaits>().size(), 1u);
@@ -83,8 +83,8 @@ TEST_F(Stuck, ACommandThatWaitsAtALockIsTheLastThatASecondCardHears) {
   SecondCard second;
   ASSERT_TRUE(second.listens() && begin());
   if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
-  console.session.want(wish::AskNames{});  // takes what the queue lets pass at once
-  ask();
+  console.session.want(wish::RequestNames{});  // takes what the queue lets pass at once
+  request();
   ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
   console.session.want(wish::Lock{});
   ASSERT_TRUE(console.waitUntil([&] { return services().locked; }));
@@ -98,8 +98,8 @@ TEST_F(Stuck, ACommandThatWaitsInTheKernelOutlivesTheLinkAndNothingFollowsIt) {
   SecondCard second;
   ASSERT_TRUE(second.listens() && begin());
   if (!freeze(20)) GTEST_SKIP() << "this kernel has no tbf";
-  console.session.want(wish::AskNames{});
-  ask();
+  console.session.want(wish::RequestNames{});
+  request();
   ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
   const auto log = console.session.snapshot().view.document;
   console.session.closeSource();
@@ -116,9 +116,9 @@ TEST_F(Stuck, WhatAFullQueueRefusesWasNotSent) {
   ASSERT_TRUE(begin());
   if (!freeze(1)) GTEST_SKIP() << "this kernel has no tbf";
   const std::uint64_t before = services().notTaken;
-  for (int i = 0; i < 10; ++i) console.session.want(wish::AskNames{});
+  for (int i = 0; i < 10; ++i) console.session.want(wish::RequestNames{});
   EXPECT_TRUE(console.waitUntil([&] { return services().notTaken > before; }));
-  ask();
+  request();
   EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::NotOnBus; }));
   EXPECT_TRUE(services().waitingCommands.empty());
 }

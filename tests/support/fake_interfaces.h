@@ -65,7 +65,7 @@ class FakeInterfaces : public InterfaceSource {
     if (m_isAsked) answerSoon();
   }
 
-  void ask(const std::string& name) override {
+  void request(const std::string& name) override {
     if (m_now && name == m_name) {
       m_answer = *m_now;
     } else {

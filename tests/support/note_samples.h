@@ -35,12 +35,13 @@ template <>
 inline const note::OwnAddress kSample<note::OwnAddress>{kNotedChannel, kNotedAddress,
                                                         note::OwnAddress::How::Lost};
 template <>
-inline const note::Asked kSample<note::Asked>{kNotedChannel, kNotedAddress, kNotedPin, Ask::Reset};
+inline const note::Asked kSample<note::Asked>{kNotedChannel, kNotedAddress, kNotedPin, Request::Reset};
 template <>
-inline const note::AskEnded kSample<note::AskEnded>{kNotedChannel, kNotedAddress, kNotedPin, Ask::Vista,
-                                                    RequestEnd::AnsweredLate};
+inline const note::RequestEnded kSample<note::RequestEnded>{kNotedChannel, kNotedAddress, kNotedPin,
+                                                            Request::Vista, RequestEnd::AnsweredLate};
 template <>
-inline const note::AskWaits kSample<note::AskWaits>{kNotedChannel, kNotedAddress, kNotedPin, Ask::ZeroAxes};
+inline const note::RequestWaits kSample<note::RequestWaits>{kNotedChannel, kNotedAddress, kNotedPin,
+                                                            Request::ZeroAxes};
 template <>
 inline const note::StillWaits kSample<note::StillWaits>{kNotedChannel, 5};
 template <>

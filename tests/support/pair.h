@@ -44,10 +44,10 @@ struct Console {
   Instant frozenUntil = kNotYet;
 
   ServiceStatus status(Instant now) { return services.status(now, state); }
-  RequestStatus request(Instant now, const DeviceKey& key, Ask ask) {
+  RequestStatus request(Instant now, const DeviceKey& key, Request request) {
     const ServiceStatus all = status(now);
     const DeviceServices* device = all.find(key);
-    return device != nullptr ? device->of(ask) : RequestStatus{};
+    return device != nullptr ? device->of(request) : RequestStatus{};
   }
   PipeStatus pipe(Instant now, const DeviceKey& key) {
     const ServiceStatus all = status(now);

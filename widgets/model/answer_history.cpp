@@ -38,7 +38,7 @@ void AnswerHistory::setView(const LogView& view, const DeviceKey& device) {
   std::vector<Row> fresh;
   for (; m_taken < m_exchanges->size() && (*m_exchanges)[m_taken].frame < m_cursor.frames; ++m_taken) {
     const Exchange& exchange = (*m_exchanges)[m_taken];
-    if (exchange.device == m_device && exchange.isFromDevice && askAnsweredBy(exchange.message))
+    if (exchange.device == m_device && exchange.isFromDevice && requestAnsweredBy(exchange.message))
       fresh.push_back(read(exchange));
   }
   if (fresh.empty()) return;
@@ -76,7 +76,7 @@ AnswerHistory::Row AnswerHistory::read(const Exchange& exchange) {
   Row row;
   row.frame = exchange.frame;
   row.time = exchange.time;
-  row.ask = *askAnsweredBy(exchange.message);
+  row.request = *requestAnsweredBy(exchange.message);
   row.message = exchange.message;
   row.answer = summaryText(frame, asAkron(exchange.message));
   if (row.answer.isEmpty()) row.answer = messageName(message.id);
@@ -99,18 +99,18 @@ AnswerHistory::Row AnswerHistory::read(const Exchange& exchange) {
   return row;
 }
 
-const AnswerHistory::Row* AnswerHistory::latest(Ask ask) const {
+const AnswerHistory::Row* AnswerHistory::latest(Request request) const {
   for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
-    if (row->ask == ask) return &*row;
+    if (row->request == request) return &*row;
   }
   return nullptr;
 }
 
-QString AnswerHistory::latestText(Ask ask) const {
-  const Row* last = latest(ask);
+QString AnswerHistory::latestText(Request request) const {
+  const Row* last = latest(request);
   if (last == nullptr) return {};
   for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
-    if (row->ask == ask && row->message != last->message)
+    if (row->request == request && row->message != last->message)
       return row->answer + QLatin1Char('\n') + last->answer;
   }
   return last->answer;
@@ -129,7 +129,7 @@ QVariant AnswerHistory::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
   switch (index.column()) {
     case When: return elapsedText(row.time - m_view.begin);
-    case What: return askText(row.ask);
+    case What: return requestText(row.request);
     case Answer: return row.answer;
     case Changed:
       return row.isFirst ? tr("first answer") : row.changed.isEmpty() ? tr("unchanged") : row.changed;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "control/ask.h"
+#include "control/request.h"
 #include "protocol/lists.h"
 #include "state/log_view.h"
 
@@ -30,7 +30,7 @@ class AnswerHistory : public QAbstractTableModel {
   struct Row {
     std::uint64_t frame = 0;
     Instant time;
-    Ask ask = Ask::Fault;
+    Request request = Request::Fault;
     MessageId message = MessageId::Count;
     QString answer;
     QString changed;  // empty: nothing, or the first of its kind
@@ -38,9 +38,9 @@ class AnswerHistory : public QAbstractTableModel {
   };
   const std::vector<Row>& rows() const { return m_rows; }
   // The last row of a kind; null where none came.
-  const Row* latest(Ask ask) const;
+  const Row* latest(Request request) const;
   // The last answer in words; of one that takes two messages both, a line each.
-  QString latestText(Ask ask) const;
+  QString latestText(Request request) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-#include "control/ask.h"
+#include "control/request.h"
 #include "text/age_text.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
@@ -16,7 +16,8 @@ struct HealthWords {
   Q_DECLARE_TR_FUNCTIONS(HealthWords)
 };
 
-static_assert(kUnansweredAfter == kAskFacts[Ask::Fault].patience * kAskFacts[Ask::Fault].tries,
+static_assert(kUnansweredAfter ==
+                  kRequestFacts[Request::Fault].patience * kRequestFacts[Request::Fault].tries,
               "a log calls a poll unanswered when the console that sent it would");
 
 const QString kComma = QStringLiteral(", ");
@@ -123,19 +124,20 @@ QString faultSummary(std::uint32_t faults, unsigned errorCode) {
   return parts.isEmpty() ? HealthWords::tr("no faults") : parts.join(kComma);
 }
 
-QString noAnswerText(const Device& device, std::optional<Ask> ask, Instant now) {
-  if (ask && isUnanswered(device, *ask, now))
-    return HealthWords::tr("no answer, asked %1").arg(agoText(now - device.askedInVain(*ask)));
-  if (ask && device.askedInVain(*ask) != kNotYet) return HealthWords::tr("asked just now");
-  if (ask && device.hasRefused(*ask)) return HealthWords::tr("refused, or answered in a wrong length");
+QString noAnswerText(const Device& device, std::optional<Request> request, Instant now) {
+  if (request && isUnanswered(device, *request, now))
+    return HealthWords::tr("no answer, asked %1").arg(agoText(now - device.askedInVain(*request)));
+  if (request && device.askedInVain(*request) != kNotYet) return HealthWords::tr("asked just now");
+  if (request && device.hasRefused(*request))
+    return HealthWords::tr("refused, or answered in a wrong length");
   return HealthWords::tr("never asked");
 }
 
-QString askedAgainText(const Device& device, Ask ask, Instant now) {
-  if (isUnanswered(device, ask, now))
-    return HealthWords::tr("asked again %1, no answer").arg(agoText(now - device.askedInVain(ask)));
-  const bool isOpen = device.askedInVain(ask) != kNotYet;
-  if (!isOpen && device.hasRefused(ask))
+QString askedAgainText(const Device& device, Request request, Instant now) {
+  if (isUnanswered(device, request, now))
+    return HealthWords::tr("asked again %1, no answer").arg(agoText(now - device.askedInVain(request)));
+  const bool isOpen = device.askedInVain(request) != kNotYet;
+  if (!isOpen && device.hasRefused(request))
     return HealthWords::tr("asked again: refused, or answered in a wrong length");
   return {};
 }

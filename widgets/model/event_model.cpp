@@ -14,9 +14,9 @@ namespace {
 // Notes among which the question is looked for that an answer belongs to.
 constexpr std::size_t kQuestionRows = 256;
 
-bool isOfOneQuestion(const DeviceKey& device, Ask ask, const Note& ended) {
-  const auto* end = std::get_if<note::AskEnded>(&ended.value);
-  return end != nullptr && end->ask == ask && keyOf(ended) == device;
+bool isOfOneQuestion(const DeviceKey& device, Request request, const Note& ended) {
+  const auto* end = std::get_if<note::RequestEnded>(&ended.value);
+  return end != nullptr && end->request == request && keyOf(ended) == device;
 }
 
 }  // namespace
@@ -50,23 +50,23 @@ void EventModel::setLabels(const DeviceLabels& labels) {
 std::vector<EventModel::Row> EventModel::noteRows(const std::vector<Note>& notes) const {
   std::vector<Row> rows;
   rows.reserve(notes.size());
-  const auto last = [&](std::size_t i, Ask ask) {
+  const auto last = [&](std::size_t i, Request request) {
     const DeviceKey device = keyOf(notes[i]);
     const auto end = rows.rbegin() + static_cast<std::ptrdiff_t>(std::min(rows.size(), kQuestionRows));
     const auto found = std::find_if(rows.rbegin(), end, [&](const Row& row) {
       const auto* asked = std::get_if<note::Asked>(&notes[row.index].value);
-      return (asked != nullptr && asked->ask == ask && keyOf(notes[row.index]) == device) ||
-             isOfOneQuestion(device, ask, notes[row.index]);
+      return (asked != nullptr && asked->request == request && keyOf(notes[row.index]) == device) ||
+             isOfOneQuestion(device, request, notes[row.index]);
     });
     return found == end ? rows.rend() : found;
   };
   for (std::size_t i = 0; i < notes.size(); ++i) {
-    const auto* ended = std::get_if<note::AskEnded>(&notes[i].value);
+    const auto* ended = std::get_if<note::RequestEnded>(&notes[i].value);
     if (ended != nullptr) {
-      auto before = last(i, ended->ask);
+      auto before = last(i, ended->request);
       if (before != rows.rend() && std::holds_alternative<note::Asked>(notes[before->index].value)) {
         rows.erase(std::next(before).base());
-        before = last(i, ended->ask);
+        before = last(i, ended->request);
       }
       if (before != rows.rend() && notes[before->index].value == notes[i].value) {
         ++before->times;

@@ -234,61 +234,62 @@ QString pipeText(const note::Pipe& n) {
 QString noteText(const LogDocument& log, const Note& note) {
   const auto busOf = [&log](const auto& n) { return toQString(log.frames.channelName(n.channel.value)); };
   return std::visit(
-      Overload{[](const note::Mark& n) {
-                 return n.text.isEmpty() ? EventText::tr("Mark") : toQString(n.text.str());
-               },
-               [&](const note::LinkUp& n) {
-                 const QString text = EventText::tr("%1 up").arg(busOf(n));
-                 return n.adapter.isEmpty() ? text
-                                            : QStringLiteral("%1: %2").arg(text, toQString(n.adapter.str()));
-               },
-               [&](const note::LinkDown& n) {
-                 const QString text = EventText::tr("%1 down").arg(busOf(n));
-                 const QString why = n.words.isEmpty() ? linkFaultText(n.fault) : toQString(n.words.str());
-                 return why.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, why);
-               },
-               [&](const note::Dropped& n) {
-                 return EventText::tr("%1: %Ln frames lost", nullptr, forPlural(n.count)).arg(busOf(n));
-               },
-               [](const note::Locked&) { return EventText::tr("Transmit locked"); },
-               [](const note::Unlocked&) { return EventText::tr("Transmit unlocked"); },
-               [&](const note::DriveSaid& n) {
-                 return (n.isDrive ? EventText::tr("%1: address %2 is a drive")
-                                   : EventText::tr("%1: address %2 is no drive"))
-                     .arg(busOf(n), hexText(n.address.value));
-               },
-               [](const note::OwnAddress& n) { return ownAddressText(n); },
-               [](const note::Asked& n) { return EventText::tr("%1: asked").arg(askText(n.ask)); },
-               [](const note::AskEnded& n) {
-                 return EventText::tr("%1: %2").arg(askText(n.ask), requestEndText(n.ask, n.end));
-               },
-               [](const note::AskWaits& n) {
-                 return EventText::tr("%1: not on the bus yet; it may still go out").arg(askText(n.ask));
-               },
-               [&](const note::StillWaits& n) {
-                 return EventText::tr("%1: %Ln frames are not on the bus yet and may still go out", nullptr,
-                                      forPlural(n.count))
-                     .arg(busOf(n));
-               },
-               [](const note::Pipe& n) { return pipeText(n); },
-               [&](const note::LeftOut& n) {
-                 return (n.why == note::LeftOut::Why::CanFd
-                             ? EventText::tr("%1: %Ln CAN FD frames came and are not held", nullptr,
-                                             forPlural(n.count))
-                             : EventText::tr("%1: %Ln frames came that are not classic CAN and are not held",
-                                             nullptr, forPlural(n.count)))
-                     .arg(busOf(n));
-               },
-               [](const note::Label& n) {
-                 return EventText::tr("%1 is called “%2”", "PIN, label")
-                     .arg(toQString(n.pin.text()), toQString(n.text.str()));
-               },
-               [](const note::Added& n) {
-                 return EventText::tr(
-                     "%Ln frames were added here when this part was saved: who held which "
-                     "address",
-                     nullptr, forPlural(n.count));
-               }},
+      Overload{
+          [](const note::Mark& n) {
+            return n.text.isEmpty() ? EventText::tr("Mark") : toQString(n.text.str());
+          },
+          [&](const note::LinkUp& n) {
+            const QString text = EventText::tr("%1 up").arg(busOf(n));
+            return n.adapter.isEmpty() ? text
+                                       : QStringLiteral("%1: %2").arg(text, toQString(n.adapter.str()));
+          },
+          [&](const note::LinkDown& n) {
+            const QString text = EventText::tr("%1 down").arg(busOf(n));
+            const QString why = n.words.isEmpty() ? linkFaultText(n.fault) : toQString(n.words.str());
+            return why.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, why);
+          },
+          [&](const note::Dropped& n) {
+            return EventText::tr("%1: %Ln frames lost", nullptr, forPlural(n.count)).arg(busOf(n));
+          },
+          [](const note::Locked&) { return EventText::tr("Transmit locked"); },
+          [](const note::Unlocked&) { return EventText::tr("Transmit unlocked"); },
+          [&](const note::DriveSaid& n) {
+            return (n.isDrive ? EventText::tr("%1: address %2 is a drive")
+                              : EventText::tr("%1: address %2 is no drive"))
+                .arg(busOf(n), hexText(n.address.value));
+          },
+          [](const note::OwnAddress& n) { return ownAddressText(n); },
+          [](const note::Asked& n) { return EventText::tr("%1: asked").arg(requestText(n.request)); },
+          [](const note::RequestEnded& n) {
+            return EventText::tr("%1: %2").arg(requestText(n.request), requestEndText(n.request, n.end));
+          },
+          [](const note::RequestWaits& n) {
+            return EventText::tr("%1: not on the bus yet; it may still go out").arg(requestText(n.request));
+          },
+          [&](const note::StillWaits& n) {
+            return EventText::tr("%1: %Ln frames are not on the bus yet and may still go out", nullptr,
+                                 forPlural(n.count))
+                .arg(busOf(n));
+          },
+          [](const note::Pipe& n) { return pipeText(n); },
+          [&](const note::LeftOut& n) {
+            return (n.why == note::LeftOut::Why::CanFd
+                        ? EventText::tr("%1: %Ln CAN FD frames came and are not held", nullptr,
+                                        forPlural(n.count))
+                        : EventText::tr("%1: %Ln frames came that are not classic CAN and are not held",
+                                        nullptr, forPlural(n.count)))
+                .arg(busOf(n));
+          },
+          [](const note::Label& n) {
+            return EventText::tr("%1 is called “%2”", "PIN, label")
+                .arg(toQString(n.pin.text()), toQString(n.text.str()));
+          },
+          [](const note::Added& n) {
+            return EventText::tr(
+                "%Ln frames were added here when this part was saved: who held which "
+                "address",
+                nullptr, forPlural(n.count));
+          }},
       note.value);
 }
 

@@ -28,12 +28,12 @@ class Answers {
       : m_state(state), m_device(device), m_now(state.cursor().time) {}
 
   // `answer` is a Timed or a Reported of the device. `ask`: the poll for it; nothing where Deckpipe has none.
-  PageFact fact(const QString& label, const auto& answer, std::optional<Ask> ask, const QString& value,
-                Severity tone = Severity::Plain) const {
-    const QString again = ask ? askedAgainText(m_device, *ask, m_now) : QString();
+  PageFact fact(const QString& label, const auto& answer, std::optional<Request> request,
+                const QString& value, Severity tone = Severity::Plain) const {
+    const QString again = request ? askedAgainText(m_device, *request, m_now) : QString();
     if (!answer.isKnown())
       return {label,
-              noAnswerText(m_device, ask, m_now),
+              noAnswerText(m_device, request, m_now),
               again.isEmpty() ? Severity::Unknown : Severity::Attend,
               {}};
     const AnswerAge age = ageOfAnswer(m_state, m_device, answer.at);
@@ -95,7 +95,7 @@ PageFactGroup faultsOf(const State& state, const Device& d) {
   const Answers answers(state, d);
   const FaultStatus faults = d.faults().value();
   const QStringList lines = faultLines(faults.map);
-  group.facts.push_back(answers.fact(Facts::tr("Fault bits"), d.faults(), Ask::Fault,
+  group.facts.push_back(answers.fact(Facts::tr("Fault bits"), d.faults(), Request::Fault,
                                      lines.isEmpty() ? Facts::tr("none set") : lines.join(QLatin1Char('\n')),
                                      lines.isEmpty() ? Severity::Fine : Severity::Fault));
   const auto errorOf = [](unsigned code) { return code == 0 ? Facts::tr("none") : pcodeErrorText(code); };
@@ -112,7 +112,7 @@ PageFactGroup faultsOf(const State& state, const Device& d) {
         plain(label, Facts::tr("not in the short answer of older firmware"), Severity::Unknown));
   } else {
     const unsigned code = faults.pcodeError.value_or(0);
-    group.facts.push_back(answers.fact(label, d.faults(), Ask::Fault, errorOf(code), toneOfError(code)));
+    group.facts.push_back(answers.fact(label, d.faults(), Request::Fault, errorOf(code), toneOfError(code)));
   }
   return group;
 }
@@ -127,17 +127,17 @@ PageFactGroup versionsOf(const State& state, const Device& d) {
   }
   const FirmwareVersions f = d.firmware().value();
   group.facts.push_back(
-      answers.fact(Facts::tr("Firmware"), d.firmware(), Ask::Firmware,
+      answers.fact(Facts::tr("Firmware"), d.firmware(), Request::Firmware,
                    Facts::tr("system %1, bootloader %2, fixed boot %3")
                        .arg(versionText(f.system), versionText(f.bootloader), versionText(f.fixedBoot))));
   const PcodeVersion p = d.pcode().value();
   group.facts.push_back(
-      answers.fact(Facts::tr("pCode"), d.pcode(), Ask::Pcode,
+      answers.fact(Facts::tr("pCode"), d.pcode(), Request::Pcode,
                    Facts::tr("version %1\nstyle %2\nsubtype %3")
                        .arg(versionText(p.version), styleText(p.style), subtypeText(p.subtype))));
   const ConfigVersion c = d.config().value();
   group.facts.push_back(
-      answers.fact(Facts::tr("Configuration"), d.config(), Ask::Config,
+      answers.fact(Facts::tr("Configuration"), d.config(), Request::Config,
                    Facts::tr("version %1\npart %2").arg(versionText(c.version), partText(c.type))));
   return group;
 }

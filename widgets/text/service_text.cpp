@@ -12,26 +12,26 @@ struct ServiceText {
 
 }  // namespace
 
-QString askText(Ask ask) {
-  switch (ask) {
-    case Ask::Fault: return ServiceText::tr("Faults");
-    case Ask::Firmware: return ServiceText::tr("Firmware");
-    case Ask::Pcode: return ServiceText::tr("pCode");
-    case Ask::Config: return ServiceText::tr("Configuration");
-    case Ask::Vista: return ServiceText::tr("Vista status");
-    case Ask::ZeroAxes: return ServiceText::tr("Zero axes");
-    case Ask::Reset: return ServiceText::tr("Reset");
-    case Ask::SetupMode: return ServiceText::tr("Setup mode");
-    case Ask::Count: break;
+QString requestText(Request request) {
+  switch (request) {
+    case Request::Fault: return ServiceText::tr("Faults");
+    case Request::Firmware: return ServiceText::tr("Firmware");
+    case Request::Pcode: return ServiceText::tr("pCode");
+    case Request::Config: return ServiceText::tr("Configuration");
+    case Request::Vista: return ServiceText::tr("Vista status");
+    case Request::ZeroAxes: return ServiceText::tr("Zero axes");
+    case Request::Reset: return ServiceText::tr("Reset");
+    case Request::SetupMode: return ServiceText::tr("Setup mode");
+    case Request::Count: break;
   }
   return {};
 }
 
-QString requestEndText(Ask ask, RequestEnd end) {
+QString requestEndText(Request request, RequestEnd end) {
   switch (end) {
     case RequestEnd::None: return {};
     case RequestEnd::Answered:
-      return ask == Ask::Reset ? ServiceText::tr("restarted") : ServiceText::tr("answered");
+      return request == Request::Reset ? ServiceText::tr("restarted") : ServiceText::tr("answered");
     case RequestEnd::WrongAnswer: return ServiceText::tr("answered with a wrong length");
     case RequestEnd::NoAnswer: return ServiceText::tr("no answer");
     case RequestEnd::Cancelled: return ServiceText::tr("cancelled");

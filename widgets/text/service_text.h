@@ -12,10 +12,10 @@
 namespace deckpipe {
 
 // "Faults", "Firmware".
-QString askText(Ask ask);
+QString requestText(Request request);
 // "answered", "no answer".
 // A reset that was seen is "restarted".
-QString requestEndText(Ask ask, RequestEnd end);
+QString requestEndText(Request request, RequestEnd end);
 // A whole sentence.
 QString refusalText(Refusal refusal);
 // "the interface is down"; empty for None.

@@ -224,7 +224,7 @@ TEST_F(Looks, F1OnARowOfTheTraceExplainsItsMessage) {
 // Whatever stands under the pointer says what it is, if only by its tool tip.
 TEST_F(Looks, WhatsThisExplainsWhatIsPointedAt) {
   openLog(kTruck);
-  const auto ask = [](QWidget* widget, QPoint at) {
+  const auto request = [](QWidget* widget, QPoint at) {
     QHelpEvent event(QEvent::WhatsThis, at, widget->mapToGlobal(at));
     QApplication::sendEvent(widget, &event);
     const QWidgetList all = QApplication::topLevelWidgets();
@@ -234,11 +234,11 @@ TEST_F(Looks, WhatsThisExplainsWhatIsPointedAt) {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     return isSaid;
   };
-  EXPECT_TRUE(ask(only<TracePanel>()->view()->viewport(), {200, 5})) << "a row";
+  EXPECT_TRUE(request(only<TracePanel>()->view()->viewport(), {200, 5})) << "a row";
   auto* follow = named<QWidget>("traceFollow");
   EXPECT_TRUE(follow->whatsThis().isEmpty());
-  EXPECT_TRUE(ask(follow, {4, 4})) << "by its tool tip";
-  EXPECT_FALSE(ask(m_window.menuBar(), {600, 4})) << "nothing is said of what says nothing";
+  EXPECT_TRUE(request(follow, {4, 4})) << "by its tool tip";
+  EXPECT_FALSE(request(m_window.menuBar(), {600, 4})) << "nothing is said of what says nothing";
 }
 
 TEST_F(Looks, F1ExplainsWhatHasTheFocus) {

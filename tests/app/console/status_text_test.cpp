@@ -230,8 +230,8 @@ INSTANTIATE_TEST_SUITE_P(
                               [](ServiceStatus& s) {
                                 s.locked = true;
                                 s.unconfirmed = 1;
-                                s.waitingCommands.push_back(
-                                    {DeviceKey::of(*Pin::parse("1032AE100801035")), Ask::Reset, Instant{}});
+                                s.waitingCommands.push_back({DeviceKey::of(*Pin::parse("1032AE100801035")),
+                                                             Request::Reset, Instant{}});
                               },
                               "Reset: not on the bus yet", Severity::Fault, "Reset of 1032AE100801035"},
                       SentRow{"Commands", [](ServiceStatus& s) { s.waitingCommands.resize(2); },

@@ -110,25 +110,25 @@ inline Snapshot askingSnapshot() {
   DeviceServices& device = services.devices.emplace_back();
   device.device = DeviceKey::of(*Pin::parse("1032AE100801035"));
   device.address = Address{0x80};
-  for (const Ask ask : allOf<Ask>()) device.takes.add(ask);
+  for (const Request request : allOf<Request>()) device.takes.add(request);
   using Progress = RequestStatus::Progress;
-  const auto request = [&](Ask ask, Progress progress, RequestEnd end, int tries) {
-    RequestStatus& status = device.requests[ask];
+  const auto ended = [&](Request request, Progress progress, RequestEnd end, int tries) {
+    RequestStatus& status = device.requests[request];
     status.progress = progress;
     status.end = end;
     status.tries = static_cast<std::uint8_t>(tries);
     status.sent = status.ended = now - 200ms;
     status.latency = 2ms;
   };
-  request(Ask::Fault, Progress::Ended, RequestEnd::Answered, 1);
-  request(Ask::Firmware, Progress::Ended, RequestEnd::Answered, 1);
-  request(Ask::Pcode, Progress::Ended, RequestEnd::NoAnswer, 3);
-  request(Ask::Config, Progress::Waiting, RequestEnd::None, 2);
-  request(Ask::Reset, Progress::Ended, RequestEnd::Answered, 1);
+  ended(Request::Fault, Progress::Ended, RequestEnd::Answered, 1);
+  ended(Request::Firmware, Progress::Ended, RequestEnd::Answered, 1);
+  ended(Request::Pcode, Progress::Ended, RequestEnd::NoAnswer, 3);
+  ended(Request::Config, Progress::Waiting, RequestEnd::None, 2);
+  ended(Request::Reset, Progress::Ended, RequestEnd::Answered, 1);
   PipeStatus& pipe = device.pipe.emplace();
   DeviceServices riser;
   riser.device = DeviceKey::of(*Pin::parse("1033AE100802117"));
-  riser.requests[Ask::Fault] = {.progress = Progress::Queued, .period = 5s};
+  riser.requests[Request::Fault] = {.progress = Progress::Queued, .period = 5s};
   pipe.progress = PipeStatus::Progress::Stalled;
   pipe.stall = PipeStatus::Stall::NoAck;
   pipe.file = "a menu with a rather long name for a file.txt";
@@ -191,7 +191,7 @@ inline std::vector<Scene> windowScenes() {
   Snapshot kept = askingSnapshot();
   ServiceStatus waiting = *kept.services;
   waiting.waitingCommands.push_back(
-      {DeviceKey::of(*Pin::parse("1032AE100801035")), Ask::SetupMode, kept.view.cursor.time});
+      {DeviceKey::of(*Pin::parse("1032AE100801035")), Request::SetupMode, kept.view.cursor.time});
   waiting.unconfirmed = 3;
   waiting.notTaken = 12;
   kept.services = std::make_shared<const ServiceStatus>(waiting);

@@ -190,13 +190,13 @@ TEST_F(Live, LockedItListensAndSendsNothing) {
 TEST_F(Live, PollWritesEveryAnswerWithTheKeysOfDecode) {
   const Outcome r = run("poll --unlock --pin 1032AE100801035 --own-address FB");
   EXPECT_EQ(r.status, 0) << r.err.constData();
-  QStringList asks;
+  QStringList requests;
   for (const QJsonObject& answer : r.objects()) {
-    asks += text(answer, "ask");
+    requests += text(answer, "ask");
     EXPECT_EQ(text(answer, "pin"), QLatin1String(kMonitor));
     EXPECT_EQ(answer[QLatin1String("destination")].toInt(), 0xFB);
   }
-  EXPECT_EQ(asks, words("fault firmware pcode config vista vista"));
+  EXPECT_EQ(requests, words("fault firmware pcode config vista vista"));
   EXPECT_EQ(r.objects()[2][QLatin1String("fields")][QLatin1String("style")].toInt(), 3356);
 }
 

@@ -203,9 +203,9 @@ TEST(InterfaceWatch, AnswersFromTheEventLoopAndNotAfterStop) {
   QObject::connect(&watch, &InterfaceWatch::answered, &watch, [&](const InterfaceReader::Answer& answer) {
     told.push_back(answer ? answer.value().name : "none: " + answer.error());
   });
-  watch.ask("nosuchcan9");
+  watch.request("nosuchcan9");
   watch.stop();
-  watch.ask("lo");
+  watch.request("lo");
   EXPECT_TRUE(told.empty());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !told.empty(); }, 20'000));
   EXPECT_EQ(told, std::vector<std::string>{"lo"});

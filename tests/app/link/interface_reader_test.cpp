@@ -52,10 +52,10 @@ struct Reading : ::testing::Test {
 };
 
 TEST_F(Reading, IsDoneOnAnotherThreadAndAnsweredFromTheEventLoop) {
-  reader->ask("can0");
+  reader->request("can0");
   EXPECT_TRUE(happened.empty());
   ASSERT_TRUE(waitFor(1));
-  reader->ask("can1");
+  reader->request("can1");
   ASSERT_TRUE(waitFor(2));
   EXPECT_EQ(happened, (std::vector<std::string>{"read can0", "read can1"}));
   reader.reset();
@@ -66,7 +66,7 @@ TEST_F(Reading, IsDoneOnAnotherThreadAndAnsweredFromTheEventLoop) {
 }
 
 TEST_F(Reading, WhileTheKernelKeepsItWaitingTheAskersEventsGoOn) {
-  reader->ask("held");
+  reader->request("held");
   kernel->hasBegun.get_future().wait();
   for (int i = 0; i < 3; ++i) {
     QMetaObject::invokeMethod(
@@ -79,27 +79,27 @@ TEST_F(Reading, WhileTheKernelKeepsItWaitingTheAskersEventsGoOn) {
 }
 
 TEST_F(Reading, OnlyTheNewestQuestionIsAnswered) {
-  reader->ask("held");
+  reader->request("held");
   kernel->hasBegun.get_future().wait();
-  reader->ask("can1");
-  reader->ask("can2");
+  reader->request("can1");
+  reader->request("can2");
   kernel->release();
   ASSERT_TRUE(waitFor(1));
   EXPECT_EQ(happened, (std::vector<std::string>{"read can2"}));
 }
 
 TEST_F(Reading, WhatIsForgottenIsNotAnswered) {
-  reader->ask("held");
+  reader->request("held");
   kernel->hasBegun.get_future().wait();
   reader->forget();
   kernel->release();
-  reader->ask("can1");
+  reader->request("can1");
   ASSERT_TRUE(waitFor(1));
   EXPECT_EQ(happened, (std::vector<std::string>{"read can1"}));
 }
 
 TEST_F(Reading, AReaderDestroyedWhileAReadHangsNeitherWaitsNorAnswers) {
-  reader->ask("held");
+  reader->request("held");
   kernel->hasBegun.get_future().wait();
   reader.reset();
   EXPECT_EQ(kernel.use_count(), 2) << "the worker is still in the kernel";

@@ -102,7 +102,7 @@ TEST(LiveBus, AnAckThatCameWhileItsThreadStoodStillIsInTime) {
   EXPECT_TRUE(waitFor([&] { return live->latest().link.state == LinkState::Up; }));
   EXPECT_TRUE(waitFor([&] { return peer.state() == LinkState::Up; }));
   want(wish::Unlock{});
-  EXPECT_TRUE(waitFor([&] { return live->latest().services->canAsk(); }));
+  EXPECT_TRUE(waitFor([&] { return live->latest().services->canRequest(); }));
   const DeviceKey monitor = DeviceKey::of(*Pin::parse("1032AE100801035"));
   peerLink.write(test::frame("18EFFF80", "FF83150206021A0B"));
   EXPECT_TRUE(waitFor([&] { return live->latest().services->find(monitor) != nullptr; }));

@@ -495,7 +495,7 @@ class SendingDemo : public testing::Test {
   }
   bool unlock() {
     m_session.want(wish::Unlock{});
-    return waitFor([&] { return services().canAsk(); });
+    return waitFor([&] { return services().canRequest(); });
   }
   const DeviceKey m_monitor = DeviceKey::of(kMonitor);
   Session m_session;
@@ -503,7 +503,7 @@ class SendingDemo : public testing::Test {
 
 TEST_F(SendingDemo, SendsNothingWhileLocked) {
   EXPECT_TRUE(services().locked);
-  const std::uint64_t serial = m_session.want(wish::AskDevice{m_monitor, kPolls});
+  const std::uint64_t serial = m_session.want(wish::SendRequests{m_monitor, kPolls});
   ASSERT_TRUE(waitFor([&] { return services().refusedSerial == serial; }));
   EXPECT_EQ(services().refusal, Refusal::Locked);
   EXPECT_EQ(sentFrames(), 0u);
@@ -513,11 +513,11 @@ TEST_F(SendingDemo, UnlockedItClaimsAnAddressAndIsAnswered) {
   ASSERT_TRUE(unlock());
   EXPECT_EQ(state().channel(Channel{}).ownAddress, Address{0xF9});
   EXPECT_FALSE(state().isLocked());
-  m_session.want(wish::AskDevice{m_monitor, kPolls});
+  m_session.want(wish::SendRequests{m_monitor, kPolls});
   ASSERT_TRUE(waitFor([&] {
     const DeviceServices* device = services().find(m_monitor);
-    return device != nullptr && device->of(Ask::Vista).end == RequestEnd::Answered &&
-           device->of(Ask::Config).end == RequestEnd::Answered;
+    return device != nullptr && device->of(Request::Vista).end == RequestEnd::Answered &&
+           device->of(Request::Config).end == RequestEnd::Answered;
   }));
   EXPECT_TRUE(waitFor([&] { return state().devices().byPin(kMonitor)->config().isKnown(); }));
   EXPECT_EQ(sentFrames(), 2u + 5u) << "a request for NAMEs, a claim, five polls";
@@ -539,8 +539,8 @@ TEST_F(SendingDemo, OffTheLiveEdgeOnlyWhatStopsSomethingIsHeard) {
   using What = wish::PipeAction::What;
   ASSERT_TRUE(unlock());
   const Wish starts[] = {wish::Unlock{},
-                         wish::AskNames{},
-                         wish::AskDevice{m_monitor, kPolls},
+                         wish::RequestNames{},
+                         wish::SendRequests{m_monitor, kPolls},
                          wish::Repeat{m_monitor, kPolls, 1s},
                          wish::PipeWrite{m_monitor, "x"},
                          wish::PipeFile{m_monitor, "x", std::make_shared<const std::string>("x")},
@@ -559,14 +559,14 @@ TEST_F(SendingDemo, OffTheLiveEdgeOnlyWhatStopsSomethingIsHeard) {
 
 TEST_F(SendingDemo, WhatIsRepeatedEndsOffTheLiveEdgeToo) {
   ASSERT_TRUE(unlock());
-  m_session.want(wish::Repeat{m_monitor, AskSet{Ask::Fault}, 500ms});
+  m_session.want(wish::Repeat{m_monitor, RequestSet{Request::Fault}, 500ms});
   const auto period = [&] {
     const DeviceServices* device = services().find(m_monitor);
-    return device == nullptr ? Duration{0} : device->of(Ask::Fault).period;
+    return device == nullptr ? Duration{0} : device->of(Request::Fault).period;
   };
   ASSERT_TRUE(waitFor([&] { return period() > 0s; }));
   m_session.pause();
-  m_session.want(wish::Repeat{m_monitor, AskSet{Ask::Fault}, 0s});
+  m_session.want(wish::Repeat{m_monitor, RequestSet{Request::Fault}, 0s});
   EXPECT_TRUE(waitFor([&] { return period() == 0s; }));
 }
 
@@ -574,13 +574,13 @@ TEST_F(SendingDemo, ThatNothingWasSentIsSaidUntilTheNextDeed) {
   ASSERT_TRUE(unlock());
   m_session.pause();
   QSignalSpy changed(&m_session, &Session::changed);
-  m_session.want(wish::AskDevice{m_monitor, kPolls});
+  m_session.want(wish::SendRequests{m_monitor, kPolls});
   EXPECT_EQ(changed.count(), 1);
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NotLive);
   m_session.goToEnd();
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::None);
   m_session.closeSource();
-  m_session.want(wish::AskDevice{m_monitor, kPolls});
+  m_session.want(wish::SendRequests{m_monitor, kPolls});
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NoLink);
 }
 

@@ -75,10 +75,11 @@ TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
 
 TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
   const auto last = [](const NoteValue& value) { return bytesOf(value).back(); };
-  const Ask asks[] = {Ask::Fault, Ask::Firmware, Ask::Pcode, Ask::Config,
-                      Ask::Vista, Ask::ZeroAxes, Ask::Reset, Ask::SetupMode};
-  for (std::uint8_t n = 0; n < std::size(asks); ++n) EXPECT_EQ(last(note::Asked{{}, {}, {}, asks[n]}), n);
-  EXPECT_EQ(test::allOf<Ask>().size(), std::size(asks));
+  const Request requests[] = {Request::Fault, Request::Firmware, Request::Pcode, Request::Config,
+                              Request::Vista, Request::ZeroAxes, Request::Reset, Request::SetupMode};
+  for (std::uint8_t n = 0; n < std::size(requests); ++n)
+    EXPECT_EQ(last(note::Asked{{}, {}, {}, requests[n]}), n);
+  EXPECT_EQ(test::allOf<Request>().size(), std::size(requests));
   using How = note::OwnAddress::How;
   const How hows[] = {How::Claimed, How::Lost,     How::CannotClaim, How::SameName,
                       How::Locked,  How::LinkLost, How::InUse,       How::Disputed};
@@ -91,7 +92,7 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
                              RequestEnd::NotOnBus,  RequestEnd::WentOutLate,  RequestEnd::GoneWithInterface,
                              RequestEnd::CannotTell};
   for (std::uint8_t n = 0; n < std::size(ends); ++n)
-    EXPECT_EQ(last(note::AskEnded{{}, {}, {}, Ask::Fault, ends[n]}), n);
+    EXPECT_EQ(last(note::RequestEnded{{}, {}, {}, Request::Fault, ends[n]}), n);
   EXPECT_EQ(test::allOf<RequestEnd>().size(), std::size(ends));
   const PipeEvent events[] = {PipeEvent::FileBegan,      PipeEvent::FileDone, PipeEvent::FileCancelled,
                               PipeEvent::FileAborted,    PipeEvent::Stalled,  PipeEvent::AckLate,
@@ -121,7 +122,7 @@ void expectKnown() {
 }
 
 TEST(NoteCodec, KnowsEveryValueOfItsEnums) {
-  expectKnown<Ask>();
+  expectKnown<Request>();
   expectKnown<RequestEnd>();
   expectKnown<PipeEvent>();
   expectKnown<LinkFault>();
@@ -175,7 +176,7 @@ TEST(NoteCodec, TellsAKindOfANewerVersionAndReadsOn) {
 
 TEST(NoteCodec, TellsAValueOfANewerVersionAsUnknown) {
   for (const NoteValue& value :
-       {NoteValue(note::OwnAddress{}), NoteValue(note::Asked{}), NoteValue(note::AskEnded{})}) {
+       {NoteValue(note::OwnAddress{}), NoteValue(note::Asked{}), NoteValue(note::RequestEnded{})}) {
     Bytes bytes = bytesOf(value);
     bytes.back() = 200;
     EXPECT_EQ(told(bytes), "unknown " + std::to_string(bytes[2]) + " at 3");
@@ -228,7 +229,7 @@ TEST(NoteCodec, TellsWhatNoVersionWrites) {
   Bytes flag = bytesOf(note::DriveSaid{});
   flag.back() = 2;
   EXPECT_EQ(told(flag), "damaged");
-  Bytes pin = bytesOf(note::Asked{{}, {}, test::kNotedPin, Ask::Fault});
+  Bytes pin = bytesOf(note::Asked{{}, {}, test::kNotedPin, Request::Fault});
   pin[pin.size() - 2] = 'x';
   EXPECT_EQ(told(pin), "damaged");
 }

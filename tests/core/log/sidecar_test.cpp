@@ -260,7 +260,8 @@ TEST(NoteText, ReadsBackWhatItWrote) {
 
 TEST(NoteText, IsWrittenAsEveryVersionDoes) {
   std::string text;
-  appendNoteText(text, note::AskEnded{{1}, {0x5A}, test::kNotedPin, Ask::Vista, RequestEnd::AnsweredLate});
+  appendNoteText(text,
+                 note::RequestEnded{{1}, {0x5A}, test::kNotedPin, Request::Vista, RequestEnd::AnsweredLate});
   EXPECT_EQ(text, "10 ask_ended channel=1 address=0x5A pin=\"1032AE100801035\" ask=4 end=7");
 }
 

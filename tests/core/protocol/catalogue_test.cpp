@@ -38,19 +38,19 @@ TEST_P(EveryMessage, IsAgedByItsPeriodAloneAndStandsOnAPage) {
 
 TEST_P(EveryMessage, SaysWhatItAsksOrAnswers) {
   const Message& m = GetParam();
-  EXPECT_EQ(m.part == Part::None || m.part == Part::Pipe, m.ask == Ask::Count);
+  EXPECT_EQ(m.part == Part::None || m.part == Part::Pipe, m.request == Request::Count);
   if (m.part == Part::Asks) {
-    EXPECT_EQ(requestOf(m.ask), m.id);
+    EXPECT_EQ(requestOf(m.request), m.id);
     EXPECT_EQ(m.device, DeviceEnd::Receiver);
     EXPECT_FALSE(m.broadcast);
   }
   if (m.part == Part::Answers || m.part == Part::Acknowledges) {
-    EXPECT_EQ(askAnsweredBy(m.id), m.ask);
-    EXPECT_TRUE(has(answersOf(m.ask), m.id));
+    EXPECT_EQ(requestAnsweredBy(m.id), m.request);
+    EXPECT_TRUE(has(answersOf(m.request), m.id));
     EXPECT_EQ(m.device, DeviceEnd::Sender);
     EXPECT_TRUE(m.isWatched) << "an answer is news";
   } else {
-    EXPECT_EQ(askAnsweredBy(m.id), std::nullopt);
+    EXPECT_EQ(requestAnsweredBy(m.id), std::nullopt);
   }
 }
 

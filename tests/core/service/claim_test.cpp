@@ -151,7 +151,7 @@ TEST_F(Claim, WhereNoneIsFreeItSaysSoOnceAndWhenAsked) {
   pair.run(1s);
   ASSERT_EQ(names(asked).size(), 1u);
   EXPECT_EQ(names(asked)[0].frame.id, frame("18EEFFFE", "").id);
-  EXPECT_EQ(pair.want(wish::AskDevice{{}, kPolls}), Refusal::NoAddress);
+  EXPECT_EQ(pair.want(wish::SendRequests{{}, kPolls}), Refusal::NoAddress);
 }
 
 TEST_F(Claim, RequestsForItsNameThatArePaddedAreAnswered) {
@@ -241,7 +241,7 @@ TEST_F(Claim, AnotherNodeWithOurVeryNameEndsOurSending) {
   pair.inject(requestNames(0x80));
   pair.run(1s);
   EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
-  EXPECT_EQ(pair.want(wish::AskDevice{{}, kPolls}), Refusal::NoAddress);
+  EXPECT_EQ(pair.want(wish::SendRequests{{}, kPolls}), Refusal::NoAddress);
 }
 
 TEST_F(Claim, LockingFallsSilentAndUnlockingClaimsAnew) {

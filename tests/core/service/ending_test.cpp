@@ -115,9 +115,9 @@ TEST_F(Ending, ALockIsCompleteWhenNeutralWasSaidForHalfASecond) {
   pair.want(wish::Lock{});
   EXPECT_TRUE(status().isEnding);
   EXPECT_FALSE(status().locked);
-  EXPECT_FALSE(status().canAsk());
+  EXPECT_FALSE(status().canRequest());
   EXPECT_EQ(said(locked).size(), 1u) << "the first goes at once";
-  EXPECT_EQ(pair.want(wish::AskDevice{{}, kPolls}), Refusal::Busy) << "nothing is begun meanwhile";
+  EXPECT_EQ(pair.want(wish::SendRequests{{}, kPolls}), Refusal::Busy) << "nothing is begun meanwhile";
   EXPECT_EQ(pair.want(wish::Unlock{}), Refusal::Busy);
   pair.run(Neutral::kLength - 1ms);
   EXPECT_TRUE(status().isEnding);
@@ -153,7 +153,7 @@ TEST_F(Ending, TheAddressesAreGivenUpLast) {
 }
 
 TEST_F(Ending, OthersFallSilentAtOnce) {
-  pair.want(wish::Repeat{TruckPair::monitor(), AskSet{Ask::Fault}, 500ms});
+  pair.want(wish::Repeat{TruckPair::monitor(), RequestSet{Request::Fault}, 500ms});
   pair.run(100ms);
   pair.want(wish::Lock{});
   const Instant before = pair.now();
@@ -170,9 +170,9 @@ TEST_F(Ending, WhatALockKeepsFromTheAdapterIsNotCountedAsRefusedByIt) {
   const auto apply = [&](Wish wish) {
     services.apply(pair.now(), console.state, {std::move(wish), pair.now(), 1});
   };
-  apply(wish::AskDevice{TruckPair::monitor(), AskSet{Ask::SetupMode}});
+  apply(wish::SendRequests{TruckPair::monitor(), RequestSet{Request::SetupMode}});
   apply(wish::Lock{});
-  const RequestStatus command = console.request(pair.now(), TruckPair::monitor(), Ask::SetupMode);
+  const RequestStatus command = console.request(pair.now(), TruckPair::monitor(), Request::SetupMode);
   EXPECT_EQ(command.end, RequestEnd::NotOnBus);
   EXPECT_EQ(status().notTaken, 0u);
   std::vector<OutFrame> frames;
@@ -227,18 +227,18 @@ TEST_F(Ending, AfterTheNextUnlockEverythingBeginsAnew) {
   pair.unlock();
   EXPECT_EQ(neutral->links, (std::vector{true, true}));
   EXPECT_EQ(own->address(), Address{0x38});
-  EXPECT_EQ(pair.want(wish::AskDevice{{}, kPolls}), Refusal::None);
+  EXPECT_EQ(pair.want(wish::SendRequests{{}, kPolls}), Refusal::None);
 }
 
 TEST_F(Ending, AnAddressThatIsLostEndsWhoSendsFromItAndNobodyElse) {
-  pair.want(wish::Repeat{TruckPair::monitor(), AskSet{Ask::Fault}, 500ms});
+  pair.want(wish::Repeat{TruckPair::monitor(), RequestSet{Request::Fault}, 500ms});
   pair.run(1s);
   pair.inject(frame("18EEFF38", "0100000000000000"));
   pair.run(2s);
   EXPECT_EQ(neutral->ends, std::vector{EndReason::AddressLost});
   EXPECT_EQ(own->address(), Address{0x37});
   EXPECT_EQ(status().claim.address, Address{0xF9});
-  EXPECT_GT(status().find(TruckPair::monitor())->of(Ask::Fault).period, 0ns) << "goes on";
+  EXPECT_GT(status().find(TruckPair::monitor())->of(Request::Fault).period, 0ns) << "goes on";
 }
 
 TEST_F(Ending, WhatBecameOfAFrameIsToldAfterTheEndToo) {

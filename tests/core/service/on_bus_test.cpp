@@ -26,9 +26,9 @@ struct OnBus : ::testing::Test {
 
   Console& console() { return pair.console(); }
   ServiceStatus all() { return console().status(pair.now()); }
-  RequestStatus request(Ask ask) { return console().request(pair.now(), monitor, ask); }
+  RequestStatus request(Request request) { return console().request(pair.now(), monitor, request); }
   PipeStatus pipe() { return console().pipe(pair.now(), monitor); }
-  Refusal ask(Ask what) { return pair.want(wish::AskDevice{monitor, AskSet{what}}); }
+  Refusal sendRequest(Request what) { return pair.want(wish::SendRequests{monitor, RequestSet{what}}); }
   Refusal type(std::string text) { return pair.want(wish::PipeWrite{monitor, std::move(text)}); }
   // Frames of this type wait so long in the adapter; nothing: until the link goes.
   void keep(std::uint8_t type, std::optional<Duration> wait) {
@@ -49,7 +49,7 @@ struct OnBus : ::testing::Test {
   std::vector<RequestEnd> ends() {
     std::vector<RequestEnd> out;
     for (const Note& note : console().notes) {
-      if (const auto* ended = std::get_if<note::AskEnded>(&note.value)) out.push_back(ended->end);
+      if (const auto* ended = std::get_if<note::RequestEnded>(&note.value)) out.push_back(ended->end);
     }
     return out;
   }
@@ -71,7 +71,7 @@ TEST_F(OnBus, AClaimCountsFromItsEcho) {
   pair.want(wish::Unlock{});
   pair.run(ClaimService::kListen + 3s + kClaimTime - 1ms);
   EXPECT_EQ(pair.claim().progress, Claim::Claiming);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::NoAddress);
+  EXPECT_EQ(sendRequest(Request::Fault), Refusal::NoAddress);
   pair.run(5ms);
   EXPECT_EQ(pair.claim().progress, Claim::Claimed);
 }
@@ -110,7 +110,7 @@ TEST_F(OnBus, WithoutEchoesAClaimCountsFromItsBeingTaken) {
 
 TEST_F(OnBus, AFrameFromOurAddressThatWeDidNotSendIsAnsweredByOurClaimAndThenWeMove) {
   pair.unlock();
-  ask(Ask::Reset);
+  sendRequest(Request::Reset);
   pair.run(10ms);
   const Frame stranger = frame("18EF80F9", "02");
   Instant before = pair.now();
@@ -132,22 +132,22 @@ TEST_F(OnBus, AFrameFromOurAddressThatWeDidNotSendIsAnsweredByOurClaimAndThenWeM
   pair.run(1s);
   EXPECT_EQ(pair.claim().progress, Claim::Claimed);
   EXPECT_EQ(pair.claim().address, Address{0xFA});
-  EXPECT_EQ(request(Ask::Reset).end, RequestEnd::AddressLost) << "what depended on it has ended";
+  EXPECT_EQ(request(Request::Reset).end, RequestEnd::AddressLost) << "what depended on it has ended";
 }
 
 TEST_F(OnBus, NoCommandGoesFromAnAddressThatAnotherSendsFromAndNoAckIsBelievedThere) {
   pair.unlock();
   keep(kZeroAxes, 50ms);
-  ask(Ask::ZeroAxes);
+  sendRequest(Request::ZeroAxes);
   pair.run(10ms);
   pair.inject(frame("18EF80F9", "02"));
   pair.run(1s);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell) << "the ack may be for the other node";
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Disputed);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::CannotTell) << "the ack may be for the other node";
+  EXPECT_EQ(sendRequest(Request::ZeroAxes), Refusal::Disputed);
   EXPECT_EQ(type("A?"), Refusal::Disputed);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::None) << "an answer to a poll is true, whoever asked";
+  EXPECT_EQ(sendRequest(Request::Fault), Refusal::None) << "an answer to a poll is true, whoever asked";
   pair.run(ClaimService::kConflictOver);
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None);
+  EXPECT_EQ(sendRequest(Request::ZeroAxes), Refusal::None);
 }
 
 TEST_F(OnBus, AConflictWhileClaimingIsSaidOnceTheAddressIsOurs) {
@@ -196,29 +196,29 @@ TEST_F(OnBus, APollsClockStartsAtItsEcho) {
   pair.wire = [](const Frame& f) {
     return Fate{1, isType(f, kFaultPoll) && f.length == 7 ? Duration(450ms) : Duration(0ns)};
   };
-  ask(Ask::Fault);
+  sendRequest(Request::Fault);
   pair.run(1s);
-  EXPECT_EQ(request(Ask::Fault).end, RequestEnd::Answered);
-  EXPECT_EQ(request(Ask::Fault).tries, 1);
-  EXPECT_LT(request(Ask::Fault).latency, 460ms);
+  EXPECT_EQ(request(Request::Fault).end, RequestEnd::Answered);
+  EXPECT_EQ(request(Request::Fault).tries, 1);
+  EXPECT_LT(request(Request::Fault).latency, 460ms);
 }
 
 TEST_F(OnBus, AnAnswerBeforeThePollIsOnTheBusIsNotItsOwn) {
   pair.unlock();
   keep(kFaultPoll, std::nullopt);
-  ask(Ask::Fault);
+  sendRequest(Request::Fault);
   pair.inject(fromMonitor("02000000000000"));
   pair.run(10ms);
-  EXPECT_EQ(request(Ask::Fault).progress, Progress::Waiting);
-  EXPECT_EQ(request(Ask::Fault).unasked, 1u);
+  EXPECT_EQ(request(Request::Fault).progress, Progress::Waiting);
+  EXPECT_EQ(request(Request::Fault).unasked, 1u);
 }
 
 TEST_F(OnBus, APollWithoutItsEchoEndsAsNotOnTheBusAndIsNotRepeated) {
   pair.unlock();
   keep(kFaultPoll, std::nullopt);
-  ask(Ask::Fault);
+  sendRequest(Request::Fault);
   pair.run(5s);
-  EXPECT_EQ(request(Ask::Fault).end, RequestEnd::NotOnBus);
+  EXPECT_EQ(request(Request::Fault).end, RequestEnd::NotOnBus);
   EXPECT_EQ(written(kFaultPoll), 1);
   EXPECT_EQ(all().unconfirmed, 1u);
 }
@@ -226,8 +226,8 @@ TEST_F(OnBus, APollWithoutItsEchoEndsAsNotOnTheBusAndIsNotRepeated) {
 TEST_F(OnBus, APollThatTheQueueRefusesEndsAtOnce) {
   pair.unlock();
   refuse(kFaultPoll, WriteResult::QueueFull);
-  ask(Ask::Fault);
-  EXPECT_EQ(request(Ask::Fault).end, RequestEnd::NotOnBus);
+  sendRequest(Request::Fault);
+  EXPECT_EQ(request(Request::Fault).end, RequestEnd::NotOnBus);
   EXPECT_EQ(all().notTaken, 1u);
 }
 
@@ -236,11 +236,11 @@ TEST_F(OnBus, ASecondTryThatIsRefusedLeavesTheFirstItsAnswer) {
   pair.wire = [](const Frame& f) {
     return Fate{1, isType(f, kFaultPoll) && f.length == 7 ? Duration(800ms) : Duration(0ns)};
   };
-  ask(Ask::Fault);
+  sendRequest(Request::Fault);
   pair.run(100ms);
   refuse(kFaultPoll, WriteResult::QueueFull);
   pair.run(1s);
-  EXPECT_EQ(request(Ask::Fault).end, RequestEnd::Answered);
+  EXPECT_EQ(request(Request::Fault).end, RequestEnd::Answered);
 }
 
 // --- commands
@@ -249,40 +249,40 @@ struct KeptCommand : OnBus {
   KeptCommand() {
     pair.unlock();
     keep(kZeroAxes, 2s);
-    ask(Ask::ZeroAxes);
+    sendRequest(Request::ZeroAxes);
   }
 };
 
 TEST_F(KeptCommand, IsSaidToBeNotOnTheBusAfterATenthOfASecond) {
   pair.run(kOnBusTime - 1ms);
-  EXPECT_EQ(request(Ask::ZeroAxes).progress, Progress::Waiting);
+  EXPECT_EQ(request(Request::ZeroAxes).progress, Progress::Waiting);
   EXPECT_TRUE(all().waitingCommands.empty());
   pair.run(1ms);
-  EXPECT_EQ(request(Ask::ZeroAxes).progress, Progress::NotOnBusYet);
+  EXPECT_EQ(request(Request::ZeroAxes).progress, Progress::NotOnBusYet);
   ASSERT_EQ(all().waitingCommands.size(), 1u);
   EXPECT_EQ(all().waitingCommands[0].device, monitor);
-  EXPECT_EQ(all().waitingCommands[0].ask, Ask::ZeroAxes);
-  EXPECT_EQ(notes<note::AskWaits>(), 1);
+  EXPECT_EQ(all().waitingCommands[0].request, Request::ZeroAxes);
+  EXPECT_EQ(notes<note::RequestWaits>(), 1);
 }
 
 TEST_F(KeptCommand, EndsAsWentOutLateAtItsEcho) {
   const Instant begin = pair.now();
   pair.run(1900ms);
-  EXPECT_EQ(request(Ask::ZeroAxes).progress, Progress::NotOnBusYet);
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Busy);
+  EXPECT_EQ(request(Request::ZeroAxes).progress, Progress::NotOnBusYet);
+  EXPECT_EQ(sendRequest(Request::ZeroAxes), Refusal::Busy);
   pair.run(100ms + Pair::kFlight);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::WentOutLate);
-  EXPECT_EQ(request(Ask::ZeroAxes).ended - begin, 2s + Pair::kFlight);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::WentOutLate);
+  EXPECT_EQ(request(Request::ZeroAxes).ended - begin, 2s + Pair::kFlight);
   EXPECT_TRUE(all().waitingCommands.empty());
   pair.run(1s);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::AnsweredLate) << "its acknowledgement is shown";
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::AnsweredLate) << "its acknowledgement is shown";
   EXPECT_EQ(written(kZeroAxes), 1);
 }
 
 TEST_F(KeptCommand, EndsAsGoneWithTheInterface) {
   pair.run(500ms);
   pair.setLink(console(), false);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::GoneWithInterface);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::GoneWithInterface);
   EXPECT_TRUE(all().waitingCommands.empty());
   EXPECT_EQ(ends(), std::vector{RequestEnd::GoneWithInterface});
 }
@@ -290,10 +290,10 @@ TEST_F(KeptCommand, EndsAsGoneWithTheInterface) {
 TEST_F(KeptCommand, EndsWithoutAWordOfItsFateWhenItsEchoMayBeAmongLostFrames) {
   pair.run(500ms);
   pair.loseEchoes(console());
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::CannotTell);
   EXPECT_TRUE(all().waitingCommands.empty());
   EXPECT_EQ(ends(), std::vector{RequestEnd::CannotTell}) << "never that it went out late";
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None) << "the person may decide to send it again";
+  EXPECT_EQ(sendRequest(Request::ZeroAxes), Refusal::None) << "the person may decide to send it again";
 }
 
 TEST_F(KeptCommand, EndsSoWhenABusOffHasThrownAwayWhatTheControllerHeld) {
@@ -303,19 +303,19 @@ TEST_F(KeptCommand, EndsSoWhenABusOffHasThrownAwayWhatTheControllerHeld) {
   restarted.length = 8;
   pair.inject(restarted);
   pair.run(10ms);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::CannotTell);
   EXPECT_EQ(all().unconfirmed, 0u);
 }
 
 TEST_F(KeptCommand, IsSaidAtALockAndItsFateAfterIt) {
   pair.run(10ms);
   pair.want(wish::Lock{});
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::Cancelled);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::Cancelled);
   EXPECT_EQ(all().waitingCommands.size(), 1u) << "nothing takes it back";
-  EXPECT_EQ(notes<note::AskWaits>(), 1);
+  EXPECT_EQ(notes<note::RequestWaits>(), 1);
   EXPECT_EQ(notes<note::StillWaits>(), 1);
   pair.run(3s);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::WentOutLate);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::WentOutLate);
   EXPECT_TRUE(all().waitingCommands.empty());
   EXPECT_EQ(ends(), (std::vector{RequestEnd::Cancelled, RequestEnd::WentOutLate}));
 }
@@ -324,7 +324,7 @@ TEST_F(KeptCommand, IsSaidWhenOurAddressIsLost) {
   pair.run(10ms);
   pair.inject(frame("18EEFFF9", "0100000000000000"));
   pair.run(10ms);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::AddressLost);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::AddressLost);
   EXPECT_EQ(all().waitingCommands.size(), 1u);
   EXPECT_EQ(notes<note::StillWaits>(), 1);
 }
@@ -332,7 +332,7 @@ TEST_F(KeptCommand, IsSaidWhenOurAddressIsLost) {
 TEST_F(OnBus, ACommandWhoseEchoComesInTimeAfterALockDidNotGoOutLate) {
   pair.unlock();
   keep(kZeroAxes, kOnBusTime / 2);
-  ask(Ask::ZeroAxes);
+  sendRequest(Request::ZeroAxes);
   pair.run(10ms);
   pair.want(wish::Lock{});
   pair.run(1s);
@@ -356,7 +356,7 @@ TEST_F(OnBus, ACommandWhoseEchoIsLostBeforeItWasSaidToWaitEndsTheSameWay) {
     TruckPair truck;
     truck.unlock();
     truck.console().leaves = [](const Frame&) { return std::nullopt; };
-    truck.want(wish::AskDevice{monitor, AskSet{Ask::ZeroAxes}});
+    truck.want(wish::SendRequests{monitor, RequestSet{Request::ZeroAxes}});
     truck.run(10ms);
     if (isBusOff) {
       truck.inject(restarted);
@@ -364,63 +364,63 @@ TEST_F(OnBus, ACommandWhoseEchoIsLostBeforeItWasSaidToWaitEndsTheSameWay) {
       truck.loseEchoes(truck.console());
     }
     truck.run(10ms);
-    EXPECT_EQ(truck.console().request(truck.now(), monitor, Ask::ZeroAxes).end, RequestEnd::CannotTell);
+    EXPECT_EQ(truck.console().request(truck.now(), monitor, Request::ZeroAxes).end, RequestEnd::CannotTell);
   }
 }
 
 TEST_F(KeptCommand, WaitsAloneEvenAfterItWasGivenUp) {
   pair.run(500ms);
   pair.want(wish::Cancel{monitor});
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::Cancelled);
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Busy) << "the first may still go out";
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::Cancelled);
+  EXPECT_EQ(sendRequest(Request::ZeroAxes), Refusal::Busy) << "the first may still go out";
   pair.run(2s);
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None);
+  EXPECT_EQ(sendRequest(Request::ZeroAxes), Refusal::None);
 }
 
 TEST_F(OnBus, AfterOneLostEchoTheNextPollsOfTheKindAreAnswered) {
   pair.unlock();
   console().echo = [](const Frame& f) { return isType(f, kFaultPoll) ? Fate{.copies = 0} : Fate{}; };
-  ask(Ask::Fault);
+  sendRequest(Request::Fault);
   pair.run(5ms);
   console().echo = [](const Frame&) { return Fate{}; };
   pair.loseEchoes(console());
   pair.run(1s);
-  EXPECT_EQ(request(Ask::Fault).answered, 1u) << "its answer came after its echo was given up";
-  ask(Ask::Fault);
+  EXPECT_EQ(request(Request::Fault).answered, 1u) << "its answer came after its echo was given up";
+  sendRequest(Request::Fault);
   pair.run(1s);
-  EXPECT_EQ(request(Ask::Fault).end, RequestEnd::Answered);
-  EXPECT_EQ(request(Ask::Fault).answered, 2u);
+  EXPECT_EQ(request(Request::Fault).end, RequestEnd::Answered);
+  EXPECT_EQ(request(Request::Fault).answered, 2u);
 }
 
 TEST_F(OnBus, ACommandThatIsRefusedWasNotSent) {
   pair.unlock();
   refuse(kZeroAxes, WriteResult::Failed);
-  ask(Ask::ZeroAxes);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::NotOnBus);
+  sendRequest(Request::ZeroAxes);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::NotOnBus);
   pair.run(1s);
   EXPECT_TRUE(all().waitingCommands.empty());
-  EXPECT_EQ(notes<note::AskWaits>(), 0);
+  EXPECT_EQ(notes<note::RequestWaits>(), 0);
   EXPECT_EQ(written(kZeroAxes), 1);
 }
 
 TEST_F(OnBus, ACommandIsOnTimeWhenItsEchoIsHoweverLateTheThreadIs) {
   pair.unlock();
   keep(kZeroAxes, 90ms);
-  ask(Ask::ZeroAxes);
+  sendRequest(Request::ZeroAxes);
   pair.freeze(console(), 500ms);
   pair.run(600ms);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::Answered);
-  EXPECT_EQ(notes<note::AskWaits>(), 0);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::Answered);
+  EXPECT_EQ(notes<note::RequestWaits>(), 0);
 }
 
 TEST_F(OnBus, TwoCommandsWhoseEchoesComeInTheOtherOrderKeepTheirOwn) {
   pair.unlock();
   console().echo = [](const Frame& f) { return Fate{1, isType(f, kZeroAxes) ? 300ms : 0ms}; };
-  ask(Ask::ZeroAxes);
-  ask(Ask::SetupMode);
+  sendRequest(Request::ZeroAxes);
+  sendRequest(Request::SetupMode);
   pair.run(1s);
-  EXPECT_EQ(request(Ask::SetupMode).end, RequestEnd::Answered);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::WentOutLate);
+  EXPECT_EQ(request(Request::SetupMode).end, RequestEnd::Answered);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::WentOutLate);
 }
 
 TEST_F(OnBus, AnEchoOfTheKernelsQueueNeverProvesThatACommandWentOut) {
@@ -429,9 +429,9 @@ TEST_F(OnBus, AnEchoOfTheKernelsQueueNeverProvesThatACommandWentOut) {
   EXPECT_EQ(pair.claim().progress, Claim::Claimed);
   EXPECT_FALSE(all().echoes) << "shown as: cannot tell";
   keep(kZeroAxes, 2s);
-  ask(Ask::ZeroAxes);
+  sendRequest(Request::ZeroAxes);
   pair.run(2s + 2 * Pair::kFlight);
-  EXPECT_EQ(request(Ask::ZeroAxes).end, RequestEnd::CannotTell);
+  EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::CannotTell);
 }
 
 TEST_F(OnBus, WithoutEchoesACommandIsNeverSaidToWait) {
@@ -439,9 +439,9 @@ TEST_F(OnBus, WithoutEchoesACommandIsNeverSaidToWait) {
   pair.run(2s);
   pair.want(deaf, wish::Unlock{});
   pair.run(1s);
-  ASSERT_EQ(pair.want(deaf, wish::AskDevice{monitor, AskSet{Ask::SetupMode}}), Refusal::None);
+  ASSERT_EQ(pair.want(deaf, wish::SendRequests{monitor, RequestSet{Request::SetupMode}}), Refusal::None);
   pair.run(1s);
-  EXPECT_EQ(deaf.request(pair.now(), monitor, Ask::SetupMode).end, RequestEnd::Answered);
+  EXPECT_EQ(deaf.request(pair.now(), monitor, Request::SetupMode).end, RequestEnd::Answered);
   EXPECT_FALSE(deaf.status(pair.now()).echoes);
 }
 

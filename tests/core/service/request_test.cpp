@@ -10,20 +10,20 @@ namespace {
 
 using Progress = RequestStatus::Progress;
 
-std::vector<Ask> polls() {
-  std::vector<Ask> all = allOf<Ask>();
+std::vector<Request> polls() {
+  std::vector<Request> all = allOf<Request>();
   std::erase_if(all, isCommand);
   return all;
 }
 
-struct Request : ::testing::Test {
-  Request() { pair.unlock(); }
+struct RequestServiceTest : ::testing::Test {
+  RequestServiceTest() { pair.unlock(); }
   TruckPair pair;
   const DeviceKey monitor = TruckPair::monitor();
 
-  Refusal ask(Ask what) { return pair.want(wish::AskDevice{monitor, AskSet{what}}); }
-  RequestStatus status(Ask what) { return pair.console().request(pair.now(), monitor, what); }
-  RequestEnd end(Ask what) {
+  Refusal request(Request what) { return pair.want(wish::SendRequests{monitor, RequestSet{what}}); }
+  RequestStatus status(Request what) { return pair.console().request(pair.now(), monitor, what); }
+  RequestEnd end(Request what) {
     const RequestStatus s = status(what);
     return s.progress == Progress::Ended ? s.end : RequestEnd::None;
   }
@@ -46,10 +46,10 @@ struct Request : ::testing::Test {
   }
 };
 
-TEST_F(Request, EachPollIsAnsweredOnceAndInTheState) {
-  ASSERT_EQ(pair.want(wish::AskDevice{monitor, kPolls}), Refusal::None);
+TEST_F(RequestServiceTest, EachPollIsAnsweredOnceAndInTheState) {
+  ASSERT_EQ(pair.want(wish::SendRequests{monitor, kPolls}), Refusal::None);
   pair.run(1s);
-  for (const Ask poll : polls()) {
+  for (const Request poll : polls()) {
     EXPECT_EQ(end(poll), RequestEnd::Answered) << static_cast<int>(poll);
     EXPECT_EQ(status(poll).tries, 1);
     EXPECT_GT(status(poll).latency, 0ns);
@@ -60,8 +60,8 @@ TEST_F(Request, EachPollIsAnsweredOnceAndInTheState) {
   for (const unsigned type : {0x02u, 0x03u, 0x04u, 0x05u, 0x21u}) EXPECT_EQ(sent(type), 1u) << type;
 }
 
-TEST_F(Request, GoesToTheDeviceFromOurAddressAtPrioritySix) {
-  ask(Ask::Fault);
+TEST_F(RequestServiceTest, GoesToTheDeviceFromOurAddressAtPrioritySix) {
+  request(Request::Fault);
   const Pair::Seen poll = pair.sent(0x02, &pair.console()).at(0);
   EXPECT_EQ(poll.id().source, Address{0xF9});
   EXPECT_EQ(poll.id().destination, Address{monitorAddress()});
@@ -69,229 +69,231 @@ TEST_F(Request, GoesToTheDeviceFromOurAddressAtPrioritySix) {
   EXPECT_EQ(poll.frame.length, 1);
 }
 
-TEST_F(Request, NoAnswerIsSaidAfterThreeTries) {
+TEST_F(RequestServiceTest, NoAnswerIsSaidAfterThreeTries) {
   deafen(0x03);
   const Instant begin = pair.now();
-  ask(Ask::Firmware);
+  request(Request::Firmware);
   pair.run(499ms);
   EXPECT_EQ(sent(0x03), 1u);
   pair.run(1010ms);
-  EXPECT_EQ(end(Ask::Firmware), RequestEnd::NoAnswer);
+  EXPECT_EQ(end(Request::Firmware), RequestEnd::NoAnswer);
   EXPECT_EQ(sent(0x03), 3u);
-  EXPECT_EQ(status(Ask::Firmware).ended - begin, 3 * (500ms + Pair::kFlight)) << "each from its echo";
+  EXPECT_EQ(status(Request::Firmware).ended - begin, 3 * (500ms + Pair::kFlight)) << "each from its echo";
   pair.run(5s);
   EXPECT_EQ(sent(0x03), 3u);
 }
 
-TEST_F(Request, ASecondTryThatIsAnsweredIsAnAnswer) {
+TEST_F(RequestServiceTest, ASecondTryThatIsAnsweredIsAnAnswer) {
   pair.wire = [n = 0](const Frame& f) mutable {
     return Pair::Fate{f.data[0] == 0x04 && f.length == 1 && n++ == 0 ? 0 : 1, 0ns};
   };
-  ask(Ask::Pcode);
+  request(Request::Pcode);
   pair.run(1s);
-  EXPECT_EQ(end(Ask::Pcode), RequestEnd::Answered);
-  EXPECT_EQ(status(Ask::Pcode).tries, 2);
+  EXPECT_EQ(end(Request::Pcode), RequestEnd::Answered);
+  EXPECT_EQ(status(Request::Pcode).tries, 2);
 }
 
-TEST_F(Request, NeverTwoOfOneKindInFlight) {
+TEST_F(RequestServiceTest, NeverTwoOfOneKindInFlight) {
   deafen(0x02);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::Busy);
-  EXPECT_EQ(
-      pair.want(wish::AskDevice{DeviceKey::at(Channel{}, Address{monitorAddress()}), AskSet{Ask::Fault}}),
-      Refusal::Busy)
+  EXPECT_EQ(request(Request::Fault), Refusal::None);
+  EXPECT_EQ(request(Request::Fault), Refusal::Busy);
+  EXPECT_EQ(pair.want(wish::SendRequests{DeviceKey::at(Channel{}, Address{monitorAddress()}),
+                                         RequestSet{Request::Fault}}),
+            Refusal::Busy)
       << "the same device by its address";
   EXPECT_EQ(sent(0x02), 1u);
 }
 
-TEST_F(Request, AVistaPollWantsBothMessages) {
+TEST_F(RequestServiceTest, AVistaPollWantsBothMessages) {
   pair.wire = [](const Frame& f) { return Pair::Fate{f.data[0] == 0x22 ? 0 : 1, 0ns}; };
-  ask(Ask::Vista);
+  request(Request::Vista);
   pair.run(2s);
-  EXPECT_EQ(end(Ask::Vista), RequestEnd::NoAnswer);
+  EXPECT_EQ(end(Request::Vista), RequestEnd::NoAnswer);
   pair.wire = [](const Frame&) { return Pair::Fate{}; };
-  ask(Ask::Vista);
+  request(Request::Vista);
   pair.run(1s);
-  EXPECT_EQ(end(Ask::Vista), RequestEnd::Answered);
+  EXPECT_EQ(end(Request::Vista), RequestEnd::Answered);
 }
 
-TEST_F(Request, AnAnswerOfAWrongLengthIsNone) {
+TEST_F(RequestServiceTest, AnAnswerOfAWrongLengthIsNone) {
   deafen(0x02);
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.inject(answer("0200000000", monitorAddress()));  // 5 bytes: older firmware, that is an answer
   pair.run(10ms);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::Answered);
   pair.run(100ms);
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.inject(answer("020000000000", monitorAddress()));
   pair.run(10ms);
-  EXPECT_EQ(status(Ask::Fault).progress, Progress::Waiting);
+  EXPECT_EQ(status(Request::Fault).progress, Progress::Waiting);
   pair.run(2s);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::WrongAnswer);
-  EXPECT_EQ(status(Ask::Fault).wrong, 1u);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::WrongAnswer);
+  EXPECT_EQ(status(Request::Fault).wrong, 1u);
 }
 
-TEST_F(Request, AnAnswerOfAnotherDeviceIsNotIts) {
+TEST_F(RequestServiceTest, AnAnswerOfAnotherDeviceIsNotIts) {
   deafen(0x02);
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.inject(answer("02000000000000", pair.addressOf(TruckPair::riser()).value));
   pair.run(2s);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::NoAnswer);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::NoAnswer);
 }
 
-TEST_F(Request, AnAnswerThatComesTwiceIsOneAnswer) {
+TEST_F(RequestServiceTest, AnAnswerThatComesTwiceIsOneAnswer) {
   pair.wire = [](const Frame& f) { return Pair::Fate{f.data[0] == 0x02 && f.length == 7 ? 2 : 1, 0ns}; };
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.run(1s);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
-  EXPECT_EQ(status(Ask::Fault).answered, 1u);
-  EXPECT_EQ(status(Ask::Fault).unasked, 1u);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::Answered);
+  EXPECT_EQ(status(Request::Fault).answered, 1u);
+  EXPECT_EQ(status(Request::Fault).unasked, 1u);
 }
 
 // Slower than our patience: what it answers to each of our tries is not an answer too many.
-TEST_F(Request, EachTryOfASlowDeviceMayBeAnswered) {
+TEST_F(RequestServiceTest, EachTryOfASlowDeviceMayBeAnswered) {
   pair.wire = [](const Frame& f) {
     const bool isAnswer = f.data[0] == 0x02 && f.length == 7;
     return Pair::Fate{1, isAnswer ? Duration(800ms) : Duration(0ns)};
   };
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.run(5s);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
-  EXPECT_EQ(status(Ask::Fault).tries, 2);
-  EXPECT_GE(status(Ask::Fault).ended - status(Ask::Fault).firstSent, 800ms);
-  EXPECT_EQ(status(Ask::Fault).unasked, 0u);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::Answered);
+  EXPECT_EQ(status(Request::Fault).tries, 2);
+  EXPECT_GE(status(Request::Fault).ended - status(Request::Fault).firstSent, 800ms);
+  EXPECT_EQ(status(Request::Fault).unasked, 0u);
 }
 
-TEST_F(Request, AnAnswerAfterItWasGivenUpIsSaidToBeLate) {
+TEST_F(RequestServiceTest, AnAnswerAfterItWasGivenUpIsSaidToBeLate) {
   deafen(0x02);
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.run(2s);
-  ASSERT_EQ(end(Ask::Fault), RequestEnd::NoAnswer);
+  ASSERT_EQ(end(Request::Fault), RequestEnd::NoAnswer);
   pair.inject(answer("02000000000000", monitorAddress()));
   pair.run(10ms);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::AnsweredLate);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::AnsweredLate);
 }
 
-TEST_F(Request, AnAnswerThatCameInTimeIsNoSilenceHoweverLateTheThreadIs) {
+TEST_F(RequestServiceTest, AnAnswerThatCameInTimeIsNoSilenceHoweverLateTheThreadIs) {
   pair.wire = [](const Frame& f) {
     return Pair::Fate{1, f.data[0] == 0x02 && f.length == 7 ? Duration(400ms) : Duration(0ns)};
   };
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.run(200ms);
   pair.freeze(pair.console(), 500ms);  // the answer comes meanwhile
   pair.run(600ms);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::Answered);
-  EXPECT_EQ(status(Ask::Fault).tries, 1);
-  EXPECT_LT(status(Ask::Fault).latency, 410ms) << "when it came, not when it was read";
+  EXPECT_EQ(end(Request::Fault), RequestEnd::Answered);
+  EXPECT_EQ(status(Request::Fault).tries, 1);
+  EXPECT_LT(status(Request::Fault).latency, 410ms) << "when it came, not when it was read";
   EXPECT_EQ(sent(0x02), 1u);
 }
 
 // What a person asks for meanwhile judges nothing either.
-TEST_F(Request, AWishOfALateThreadEndsNothingWhoseAnswerWaits) {
+TEST_F(RequestServiceTest, AWishOfALateThreadEndsNothingWhoseAnswerWaits) {
   pair.wire = [](const Frame& f) {
     return Pair::Fate{1, f.data[0] == 0x02 && f.length == 7 ? Duration(400ms) : Duration(0ns)};
   };
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.run(200ms);
   pair.freeze(pair.console(), 500ms);
   pair.run(450ms);
-  ask(Ask::Firmware);
-  EXPECT_EQ(status(Ask::Fault).progress, Progress::Waiting);
+  request(Request::Firmware);
+  EXPECT_EQ(status(Request::Fault).progress, Progress::Waiting);
   EXPECT_EQ(sent(0x02), 1u);
 }
 
-TEST_F(Request, RepeatedPollsKeepTheirPeriodUntilTheyAreEnded) {
-  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+TEST_F(RequestServiceTest, RepeatedPollsKeepTheirPeriodUntilTheyAreEnded) {
+  pair.want(wish::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.run(10500ms);
   EXPECT_EQ(sent(0x02), 11u);
-  EXPECT_EQ(status(Ask::Fault).answered, 11u);
-  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 0s});
+  EXPECT_EQ(status(Request::Fault).answered, 11u);
+  pair.want(wish::Repeat{monitor, RequestSet{Request::Fault}, 0s});
   pair.run(5s);
   EXPECT_EQ(sent(0x02), 11u);
-  EXPECT_EQ(status(Ask::Fault).progress, Progress::Ended);
+  EXPECT_EQ(status(Request::Fault).progress, Progress::Ended);
 }
 
-TEST_F(Request, OfRepeatedPollsOnlyWhatChangesIsNoted) {
-  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+TEST_F(RequestServiceTest, OfRepeatedPollsOnlyWhatChangesIsNoted) {
+  pair.want(wish::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.run(5500ms);
   deafen(0x02);
   pair.run(6s);
   std::vector<RequestEnd> ends;
   for (const Note& note : pair.console().notes) {
-    if (const auto* ended = std::get_if<note::AskEnded>(&note.value)) ends.push_back(ended->end);
+    if (const auto* ended = std::get_if<note::RequestEnded>(&note.value)) ends.push_back(ended->end);
   }
   EXPECT_EQ(ends, (std::vector{RequestEnd::Answered, RequestEnd::NoAnswer}));
 }
 
-TEST_F(Request, TheShortestPeriodIsKept) {
-  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1ms});
+TEST_F(RequestServiceTest, TheShortestPeriodIsKept) {
+  pair.want(wish::Repeat{monitor, RequestSet{Request::Fault}, 1ms});
   pair.run(5s);
   EXPECT_LE(sent(0x02), 11u);
 }
 
-TEST_F(Request, CommandsGoOnceAndAreAcknowledged) {
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::None);
-  EXPECT_EQ(ask(Ask::SetupMode), Refusal::None);
+TEST_F(RequestServiceTest, CommandsGoOnceAndAreAcknowledged) {
+  EXPECT_EQ(request(Request::ZeroAxes), Refusal::None);
+  EXPECT_EQ(request(Request::SetupMode), Refusal::None);
   pair.run(100ms);
-  EXPECT_EQ(end(Ask::ZeroAxes), RequestEnd::Answered);
-  EXPECT_EQ(end(Ask::SetupMode), RequestEnd::Answered);
+  EXPECT_EQ(end(Request::ZeroAxes), RequestEnd::Answered);
+  EXPECT_EQ(end(Request::SetupMode), RequestEnd::Answered);
 }
 
-TEST_F(Request, ACommandWithoutAckIsNeverRepeated) {
+TEST_F(RequestServiceTest, ACommandWithoutAckIsNeverRepeated) {
   deafen(0x41);
-  ask(Ask::ZeroAxes);
+  request(Request::ZeroAxes);
   pair.run(10s);
   EXPECT_EQ(sent(0x41), 1u);
-  EXPECT_EQ(end(Ask::ZeroAxes), RequestEnd::NoAnswer);
+  EXPECT_EQ(end(Request::ZeroAxes), RequestEnd::NoAnswer);
 }
 
-TEST_F(Request, AResetIsSeenWhenTheDeviceAnnouncesItself) {
-  ask(Ask::Reset);
+TEST_F(RequestServiceTest, AResetIsSeenWhenTheDeviceAnnouncesItself) {
+  request(Request::Reset);
   pair.run(1s);
-  EXPECT_EQ(status(Ask::Reset).progress, Progress::Waiting);
+  EXPECT_EQ(status(Request::Reset).progress, Progress::Waiting);
   pair.run(3s);
-  EXPECT_EQ(end(Ask::Reset), RequestEnd::Answered);
+  EXPECT_EQ(end(Request::Reset), RequestEnd::Answered);
   EXPECT_EQ(sent(0x45), 1u);
 }
 
-TEST_F(Request, AResetThatIsNotSeenWithinTenSecondsIsSaidSo) {
+TEST_F(RequestServiceTest, AResetThatIsNotSeenWithinTenSecondsIsSaidSo) {
   deafen(0x45);
-  ask(Ask::Reset);
+  request(Request::Reset);
   pair.run(9900ms);
-  EXPECT_EQ(status(Ask::Reset).progress, Progress::Waiting);
+  EXPECT_EQ(status(Request::Reset).progress, Progress::Waiting);
   pair.run(200ms);
-  EXPECT_EQ(end(Ask::Reset), RequestEnd::NoAnswer);
+  EXPECT_EQ(end(Request::Reset), RequestEnd::NoAnswer);
 }
 
-TEST_F(Request, OnlyWhatTheTypeTakesIsOfferedAndDone) {
+TEST_F(RequestServiceTest, OnlyWhatTheTypeTakesIsOfferedAndDone) {
   const ServiceStatus status = pair.console().status(pair.now());
-  EXPECT_TRUE(status.find(monitor)->takes.has(Ask::ZeroAxes));
-  const AskSet riser = status.find(TruckPair::riser())->takes;
-  EXPECT_TRUE(riser.has(Ask::Fault));
-  for (const Ask ask : {Ask::Vista, Ask::ZeroAxes, Ask::Reset, Ask::SetupMode}) EXPECT_FALSE(riser.has(ask));
-  EXPECT_EQ(pair.want(wish::AskDevice{TruckPair::riser(), AskSet{Ask::Reset}}), Refusal::NotTaken);
-  EXPECT_EQ(pair.want(wish::AskDevice{DeviceKey::of(*Pin::parse("1032AE000000001")), kPolls}),
+  EXPECT_TRUE(status.find(monitor)->takes.has(Request::ZeroAxes));
+  const RequestSet riser = status.find(TruckPair::riser())->takes;
+  EXPECT_TRUE(riser.has(Request::Fault));
+  for (const Request request : {Request::Vista, Request::ZeroAxes, Request::Reset, Request::SetupMode})
+    EXPECT_FALSE(riser.has(request));
+  EXPECT_EQ(pair.want(wish::SendRequests{TruckPair::riser(), RequestSet{Request::Reset}}), Refusal::NotTaken);
+  EXPECT_EQ(pair.want(wish::SendRequests{DeviceKey::of(*Pin::parse("1032AE000000001")), kPolls}),
             Refusal::NoDevice);
 }
 
-TEST_F(Request, OfEveryoneOnlyPollsAreAsked) {
-  EXPECT_EQ(pair.want(wish::AskDevice{{}, AskSet{Ask::Fault, Ask::Reset, Ask::ZeroAxes}}), Refusal::None);
+TEST_F(RequestServiceTest, OfEveryoneOnlyPollsAreAsked) {
+  EXPECT_EQ(pair.want(wish::SendRequests{{}, RequestSet{Request::Fault, Request::Reset, Request::ZeroAxes}}),
+            Refusal::None);
   pair.run(3s);
   EXPECT_EQ(sent(0x02), pair.console().status(pair.now()).devices.size());
   EXPECT_EQ(sent(0x45) + sent(0x41), 0u);
 }
 
-TEST_F(Request, ACommandToADeviceThatIsSilentForASecondIsRefusedAndAPollIsNot) {
+TEST_F(RequestServiceTest, ACommandToADeviceThatIsSilentForASecondIsRefusedAndAPollIsNot) {
   pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };  // it is not heard any more
   pair.run(900ms);
-  EXPECT_EQ(ask(Ask::SetupMode), Refusal::None);
+  EXPECT_EQ(request(Request::SetupMode), Refusal::None);
   pair.run(300ms);
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::NotHeard);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::None);
+  EXPECT_EQ(request(Request::ZeroAxes), Refusal::NotHeard);
+  EXPECT_EQ(request(Request::Fault), Refusal::None);
   EXPECT_EQ(sent(0x41), 0u);
 }
 
-TEST_F(Request, NothingIsAskedOfAContestedAddressUntilItIsDecided) {
+TEST_F(RequestServiceTest, NothingIsAskedOfAContestedAddressUntilItIsDecided) {
   Frame claim = frame("18EEFF00", "FFFFFFFFFFFFFFFF");  // would lose, and the holder does not answer yet
   claim.id = J1939Id{6, pgn::kAddressClaimed, Address{monitorAddress()}, kGlobalAddress}.frameId();
   pair.wire = [](const Frame& f) {
@@ -300,13 +302,13 @@ TEST_F(Request, NothingIsAskedOfAContestedAddressUntilItIsDecided) {
   };
   pair.inject(claim);
   pair.run(Pair::kFlight);
-  EXPECT_EQ(ask(Ask::ZeroAxes), Refusal::Contested);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::Contested);
+  EXPECT_EQ(request(Request::ZeroAxes), Refusal::Contested);
+  EXPECT_EQ(request(Request::Fault), Refusal::Contested);
   EXPECT_EQ(sent(0x41), 0u);
   EXPECT_EQ(sent(0x02), 0u);
 }
 
-TEST_F(Request, NothingIsUnlockedOnAListenOnlyAdapter) {
+TEST_F(RequestServiceTest, NothingIsUnlockedOnAListenOnlyAdapter) {
   Console& console = pair.console();
   console.services.setListenOnly(pair.now(), console.state, true);
   EXPECT_TRUE(console.status(pair.now()).locked) << "what was unlocked is locked";
@@ -319,41 +321,41 @@ TEST_F(Request, NothingIsUnlockedOnAListenOnlyAdapter) {
   EXPECT_EQ(pair.want(wish::Unlock{}), Refusal::None);
 }
 
-TEST_F(Request, LockingEndsWhatIsOpenAndRepeated) {
+TEST_F(RequestServiceTest, LockingEndsWhatIsOpenAndRepeated) {
   deafen(0x02);
-  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+  pair.want(wish::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.want(wish::Lock{});
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::Cancelled);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::Cancelled);
   const Instant before = pair.now() + 1ns;
   pair.run(10s);
   EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
-  EXPECT_EQ(ask(Ask::Fault), Refusal::Locked);
+  EXPECT_EQ(request(Request::Fault), Refusal::Locked);
 }
 
-TEST_F(Request, ALostLinkEndsWhatIsOpen) {
+TEST_F(RequestServiceTest, ALostLinkEndsWhatIsOpen) {
   deafen(0x02);
-  ask(Ask::Fault);
+  request(Request::Fault);
   pair.setLink(pair.console(), false);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::LinkLost);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::NoLink);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::LinkLost);
+  EXPECT_EQ(request(Request::Fault), Refusal::NoLink);
 }
 
-TEST_F(Request, OurAddressLostToAnotherEndsWhatIsOpen) {
+TEST_F(RequestServiceTest, OurAddressLostToAnotherEndsWhatIsOpen) {
   deafen(0x02);
-  ask(Ask::Fault);
+  request(Request::Fault);
   Frame claim = frame("18EEFFF9", "0100000000000000");
   pair.inject(claim);
   pair.run(10ms);
-  EXPECT_EQ(end(Ask::Fault), RequestEnd::AddressLost);
+  EXPECT_EQ(end(Request::Fault), RequestEnd::AddressLost);
 }
 
-TEST_F(Request, ACopleyDriveIsNeverPolled) {
+TEST_F(RequestServiceTest, ACopleyDriveIsNeverPolled) {
   pair.console().state.apply(
       Note{.time = pair.now(), .value = note::DriveSaid{Channel{}, Address{monitorAddress()}}});
-  EXPECT_EQ(ask(Ask::Fault), Refusal::NotTaken);
+  EXPECT_EQ(request(Request::Fault), Refusal::NotTaken);
 }
 
-TEST_F(Request, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
+TEST_F(RequestServiceTest, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
   pair.want(wish::Repeat{monitor, kPolls, 500ms});
   pair.run(1s);
   ASSERT_GT(sent(0x02), 0u);
@@ -364,7 +366,7 @@ TEST_F(Request, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
   EXPECT_EQ(sent(0x02), before);
 }
 
-TEST_F(Request, RepeatedPollsWaitWhileTheAddressIsContested) {
+TEST_F(RequestServiceTest, RepeatedPollsWaitWhileTheAddressIsContested) {
   pair.want(wish::Repeat{monitor, kPolls, 500ms});
   pair.run(1s);
   pair.wire = [](const Frame& f) {  // the holder does not answer
@@ -385,8 +387,8 @@ TEST_F(Request, RepeatedPollsWaitWhileTheAddressIsContested) {
   EXPECT_TRUE(pair.console().state.channel({}).book.isContested(Address{address}));
 }
 
-TEST_F(Request, LockUnlockPollsAndTheirEndsAreNotes) {
-  ask(Ask::Fault);
+TEST_F(RequestServiceTest, LockUnlockPollsAndTheirEndsAreNotes) {
+  request(Request::Fault);
   pair.run(1s);
   std::vector<std::string_view> kinds;
   for (const Note& note : pair.console().notes) kinds.push_back(noteKey(note.value));
@@ -394,8 +396,8 @@ TEST_F(Request, LockUnlockPollsAndTheirEndsAreNotes) {
   EXPECT_EQ(std::get<note::Asked>(pair.console().notes[2].value).pin.text(), TruckPair::kMonitor);
 }
 
-TEST_F(Request, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPeriodLater) {
-  pair.want(wish::Repeat{monitor, AskSet{Ask::Fault}, 1s});
+TEST_F(RequestServiceTest, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPeriodLater) {
+  pair.want(wish::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.run(2500ms);
   // Its address goes to another, and it hears nothing of that.
   pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };
@@ -405,21 +407,21 @@ TEST_F(Request, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPeriodLater) {
   const std::size_t before = sent(0x02);
   pair.run(5s);
   EXPECT_EQ(sent(0x02), before);
-  EXPECT_EQ(status(Ask::Fault).end, RequestEnd::Gone);
+  EXPECT_EQ(status(Request::Fault).end, RequestEnd::Gone);
 }
 
-TEST_F(Request, AnAnnouncementThatWasAskedForIsNoReset) {
+TEST_F(RequestServiceTest, AnAnnouncementThatWasAskedForIsNoReset) {
   deafen(0x45);
-  ask(Ask::Reset);
+  request(Request::Reset);
   pair.run(500ms);
-  pair.want(wish::AskNames{});
+  pair.want(wish::RequestNames{});
   pair.run(1s);
-  EXPECT_EQ(status(Ask::Reset).progress, Progress::Waiting);
+  EXPECT_EQ(status(Request::Reset).progress, Progress::Waiting);
   pair.run(10s);
-  EXPECT_EQ(end(Ask::Reset), RequestEnd::NoAnswer);
+  EXPECT_EQ(end(Request::Reset), RequestEnd::NoAnswer);
 }
 
-TEST_F(Request, WhatWasAskedOfAnAddressIsTheDevicesOnceItsPinIsKnown) {
+TEST_F(RequestServiceTest, WhatWasAskedOfAnAddressIsTheDevicesOnceItsPinIsKnown) {
   Pair blind;  // a console that comes later than the announcements
   simulator::StandardBench truck = simulator::standardBench(1);
   blind.bench = std::move(truck.bench);
@@ -430,10 +432,10 @@ TEST_F(Request, WhatWasAskedOfAnAddressIsTheDevicesOnceItsPinIsKnown) {
   blind.run(1s);
   blind.unlock();
   const DeviceKey byAddress = DeviceKey::at(Channel{}, Address{0x80});
-  ASSERT_EQ(blind.want(wish::Repeat{byAddress, AskSet{Ask::Fault}, 500ms}), Refusal::None);
+  ASSERT_EQ(blind.want(wish::Repeat{byAddress, RequestSet{Request::Fault}, 500ms}), Refusal::None);
   blind.run(2s);
   blind.wire = [](const Frame&) { return Pair::Fate{}; };
-  blind.want(wish::AskNames{});
+  blind.want(wish::RequestNames{});
   blind.run(1s);
   const Device* device = blind.console().state.devices().byAddress(Channel{}, Address{0x80});
   ASSERT_FALSE(device->pin.isNull());
@@ -443,23 +445,23 @@ TEST_F(Request, WhatWasAskedOfAnAddressIsTheDevicesOnceItsPinIsKnown) {
   EXPECT_TRUE(blind.sent(0x02, &blind.console(), from).empty());
 }
 
-TEST_F(Request, ARefusalIsForgottenWithTheNextWishThatIsCarriedOut) {
+TEST_F(RequestServiceTest, ARefusalIsForgottenWithTheNextWishThatIsCarriedOut) {
   deafen(0x02);
-  ask(Ask::Fault);
-  EXPECT_EQ(ask(Ask::Fault), Refusal::Busy);
+  request(Request::Fault);
+  EXPECT_EQ(request(Request::Fault), Refusal::Busy);
   EXPECT_EQ(pair.console().status(pair.now()).refusal, Refusal::Busy);
-  ask(Ask::Firmware);
+  request(Request::Firmware);
   EXPECT_EQ(pair.console().status(pair.now()).refusal, Refusal::None);
 }
 
 // Answers as they should not come, to everything that is answered at all.
-struct HostileAnswer : Request, ::testing::WithParamInterface<Ask> {
+struct HostileAnswer : RequestServiceTest, ::testing::WithParamInterface<Request> {
   HostileAnswer() {
     deafen(static_cast<std::uint8_t>(messageOf(rule.request).firstByte));
-    ask(GetParam());
+    request(GetParam());
     pair.run(Pair::kFlight);
   }
-  const AskRule& rule = ruleOf(GetParam());
+  const RequestRule& rule = ruleOf(GetParam());
 
   std::vector<MessageId> parts() const {
     return rule.answers[1] == kNoAnswer ? std::vector{rule.answers[0]}
@@ -548,7 +550,7 @@ TEST_P(HostileAnswer, LateIsSaidSoAndMuchLaterIsNobodysAnswer) {
   answerFrom(monitorAddress());
   EXPECT_EQ(end(GetParam()), RequestEnd::NoAnswer);
   EXPECT_EQ(status(GetParam()).unasked, parts().size());
-  ask(GetParam());
+  request(GetParam());
   pair.run(2s);
   answerFrom(monitorAddress());
   EXPECT_EQ(end(GetParam()), RequestEnd::AnsweredLate);
@@ -556,7 +558,7 @@ TEST_P(HostileAnswer, LateIsSaidSoAndMuchLaterIsNobodysAnswer) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Asks, HostileAnswer,
-                         ::testing::ValuesIn(allBut(Ask::Reset)),  // which has no answer
+                         ::testing::ValuesIn(allBut(Request::Reset)),  // which has no answer
                          [](const auto& row) {
                            const auto key = messageOf(ruleOf(row.param).request).key;
                            return std::string(key.substr(0, key.find('_')));
@@ -604,7 +606,7 @@ struct Crowd : ::testing::Test {
 
 TEST_F(Crowd, PollingEveryoneGetsAllAnswersWithinTheBudget) {
   const Instant from = pair.now();
-  pair.want(wish::AskDevice{{}, kPolls});
+  pair.want(wish::SendRequests{{}, kPolls});
   pair.run(20s);
   std::size_t answered = 0;
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
@@ -621,7 +623,7 @@ TEST_F(Crowd, RepeatedFasterThanTheBudgetAllowsEveryoneStillHasHisTurn) {
   EXPECT_LE(worstShare(from), BusBudget::kShare * 1.1);
   std::uint32_t least = ~0u, most = 0;
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
-    for (const Ask poll : polls()) {
+    for (const Request poll : polls()) {
       least = std::min(least, device.of(poll).answered);
       most = std::max(most, device.of(poll).answered);
     }
@@ -638,7 +640,7 @@ TEST_F(Crowd, OnABusyBusPollingEveryoneEndsAndLeavesTheBusToOthers) {
     pair.bench.fill(pair.now(), load - own);
     EXPECT_NEAR(loadOf(5s), load, 0.01);
     const Instant from = pair.now();
-    pair.want(wish::AskDevice{{}, kPolls});
+    pair.want(wish::SendRequests{{}, kPolls});
     const auto isOver = [&] {
       const ServiceStatus status = pair.console().status(pair.now());
       return std::ranges::all_of(status.devices, [](const DeviceServices& device) {
@@ -652,7 +654,7 @@ TEST_F(Crowd, OnABusyBusPollingEveryoneEndsAndLeavesTheBusToOthers) {
     EXPECT_LE(worstShare(from), (load < BusBudget::kFull ? BusBudget::kShare : BusBudget::kLeast) * 1.2);
   }
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
-    for (const Ask poll : polls()) EXPECT_EQ(device.of(poll).answered, 2u);
+    for (const Request poll : polls()) EXPECT_EQ(device.of(poll).answered, 2u);
   }
 }
 
@@ -661,11 +663,11 @@ TEST_F(Crowd, OfSilentOnesTheRetriesStayWithinTheBudgetToo) {
     return Pair::Fate{J1939Id::of(f.identifier()).source == Address{0xF9} ? 0 : 1, 0ns};
   };
   const Instant from = pair.now();
-  pair.want(wish::AskDevice{{}, kPolls});
+  pair.want(wish::SendRequests{{}, kPolls});
   pair.run(40s);
   EXPECT_LE(worstShare(from), BusBudget::kShare * 1.1);
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
-    for (const Ask poll : polls()) EXPECT_EQ(device.of(poll).end, RequestEnd::NoAnswer);
+    for (const Request poll : polls()) EXPECT_EQ(device.of(poll).end, RequestEnd::NoAnswer);
   }
 }
 

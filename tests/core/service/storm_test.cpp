@@ -27,8 +27,10 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
   std::string typed;
   for (int i = 0; i < 30; ++i) {
     switch (random.between(0, 9)) {
-      case 0: pair.want(wish::AskDevice{{}, kPolls}); break;
-      case 1: pair.want(wish::AskDevice{monitor, AskSet{static_cast<Ask>(random.between(0, 7))}}); break;
+      case 0: pair.want(wish::SendRequests{{}, kPolls}); break;
+      case 1:
+        pair.want(wish::SendRequests{monitor, RequestSet{static_cast<Request>(random.between(0, 7))}});
+        break;
       case 2: pair.want(wish::Repeat{monitor, kPolls, random.between(0, 3) * Duration(1s)}); break;
       case 3: pair.want(wish::PipeWrite{monitor, "0123456789"}); break;
       case 4: pair.want(wish::PipeFile{monitor, "f", std::make_shared<const std::string>(200, 'f')}); break;
@@ -44,7 +46,7 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
         pair.run(random.between(0, 500) * Duration(1ms));
         pair.setLink(pair.console(), true);
         break;
-      case 8: pair.want(wish::AskNames{}); break;
+      case 8: pair.want(wish::RequestNames{}); break;
       default:
         if (chance(30)) {
           pair.want(wish::Lock{});

@@ -11,7 +11,7 @@ namespace {
 class Answer : public ::testing::Test {
  protected:
   // How many frames with this first byte went to F9 within so long after a request from there.
-  std::vector<Seen> ask(const char* request, Duration d = 50ms) {
+  std::vector<Seen> request(const char* request, Duration d = 50ms) {
     const std::size_t before = rig.log.size();
     rig.send("18EF80F9", request);
     rig.run(d);
@@ -28,16 +28,16 @@ class Answer : public ::testing::Test {
 TEST_F(Answer, IsLostKOfN) {
   rig.monitor.misbehave({.answers = {.lost = {2, 3}}});
   std::vector<std::size_t> counts;
-  for (int i = 0; i < 6; ++i) counts.push_back(ask("03").size());
+  for (int i = 0; i < 6; ++i) counts.push_back(request("03").size());
   EXPECT_EQ(counts, (std::vector<std::size_t>{1, 0, 0, 1, 0, 0}));
   rig.monitor.misbehave({.answers = {.lost = {1, 1}}});
-  EXPECT_TRUE(ask("46").empty()) << "acknowledgements too";
+  EXPECT_TRUE(request("46").empty()) << "acknowledgements too";
 }
 
 TEST_F(Answer, ComesLateAndHoldsUpNoStatus) {
   rig.monitor.misbehave({.answers = {.late = 800ms}});
   const Instant from = rig.now();
-  EXPECT_TRUE(ask("02", 790ms).empty());
+  EXPECT_TRUE(request("02", 790ms).empty());
   EXPECT_GE(rig.all(MessageId::PositionLimitStatus, from).size(), 7u);
   rig.run(15ms);
   const auto answers = rig.all(MessageId::FaultResponse, from);
@@ -59,8 +59,8 @@ TEST_F(Answer, LateOnesKeepTheirOrder) {
 
 TEST_F(Answer, ComesTwice) {
   rig.monitor.misbehave({.answers = {.twice = true}});
-  EXPECT_EQ(ask("04").size(), 2u);
-  EXPECT_EQ(ask("21").size(), 4u);
+  EXPECT_EQ(request("04").size(), 2u);
+  EXPECT_EQ(request("21").size(), 4u);
 }
 
 TEST_F(Answer, HasAWrongLengthWhileStatusesAreRight) {
@@ -71,7 +71,7 @@ TEST_F(Answer, HasAWrongLengthWhileStatusesAreRight) {
     unsigned length;
   };
   for (const Row& row : {Row{"02", 6}, Row{"03", 6}, Row{"41", 2}}) {
-    const auto answers = ask(row.request);
+    const auto answers = request(row.request);
     ASSERT_EQ(answers.size(), 1u) << row.request;
     EXPECT_EQ(answers[0].frame.length, row.length) << row.request;
   }
@@ -80,7 +80,7 @@ TEST_F(Answer, HasAWrongLengthWhileStatusesAreRight) {
 
 TEST_F(Answer, ComesFromAWrongSource) {
   rig.monitor.misbehave({.answers = {.wrongSource = true}});
-  const auto answers = ask("02");
+  const auto answers = request("02");
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(answers[0].source(), Address{0x81});
 }
@@ -88,16 +88,16 @@ TEST_F(Answer, ComesFromAWrongSource) {
 TEST_F(Answer, OfOlderFirmwareHasFiveBytesAndNoErrorCode) {
   rig.monitor.misbehave(
       {.faultBits = faultBit("internal_fuse"), .pcodeError = 42, .answers = {.shortFault = true}});
-  const auto answers = ask("02");
+  const auto answers = request("02");
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(answers[0].frame.length, 5u);
   EXPECT_EQ(FaultStatus::of(answers[0].frame), (FaultStatus{faultBit("internal_fuse"), std::nullopt}));
-  EXPECT_EQ(ask("03")[0].frame.length, 7u);
+  EXPECT_EQ(request("03")[0].frame.length, 7u);
 }
 
 TEST_F(Answer, CarriesReservedFaultBitsAndAnyErrorCode) {
   rig.monitor.misbehave({.faultBits = kOlderFaultBits, .pcodeError = 42});
-  const auto answers = ask("02");
+  const auto answers = request("02");
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(Rig::textOf(answers[0]), "faults=; reserved_bits=17, 18, 19, 20, 22; pcode_error=42");
   rig.run(200ms);
@@ -108,7 +108,7 @@ TEST_F(Answer, AnIntruderAnswersNothingOfAkrons) {
   rig.monitor.misbehave({.addressTaken = true});
   rig.run(1s);
   ASSERT_EQ(rig.monitor.address(), Address{0x81});
-  for (const char* request : {"02", "03", "FE41", "45"}) EXPECT_TRUE(ask(request).empty()) << request;
+  for (const char* type : {"02", "03", "FE41", "45"}) EXPECT_TRUE(request(type).empty()) << type;
 }
 
 class Power : public ::testing::Test {

@@ -50,7 +50,7 @@ TEST_F(Pipe, AcknowledgesEachPacketAndAnswersWhenTheLineEnds) {
 
 TEST_F(Pipe, TakesCrLfAndBothAsLineEnds) {
   for (const char* line : {"A?\r", "A?\n", "A?\r\n", "a?\r\n", "  A?  \r\n", "\r\n\n\rA?\r"})
-    EXPECT_EQ(terminal.ask(line), kBanner) << ::testing::PrintToString(line);
+    EXPECT_EQ(terminal.request(line), kBanner) << ::testing::PrintToString(line);
 }
 
 TEST_F(Pipe, AnswersEachCommand) {
@@ -70,29 +70,29 @@ TEST_F(Pipe, AnswersEachCommand) {
       {"SEND 99999999\r", "ERROR a number up to 16777216\r\n"},
       {"dance\r", "ERROR unknown command, ? lists them\r\n"},
   };
-  for (const Row& row : rows) EXPECT_EQ(terminal.ask(row.line), row.answer) << row.line;
+  for (const Row& row : rows) EXPECT_EQ(terminal.request(row.line), row.answer) << row.line;
   for (const char* help : {"?\r", "help\r"})
-    EXPECT_EQ(terminal.ask(help, 2s), std::string(PipeShell::kHelp)) << help;
+    EXPECT_EQ(terminal.request(help, 2s), std::string(PipeShell::kHelp)) << help;
 }
 
 TEST_F(Pipe, StatusSaysWhatTheMonitorIsDoing) {
   rig.monitor.misbehave({.rotationSensorError = true, .faultBits = faultBit("internal_fuse")});
-  const std::string text = terminal.ask("STAT\r", 2s);
+  const std::string text = terminal.request("STAT\r", 2s);
   for (const char* line : {"ADDRESS 80\r\n", "FAULTS 00200000\r\n", "ERROR CODE 11\r\n",
                            "PIPE IN 1 OUT 0\r\n", "ROTATION 0.0\r\n", "ENABLED\r\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << " in " << text;
 }
 
 TEST_F(Pipe, EchoesCharactersOnRequest) {
-  EXPECT_EQ(terminal.ask("ECHO ON\r"), "OK\r\n");
-  EXPECT_EQ(terminal.ask("A?\r\n"), std::string("A?\r\n") + kBanner);
-  EXPECT_EQ(terminal.ask("echo off\r"), "echo off\r\nOK\r\n");
-  EXPECT_EQ(terminal.ask("A?\r"), kBanner);
+  EXPECT_EQ(terminal.request("ECHO ON\r"), "OK\r\n");
+  EXPECT_EQ(terminal.request("A?\r\n"), std::string("A?\r\n") + kBanner);
+  EXPECT_EQ(terminal.request("echo off\r"), "echo off\r\nOK\r\n");
+  EXPECT_EQ(terminal.request("A?\r"), kBanner);
 }
 
 TEST_F(Pipe, ALineThatIsTooLongIsAnErrorAndTheNextIsNot) {
-  EXPECT_EQ(terminal.ask(std::string(2000, 'a') + "\r", 3s), "ERROR line too long\r\n");
-  EXPECT_EQ(terminal.ask("A?\r"), kBanner);
+  EXPECT_EQ(terminal.request(std::string(2000, 'a') + "\r", 3s), "ERROR line too long\r\n");
+  EXPECT_EQ(terminal.request("A?\r"), kBanner);
 }
 
 TEST_F(Pipe, EveryAkronDeviceHasOne) {
@@ -104,7 +104,7 @@ TEST_F(Pipe, EveryAkronDeviceHasOne) {
                            "6039 CAN I/O Module v2.6\r\n", "6035 Joystick 1035AE100804442 v2.6\r\n"};
   std::vector<Terminal> terminals;
   for (std::size_t i = 0; i < bus.bench.size(); ++i) terminals.emplace_back(bus, bus.bench.device(i));
-  for (std::size_t i = 0; i < terminals.size(); ++i) EXPECT_EQ(terminals[i].ask("A?\r"), banners[i]);
+  for (std::size_t i = 0; i < terminals.size(); ++i) EXPECT_EQ(terminals[i].request("A?\r"), banners[i]);
 }
 
 TEST(PipesOfOneBus, RunAtTheSameTime) {
@@ -134,7 +134,7 @@ TEST_F(Pipe, OnePeerAtATime) {
   other.type("A?\r");
   other.run(5s);
   EXPECT_EQ(other.acks, 0u) << "in the middle of the first one's line";
-  EXPECT_EQ(terminal.ask("lf\r"), "half\r\n");
+  EXPECT_EQ(terminal.request("lf\r"), "half\r\n");
   other.packet("A?\r");
   other.run(1s);
   EXPECT_EQ(other.text, kBanner);
@@ -145,7 +145,7 @@ TEST_F(Pipe, APeerThatFellSilentGivesItUp) {
   terminal.type("ECHO ha");
   terminal.run(100ms);
   rig.run(PipeEnd::kPeerSilence);
-  EXPECT_EQ(other.ask("A?\r"), kBanner);
+  EXPECT_EQ(other.request("A?\r"), kBanner);
 }
 
 TEST_F(Pipe, WaitsForEachAcknowledgementThenGivesUpAndSaysSoLater) {
@@ -154,12 +154,12 @@ TEST_F(Pipe, WaitsForEachAcknowledgementThenGivesUpAndSaysSoLater) {
   terminal.run(5s);
   EXPECT_EQ(terminal.text, "6032 Un");
   terminal.acknowledges = true;
-  EXPECT_EQ(terminal.ask("A?\r"), std::string("LOST 40 characters of the answers before\r\n") + kBanner);
-  EXPECT_EQ(terminal.ask("A?\r"), kBanner) << "once";
+  EXPECT_EQ(terminal.request("A?\r"), std::string("LOST 40 characters of the answers before\r\n") + kBanner);
+  EXPECT_EQ(terminal.request("A?\r"), kBanner) << "once";
 }
 
 TEST_F(Pipe, SendPrintsSoManyBytesWithTheirCrc) {
-  const std::string text = terminal.ask("SEND 1000\r", 3s);
+  const std::string text = terminal.request("SEND 1000\r", 3s);
   ASSERT_GT(text.size(), 1000u);
   EXPECT_EQ(text.substr(1000), "SENT 1000 CRC32 " + crcText(text.substr(0, 1000)) + "\r\n");
 }
@@ -169,7 +169,7 @@ TEST_F(Pipe, CtrlCEndsSend) {
   terminal.run(1s);
   terminal.packet("\x03");
   terminal.run(100ms);
-  EXPECT_EQ(terminal.ask("A?\r"), kBanner);
+  EXPECT_EQ(terminal.request("A?\r"), kBanner);
 }
 
 TEST_F(Pipe, AFileIsTakenByteForByteAndItsCrcSaid) {
@@ -177,18 +177,18 @@ TEST_F(Pipe, AFileIsTakenByteForByteAndItsCrcSaid) {
        {std::size_t{1}, std::size_t{6}, std::size_t{7}, std::size_t{8}, std::size_t{5000}}) {
     const std::string file = randomBytes(size, static_cast<unsigned>(size));
     const std::string bytes = std::to_string(size);
-    EXPECT_EQ(terminal.ask("FILE " + bytes + "\r\n"), "READY " + bytes + "\r\n");
-    EXPECT_EQ(terminal.ask(file, 1s + size * 2ms), "OK " + bytes + " CRC32 " + crcText(file) + "\r\n");
-    EXPECT_EQ(terminal.ask("A?\r"), kBanner);
+    EXPECT_EQ(terminal.request("FILE " + bytes + "\r\n"), "READY " + bytes + "\r\n");
+    EXPECT_EQ(terminal.request(file, 1s + size * 2ms), "OK " + bytes + " CRC32 " + crcText(file) + "\r\n");
+    EXPECT_EQ(terminal.request("A?\r"), kBanner);
   }
 }
 
 TEST_F(Pipe, AFileMayFollowItsCommandAtOnceAndMayBeginWithALineFeed) {
   const std::string file = "\n\r\n\x03x";
-  EXPECT_EQ(terminal.ask("FILE 5\r\n" + file), "READY 5\r\nOK 5 CRC32 " + crcText(file) + "\r\n");
-  EXPECT_EQ(terminal.ask("FILE 5\r"), "READY 5\r\n");
-  EXPECT_EQ(terminal.ask(file), "OK 5 CRC32 " + crcText(file) + "\r\n");
-  EXPECT_EQ(terminal.ask("FILE 5\n" + file), "READY 5\r\nOK 5 CRC32 " + crcText(file) + "\r\n");
+  EXPECT_EQ(terminal.request("FILE 5\r\n" + file), "READY 5\r\nOK 5 CRC32 " + crcText(file) + "\r\n");
+  EXPECT_EQ(terminal.request("FILE 5\r"), "READY 5\r\n");
+  EXPECT_EQ(terminal.request(file), "OK 5 CRC32 " + crcText(file) + "\r\n");
+  EXPECT_EQ(terminal.request("FILE 5\n" + file), "READY 5\r\nOK 5 CRC32 " + crcText(file) + "\r\n");
 }
 
 TEST_F(Pipe, BothDirectionsInterleave) {
@@ -203,8 +203,8 @@ TEST_F(Pipe, BothDirectionsInterleave) {
 }
 
 TEST_F(Pipe, AFileThatStopsComingIsGivenUp) {
-  EXPECT_EQ(terminal.ask("FILE 100\rabc", 11s), "READY 100\r\nERROR 3 of 100 bytes came\r\n");
-  EXPECT_EQ(terminal.ask("A?\r"), kBanner);
+  EXPECT_EQ(terminal.request("FILE 100\rabc", 11s), "READY 100\r\nERROR 3 of 100 bytes came\r\n");
+  EXPECT_EQ(terminal.request("A?\r"), kBanner);
 }
 
 TEST_F(Pipe, WhatWaitsToGoOutIsBounded) {
@@ -245,7 +245,8 @@ TEST_F(Pipe, LostAcksAreTheNthOrEveryNth) {
     EXPECT_EQ(lost, row.lost) << row.name;
   }
   rig.monitor.misbehave({});
-  EXPECT_EQ(terminal.ask("\r"), "ERROR unknown command, ? lists them\r\n") << "they were taken all the same";
+  EXPECT_EQ(terminal.request("\r"), "ERROR unknown command, ? lists them\r\n")
+      << "they were taken all the same";
 }
 
 TEST_F(Pipe, SlowAcksHoldUpNothingElse) {
@@ -269,9 +270,9 @@ TEST_F(Pipe, AcksCanComeTwice) {
 
 TEST_F(Pipe, ALostPacketOfTheDeviceIsGivenUpAfterASecond) {
   rig.monitor.misbehave({.pipe = {.packetsLost = {1, 2}}});
-  EXPECT_EQ(terminal.ask("A?\r", 3s), "6032 Un");
+  EXPECT_EQ(terminal.request("A?\r", 3s), "6032 Un");
   rig.monitor.misbehave({});
-  EXPECT_EQ(terminal.ask("A?\r"), std::string("LOST 33 characters of the answers before\r\n") + kBanner);
+  EXPECT_EQ(terminal.request("A?\r"), std::string("LOST 33 characters of the answers before\r\n") + kBanner);
 }
 
 TEST_F(Pipe, AnUnheardPacketIsNeitherTakenNorAcknowledged) {
@@ -359,8 +360,8 @@ TEST(PipeUnderFaults, StaysPacedAndComesBack) {
     Terminal after(rig, rig.monitor);
     after.packet("\x03");
     after.run(100ms);
-    after.ask("\r", 3s);  // what was lost is said, a line that was begun ends
-    EXPECT_EQ(after.ask("A?\r"), std::string(rig.monitor.isPowered() ? kBanner : "")) << seed;
+    after.request("\r", 3s);  // what was lost is said, a line that was begun ends
+    EXPECT_EQ(after.request("A?\r"), std::string(rig.monitor.isPowered() ? kBanner : "")) << seed;
   }
 }
 

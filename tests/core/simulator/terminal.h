@@ -41,7 +41,7 @@ class Terminal {
     step();
   }
   // One line to it, and what came back.
-  std::string ask(std::string_view line, Duration d = 1s) {
+  std::string request(std::string_view line, Duration d = 1s) {
     text.clear();
     type(line);
     run(d);

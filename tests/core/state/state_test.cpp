@@ -371,10 +371,10 @@ TEST_F(StateOfOneChannel, KeepsWhatWasAskedInVainUntilTheAnswer) {
   const Instant first = m_now;
   pass(1s);
   hear("18EF80F9", "03");
-  EXPECT_EQ(device(kPinA)->askedInVain(Ask::Firmware), first);
-  EXPECT_EQ(device(kPinA)->askedInVain(Ask::Fault), kNotYet);
+  EXPECT_EQ(device(kPinA)->askedInVain(Request::Firmware), first);
+  EXPECT_EQ(device(kPinA)->askedInVain(Request::Fault), kNotYet);
   hear("18EFF980", "03010001020105");
-  EXPECT_EQ(device(kPinA)->askedInVain(Ask::Firmware), kNotYet);
+  EXPECT_EQ(device(kPinA)->askedInVain(Request::Firmware), kNotYet);
 }
 
 TEST_F(StateOfOneChannel, RunsOutOfDevicesWithoutHarm) {

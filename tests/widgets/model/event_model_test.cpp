@@ -56,27 +56,27 @@ TEST_F(ModelOfEvents, NamesTheDeviceByItsLabelOrItsPin) {
 TEST_F(ModelOfEvents, MakesOneRowOfAQuestionAndItsAnswers) {
   const auto log = logOfText(kLog);
   const Pin pin = *Pin::parse("1032AE100801035");
-  const auto ask = [&] {
+  const auto request = [&] {
     log->notes.append(
-        {.frame = 4, .time = Instant{13'000'000'000}, .value = note::Asked{{}, {0x80}, pin, Ask::Fault}});
+        {.frame = 4, .time = Instant{13'000'000'000}, .value = note::Asked{{}, {0x80}, pin, Request::Fault}});
     model.setView(viewOf(log));
   };
   const auto end = [&](RequestEnd how) {
     log->notes.append({.frame = 4,
                        .time = Instant{13'000'000'000},
-                       .value = note::AskEnded{{}, {0x80}, pin, Ask::Fault, how}});
+                       .value = note::RequestEnded{{}, {0x80}, pin, Request::Fault, how}});
     model.setView(viewOf(log));
   };
-  ask();
+  request();
   EXPECT_EQ(what(2), "Faults: asked");
   end(RequestEnd::Answered);
   ASSERT_EQ(model.rowCount(), 3);
   EXPECT_EQ(what(2), "Faults: answered");
-  ask();
+  request();
   end(RequestEnd::Answered);
   ASSERT_EQ(model.rowCount(), 3);
   EXPECT_EQ(what(2), "Faults: answered, 2 times");
-  ask();
+  request();
   end(RequestEnd::NoAnswer);
   ASSERT_EQ(model.rowCount(), 4);
   EXPECT_EQ(what(3), "Faults: no answer");

@@ -9,7 +9,7 @@
 #include <QWheelEvent>
 
 #include "model/answer_history.h"
-#include "panel/poll/ask_card.h"
+#include "panel/poll/request_card.h"
 #include "support/child.h"
 #include "widgets/panel/talk_rig.h"
 
@@ -21,40 +21,40 @@ using test::frame;
 const DeviceKey kMonitor = test::kTalkedTo;
 constexpr std::int64_t kSecond = 1'000'000'000;
 
-struct AskedDevice : test::Talk<RequestPanel> {
-  AskedDevice() {
+struct RequestsOfDevice : test::Talk<RequestPanel> {
+  RequestsOfDevice() {
     services.devices[0].takes = kPolls;
-    services.devices[0].takes.add(Ask::Reset);
+    services.devices[0].takes.add(Request::Reset);
     panel.resize(380, 700);
     show();
   }
-  RequestStatus& request(Ask ask) { return services.devices[0].requests[ask]; }
-  AskCard* card(Ask ask) {
-    return test::child<AskCard>(panel, QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
+  RequestStatus& request(Request request) { return services.devices[0].requests[request]; }
+  RequestCard* card(Request request) {
+    return test::child<RequestCard>(panel, QStringLiteral("askCard%1").arg(static_cast<int>(request)));
   }
-  QPushButton* button(Ask ask) { return test::child<QPushButton>(*card(ask), "askButton"); }
+  QPushButton* button(Request request) { return test::child<QPushButton>(*card(request), "askButton"); }
   using Talk::button;
   QString hint() { return child<QLabel>("requestHint")->text(); }
 };
 
-TEST_F(AskedDevice, AButtonAsksTheChosenDeviceAndNothingElse) {
-  QTest::mouseClick(button(Ask::Firmware), Qt::LeftButton);
+TEST_F(RequestsOfDevice, AButtonAsksTheChosenDeviceAndNothingElse) {
+  QTest::mouseClick(button(Request::Firmware), Qt::LeftButton);
   ASSERT_EQ(wishes.size(), 1u);
-  const auto& wish = std::get<wish::AskDevice>(wishes[0]);
+  const auto& wish = std::get<wish::SendRequests>(wishes[0]);
   EXPECT_EQ(wish.device, kMonitor);
-  EXPECT_EQ(wish.asks, AskSet{Ask::Firmware});
+  EXPECT_EQ(wish.requests, RequestSet{Request::Firmware});
 }
 
-TEST_F(AskedDevice, OffersOnlyWhatTheTypeTakes) {
-  EXPECT_TRUE(card(Ask::Vista)->isVisible());
-  EXPECT_TRUE(card(Ask::Reset)->isVisible());
-  EXPECT_FALSE(card(Ask::ZeroAxes)->isVisible());
+TEST_F(RequestsOfDevice, OffersOnlyWhatTheTypeTakes) {
+  EXPECT_TRUE(card(Request::Vista)->isVisible());
+  EXPECT_TRUE(card(Request::Reset)->isVisible());
+  EXPECT_FALSE(card(Request::ZeroAxes)->isVisible());
 }
 
-TEST_F(AskedDevice, LockedItOffersNothingAndSaysWhy) {
+TEST_F(RequestsOfDevice, LockedItOffersNothingAndSaysWhy) {
   services.locked = true;
   show();
-  EXPECT_FALSE(button(Ask::Fault)->isEnabled());
+  EXPECT_FALSE(button(Request::Fault)->isEnabled());
   EXPECT_FALSE(button("askAll")->isEnabled());
   EXPECT_FALSE(hint().isEmpty());
   QSignalSpy unlock(&panel, &RequestPanel::unlockRequested);
@@ -62,15 +62,15 @@ TEST_F(AskedDevice, LockedItOffersNothingAndSaysWhy) {
   EXPECT_EQ(unlock.count(), 1);
 }
 
-TEST_F(AskedDevice, OffTheLiveEdgeItOffersNothing) {
+TEST_F(RequestsOfDevice, OffTheLiveEdgeItOffersNothing) {
   isLive = false;
   show();
-  EXPECT_FALSE(button(Ask::Fault)->isEnabled());
+  EXPECT_FALSE(button(Request::Fault)->isEnabled());
   EXPECT_FALSE(button("requestUnlock")->isVisible());
 }
 
-TEST_F(AskedDevice, OffTheLiveEdgeWhatGoesOnCanBeEndedButNothingBegun) {
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Queued, .period = 5s};
+TEST_F(RequestsOfDevice, OffTheLiveEdgeWhatGoesOnCanBeEndedButNothingBegun) {
+  request(Request::Fault) = {.progress = RequestStatus::Progress::Queued, .period = 5s};
   isLive = false;
   show();
   auto* period = child<QComboBox>("askRepeat");
@@ -86,19 +86,19 @@ TEST_F(AskedDevice, OffTheLiveEdgeWhatGoesOnCanBeEndedButNothingBegun) {
   EXPECT_EQ(std::get<wish::Cancel>(wishes[1]).device, kMonitor);
 }
 
-TEST_F(AskedDevice, ACommandIsAskedOnceByTheDevicesName) {
-  QTest::mouseClick(button(Ask::Reset), Qt::LeftButton);
+TEST_F(RequestsOfDevice, ACommandIsAskedOnceByTheDevicesName) {
+  QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
   EXPECT_TRUE(wishes.empty());
   ASSERT_NE(dialog(), nullptr);
   EXPECT_TRUE(test::child<QLabel>(*dialog(), "dangerTitle")->text().contains(QStringLiteral("Roof")));
   QTest::mouseClick(test::child<QPushButton>(*dialog(), "dangerVerb"), Qt::LeftButton);
   ASSERT_EQ(wishes.size(), 1u);
-  EXPECT_EQ(std::get<wish::AskDevice>(wishes[0]).asks, AskSet{Ask::Reset});
+  EXPECT_EQ(std::get<wish::SendRequests>(wishes[0]).requests, RequestSet{Request::Reset});
 }
 
-TEST_F(AskedDevice, EnterAndEscapeInTheQuestionLeaveThingsAsTheyAre) {
+TEST_F(RequestsOfDevice, EnterAndEscapeInTheQuestionLeaveThingsAsTheyAre) {
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
-    QTest::mouseClick(button(Ask::Reset), Qt::LeftButton);
+    QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
     ASSERT_NE(dialog(), nullptr);
     QTest::keyClick(dialog(), key);
     EXPECT_TRUE(wishes.empty()) << key;
@@ -106,162 +106,166 @@ TEST_F(AskedDevice, EnterAndEscapeInTheQuestionLeaveThingsAsTheyAre) {
   }
 }
 
-TEST_F(AskedDevice, ShowsTheAnswerInWordsAndHowItWent) {
+TEST_F(RequestsOfDevice, ShowsTheAnswerInWordsAndHowItWent) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200200000000B", 0, 2 * kSecond)});
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
-                         .end = RequestEnd::Answered,
-                         .tries = 1,
-                         .sent = view.cursor.time,
-                         .ended = view.cursor.time,
-                         .latency = 3ms};
+  request(Request::Fault) = {.progress = RequestStatus::Progress::Ended,
+                             .end = RequestEnd::Answered,
+                             .tries = 1,
+                             .sent = view.cursor.time,
+                             .ended = view.cursor.time,
+                             .latency = 3ms};
   show();
-  EXPECT_TRUE(card(Ask::Fault)->values().answer.contains(QStringLiteral("nternal fuse")))
-      << card(Ask::Fault)->values().answer.toStdString();
-  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("3 ms")));
-  EXPECT_TRUE(card(Ask::Fault)->values().isFault);
-  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Plain) << "no tick beside a fault";
+  EXPECT_TRUE(card(Request::Fault)->values().answer.contains(QStringLiteral("nternal fuse")))
+      << card(Request::Fault)->values().answer.toStdString();
+  EXPECT_TRUE(card(Request::Fault)->values().state.contains(QStringLiteral("3 ms")));
+  EXPECT_TRUE(card(Request::Fault)->values().isFault);
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Plain) << "no tick beside a fault";
 }
 
-TEST_F(AskedDevice, OnlyAnAnswerWithoutFaultsHasATick) {
+TEST_F(RequestsOfDevice, OnlyAnAnswerWithoutFaultsHasATick) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "02000000000000", 0, 2 * kSecond)});
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
-                         .end = RequestEnd::Answered,
-                         .tries = 1,
-                         .sent = view.cursor.time,
-                         .ended = view.cursor.time,
-                         .latency = 3ms};
+  request(Request::Fault) = {.progress = RequestStatus::Progress::Ended,
+                             .end = RequestEnd::Answered,
+                             .tries = 1,
+                             .sent = view.cursor.time,
+                             .ended = view.cursor.time,
+                             .latency = 3ms};
   show();
-  EXPECT_FALSE(card(Ask::Fault)->values().isFault);
-  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Fine);
+  EXPECT_FALSE(card(Request::Fault)->values().isFault);
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Fine);
 }
 
-TEST_F(AskedDevice, AnAnswerBeforeARestartIsDrawnAsOld) {
+TEST_F(RequestsOfDevice, AnAnswerBeforeARestartIsDrawnAsOld) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "02000000000000", 0, 2 * kSecond),
        frame("18EFFF80", "FF83150206021A0B", 0, 95 * kSecond)});
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
-                         .end = RequestEnd::Answered,
-                         .tries = 1,
-                         .sent = view.cursor.time - 93s,
-                         .ended = view.cursor.time - 93s,
-                         .latency = 3ms};
+  request(Request::Fault) = {.progress = RequestStatus::Progress::Ended,
+                             .end = RequestEnd::Answered,
+                             .tries = 1,
+                             .sent = view.cursor.time - 93s,
+                             .ended = view.cursor.time - 93s,
+                             .latency = 3ms};
   show();
-  EXPECT_TRUE(card(Ask::Fault)->values().isOld);
-  EXPECT_NE(card(Ask::Fault)->values().tone, Severity::Fine);
-  EXPECT_TRUE(card(Ask::Fault)->values().state.endsWith(QStringLiteral("heard 93 s ago, restarted since")))
-      << card(Ask::Fault)->values().state.toStdString();
+  EXPECT_TRUE(card(Request::Fault)->values().isOld);
+  EXPECT_NE(card(Request::Fault)->values().tone, Severity::Fine);
+  EXPECT_TRUE(
+      card(Request::Fault)->values().state.endsWith(QStringLiteral("heard 93 s ago, restarted since")))
+      << card(Request::Fault)->values().state.toStdString();
 }
 
-TEST_F(AskedDevice, ALogTellsNeverAskedFromNoAnswer) {
+TEST_F(RequestsOfDevice, ALogTellsNeverAskedFromNoAnswer) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFFF80", "011D940371000041", 0, 5 * kSecond)});
   show();
-  EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("no answer, asked 3.0 s ago"));
-  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
-  EXPECT_EQ(card(Ask::Firmware)->values().state, QStringLiteral("never asked"));
+  EXPECT_EQ(card(Request::Fault)->values().state, QStringLiteral("no answer, asked 3.0 s ago"));
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
+  EXPECT_EQ(card(Request::Firmware)->values().state, QStringLiteral("never asked"));
 }
 
-TEST_F(AskedDevice, ALogTellsRefusedFromNeverAsked) {
+TEST_F(RequestsOfDevice, ALogTellsRefusedFromNeverAsked) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200", 0, 2 * kSecond)});
   show();
-  EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("refused, or answered in a wrong length"));
-  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
+  EXPECT_EQ(card(Request::Fault)->values().state, QStringLiteral("refused, or answered in a wrong length"));
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
 }
 
-TEST_F(AskedDevice, ALogTellsThatAnAnswerWasFollowedByARefusal) {
+TEST_F(RequestsOfDevice, ALogTellsThatAnAnswerWasFollowedByARefusal) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "02000000000000", 0, 2 * kSecond),
        frame("18EF80F9", "02", 0, 3 * kSecond), frame("18EFF980", "0200", 0, 3 * kSecond)});
   show();
-  EXPECT_TRUE(card(Ask::Fault)->values().state.startsWith(QStringLiteral("asked again: refused")))
-      << card(Ask::Fault)->values().state.toStdString();
-  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
+  EXPECT_TRUE(card(Request::Fault)->values().state.startsWith(QStringLiteral("asked again: refused")))
+      << card(Request::Fault)->values().state.toStdString();
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
 }
 
-TEST_F(AskedDevice, AResetThatWasSeenIsARestart) {
-  request(Ask::Reset) = {.progress = RequestStatus::Progress::Ended,
-                         .end = RequestEnd::Answered,
-                         .tries = 1,
-                         .sent = view.cursor.time,
-                         .ended = view.cursor.time,
-                         .latency = 3200ms};
+TEST_F(RequestsOfDevice, AResetThatWasSeenIsARestart) {
+  request(Request::Reset) = {.progress = RequestStatus::Progress::Ended,
+                             .end = RequestEnd::Answered,
+                             .tries = 1,
+                             .sent = view.cursor.time,
+                             .ended = view.cursor.time,
+                             .latency = 3200ms};
   show();
-  EXPECT_TRUE(card(Ask::Reset)->values().state.startsWith(QStringLiteral("restarted")))
-      << card(Ask::Reset)->values().state.toStdString();
+  EXPECT_TRUE(card(Request::Reset)->values().state.startsWith(QStringLiteral("restarted")))
+      << card(Request::Reset)->values().state.toStdString();
 }
 
-TEST_F(AskedDevice, NoAnswerIsSaidAsClearly) {
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
-                         .end = RequestEnd::NoAnswer,
-                         .tries = 3,
-                         .sent = view.cursor.time,
-                         .ended = view.cursor.time};
+TEST_F(RequestsOfDevice, NoAnswerIsSaidAsClearly) {
+  request(Request::Fault) = {.progress = RequestStatus::Progress::Ended,
+                             .end = RequestEnd::NoAnswer,
+                             .tries = 3,
+                             .sent = view.cursor.time,
+                             .ended = view.cursor.time};
   show();
-  EXPECT_EQ(card(Ask::Fault)->values().tone, Severity::Attend);
-  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("no answer")));
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
+  EXPECT_TRUE(card(Request::Fault)->values().state.contains(QStringLiteral("no answer")));
 }
 
-TEST_F(AskedDevice, AnAnswerToALaterTryIsSaidToBeOne) {
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
-                         .end = RequestEnd::Answered,
-                         .tries = 2,
-                         .firstSent = view.cursor.time - 800ms,
-                         .sent = view.cursor.time - 300ms,
-                         .ended = view.cursor.time,
-                         .latency = 300ms};
+TEST_F(RequestsOfDevice, AnAnswerToALaterTryIsSaidToBeOne) {
+  request(Request::Fault) = {.progress = RequestStatus::Progress::Ended,
+                             .end = RequestEnd::Answered,
+                             .tries = 2,
+                             .firstSent = view.cursor.time - 800ms,
+                             .sent = view.cursor.time - 300ms,
+                             .ended = view.cursor.time,
+                             .latency = 300ms};
   show();
-  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("at try 2, 800 ms after the first")))
-      << card(Ask::Fault)->values().state.toStdString();
+  EXPECT_TRUE(
+      card(Request::Fault)->values().state.contains(QStringLiteral("at try 2, 800 ms after the first")))
+      << card(Request::Fault)->values().state.toStdString();
 }
 
-TEST_F(AskedDevice, AnOlderAnswerKeepsItsAgeBesideAQuestionWithoutOne) {
+TEST_F(RequestsOfDevice, AnOlderAnswerKeepsItsAgeBesideAQuestionWithoutOne) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200200000000B", 0, 2 * kSecond)});
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended,
-                         .end = RequestEnd::NoAnswer,
-                         .tries = 3,
-                         .sent = view.cursor.time,
-                         .ended = view.cursor.time};
+  request(Request::Fault) = {.progress = RequestStatus::Progress::Ended,
+                             .end = RequestEnd::NoAnswer,
+                             .tries = 3,
+                             .sent = view.cursor.time,
+                             .ended = view.cursor.time};
   show();
-  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("no answer")));
-  EXPECT_TRUE(card(Ask::Fault)->values().state.contains(QStringLiteral("heard")));
+  EXPECT_TRUE(card(Request::Fault)->values().state.contains(QStringLiteral("no answer")));
+  EXPECT_TRUE(card(Request::Fault)->values().state.contains(QStringLiteral("heard")));
 }
 
 // How it ended is of now.
-TEST_F(AskedDevice, ThePastKnowsNothingOfHowALaterRequestEnded) {
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Ended, .end = RequestEnd::NoAnswer, .tries = 3};
+TEST_F(RequestsOfDevice, ThePastKnowsNothingOfHowALaterRequestEnded) {
+  request(Request::Fault) = {
+      .progress = RequestStatus::Progress::Ended, .end = RequestEnd::NoAnswer, .tries = 3};
   view.atEnd = false;
   isLive = false;
   show();
-  EXPECT_EQ(card(Ask::Fault)->values().state, QStringLiteral("never asked"));
+  EXPECT_EQ(card(Request::Fault)->values().state, QStringLiteral("never asked"));
 }
 
-TEST_F(AskedDevice, EveryDeviceIsAskedAsOftenAsChosen) {
+TEST_F(RequestsOfDevice, EveryDeviceIsAskedAsOftenAsChosen) {
   button("askEveryone")->click();
   auto* period = child<QComboBox>("askRepeat");
   period->setFocus();
   QTest::keyClick(period, Qt::Key_Down);
   button("askEveryone")->click();
   ASSERT_EQ(wishes.size(), 3u);
-  EXPECT_TRUE(std::get<wish::AskDevice>(wishes[0]).device.isNull());
+  EXPECT_TRUE(std::get<wish::SendRequests>(wishes[0]).device.isNull());
   EXPECT_TRUE(std::get<wish::Repeat>(wishes[2]).device.isNull());
   EXPECT_EQ(std::get<wish::Repeat>(wishes[2]).period, 500ms);
 }
 
-TEST_F(AskedDevice, WhileOneWaitsItIsNotOfferedAgain) {
-  request(Ask::Fault) = {.progress = RequestStatus::Progress::Waiting, .tries = 2, .sent = view.cursor.time};
+TEST_F(RequestsOfDevice, WhileOneWaitsItIsNotOfferedAgain) {
+  request(Request::Fault) = {
+      .progress = RequestStatus::Progress::Waiting, .tries = 2, .sent = view.cursor.time};
   show();
-  EXPECT_FALSE(button(Ask::Fault)->isEnabled());
-  EXPECT_TRUE(button(Ask::Firmware)->isEnabled());
+  EXPECT_FALSE(button(Request::Fault)->isEnabled());
+  EXPECT_TRUE(button(Request::Firmware)->isEnabled());
   EXPECT_TRUE(button("askCancel")->isEnabled());
 }
 
-TEST_F(AskedDevice, RepeatsAtTheChosenPeriodUntilOnce) {
+TEST_F(RequestsOfDevice, RepeatsAtTheChosenPeriodUntilOnce) {
   auto* period = child<QComboBox>("askRepeat");
   period->setFocus();
   QTest::keyClick(period, Qt::Key_Down);
   ASSERT_EQ(wishes.size(), 1u);
   EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).period, 500ms);
-  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).asks, kPolls);
+  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).requests, kPolls);
 }
 
-TEST_F(AskedDevice, TheWheelBeginsNoRepeatedPoll) {
+TEST_F(RequestsOfDevice, TheWheelBeginsNoRepeatedPoll) {
   auto* period = child<QComboBox>("askRepeat");
   period->setFocus();
   const QPointF middle = QRectF(period->rect()).center();
@@ -273,12 +277,12 @@ TEST_F(AskedDevice, TheWheelBeginsNoRepeatedPoll) {
   EXPECT_FALSE(wheel.isAccepted()) << "it scrolls the panel";
 }
 
-TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce) {
+TEST_F(RequestsOfDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce) {
   EXPECT_FALSE(test::child<QWidget>(panel, "repeatBar")->isVisible());
   for (int i = 0; i < 6; ++i) {
     DeviceServices& other = services.devices.emplace_back();
     other.device = DeviceKey::of(*Pin::make(1032, 'A', 'E', 200u + static_cast<unsigned>(i)));
-    other.requests[Ask::Fault] = {.progress = RequestStatus::Progress::Queued, .period = 5s};
+    other.requests[Request::Fault] = {.progress = RequestStatus::Progress::Queued, .period = 5s};
   }
   labels.set(services.devices[1].device.pin, QStringLiteral("Front"));
   show();
@@ -296,7 +300,7 @@ TEST_F(AskedDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAtOnce)
   EXPECT_EQ(wish.period, 0s);
 }
 
-TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {
+TEST_F(RequestsOfDevice, ListsEarlierAnswersAndWhatChanged) {
   QAbstractItemModel* history = test::child<AnswerHistory>(panel);
   QAbstractItemModelTester tester(history, QAbstractItemModelTester::FailureReportingMode::Fatal);
   add({frame("18EFF980", "02000000000000", 0, 2 * kSecond)});
@@ -314,7 +318,7 @@ TEST_F(AskedDevice, ListsEarlierAnswersAndWhatChanged) {
   EXPECT_EQ(history->rowCount(), 1);
 }
 
-TEST_F(AskedDevice, WhatWasAnsweredOnceStaysAnsweredBelowManyOtherAnswers) {
+TEST_F(RequestsOfDevice, WhatWasAnsweredOnceStaysAnsweredBelowManyOtherAnswers) {
   AnswerHistory* history = test::child<AnswerHistory>(panel);
   QAbstractItemModelTester tester(history, QAbstractItemModelTester::FailureReportingMode::Fatal);
   std::int64_t time = 2 * kSecond;
@@ -325,11 +329,11 @@ TEST_F(AskedDevice, WhatWasAnsweredOnceStaysAnsweredBelowManyOtherAnswers) {
   };
   const auto expectBoth = [&] {
     EXPECT_EQ(history->rowCount(), static_cast<int>(AnswerHistory::kMostRows));
-    EXPECT_EQ(history->rows().front().ask, Ask::Firmware);
+    EXPECT_EQ(history->rows().front().request, Request::Firmware);
     EXPECT_EQ(history->rows().back().frame, view.frameCount - 1);
-    EXPECT_FALSE(card(Ask::Firmware)->values().answer.isEmpty());
-    EXPECT_TRUE(card(Ask::Firmware)->values().state.contains(QStringLiteral("heard")))
-        << card(Ask::Firmware)->values().state.toStdString();
+    EXPECT_FALSE(card(Request::Firmware)->values().answer.isEmpty());
+    EXPECT_TRUE(card(Request::Firmware)->values().state.contains(QStringLiteral("heard")))
+        << card(Request::Firmware)->values().state.toStdString();
   };
   // All at once, as of a file; one by one, as of a link; more than there is room for, behind others.
   std::vector<Frame> frames = faults(3);

@@ -62,7 +62,8 @@ DangerDialog::DangerDialog(QWidget* parent, const Question& question) : QDialog(
   setMinimumWidth(kWidth);
 }
 
-void DangerDialog::ask(QWidget* parent, const Question& question, std::function<void(bool isTicked)> act) {
+void DangerDialog::request(QWidget* parent, const Question& question,
+                           std::function<void(bool isTicked)> act) {
   auto* dialog = new DangerDialog(parent, question);
   connect(dialog, &QDialog::accepted, parent, [dialog, act = std::move(act)] {
     act(dialog->m_option != nullptr && dialog->m_option->isChecked());

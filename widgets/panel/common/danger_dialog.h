@@ -23,9 +23,9 @@ class DangerDialog : public QDialog {
     QString option = {};     // beside a box, ticked at first; empty: none
   };
   // Deletes itself. `act` is called where the person says the verb, with whether the option was ticked.
-  static void ask(QWidget* parent, const Question& question, std::function<void(bool isTicked)> act);
-  static void ask(QWidget* parent, const Question& question, std::function<void()> act) {
-    ask(parent, question, [act = std::move(act)](bool) { act(); });
+  static void request(QWidget* parent, const Question& question, std::function<void(bool isTicked)> act);
+  static void request(QWidget* parent, const Question& question, std::function<void()> act) {
+    request(parent, question, [act = std::move(act)](bool) { act(); });
   }
 
  private:

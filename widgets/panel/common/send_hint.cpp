@@ -38,7 +38,7 @@ void SendHint::setStatus(const ServiceStatus& services, bool isLive, const QStri
                            : tr("No live link: what is shown was said in the log.");
   } else if (services.locked) {
     text = tr("Sending is locked: nothing is asked, and nothing acknowledged.");
-  } else if (!services.canAsk()) {
+  } else if (!services.canRequest()) {
     text = tr("The console cannot send yet: %1.").arg(claimText(services.claim));
   }
   setText(*m_text, text);

@@ -71,7 +71,7 @@ void SendFileButton::confirm(const QString& path, const DeviceKey& device, const
   const QByteArray content = file.readAll();
   const QByteArray lines = withLineEnds(content, QByteArray::fromStdString(m_input.lineEnd()));
   const bool mayBeLines = lines != content && isText(content);
-  DangerDialog::ask(
+  DangerDialog::request(
       this,
       {tr("Send a file to %1?").arg(name),
        tr("%1, %2. The device takes the characters as if they had been typed; what they do there "

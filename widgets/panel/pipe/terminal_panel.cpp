@@ -202,7 +202,7 @@ void TerminalPanel::showState() {
   m_hint->setStatus(services(), m_view.isLive, ownHint(device, pipe), m_trouble);
   showStall(pipe);
   m_file->setStatus(pipe, now(), m_view.isLive);
-  const bool mayType = m_view.isLive && services().canAsk() && device != nullptr &&
+  const bool mayType = m_view.isLive && services().canRequest() && device != nullptr &&
                        device->address != kNullAddress && !pipe.isSendingFile();
   m_input->setOffered(mayType, m_view.name, m_text->restartedSinceSent() != kNotYet);
   m_sendFile->setEnabled(mayType && pipe.progress != PipeStatus::Progress::Stalled);

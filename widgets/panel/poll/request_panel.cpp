@@ -25,8 +25,8 @@
 #include "panel/common/label_text.h"
 #include "panel/common/secondary_font.h"
 #include "panel/common/send_hint.h"
-#include "panel/poll/ask_card.h"
 #include "panel/poll/repeat_bar.h"
+#include "panel/poll/request_card.h"
 #include "text/age_text.h"
 #include "text/service_text.h"
 
@@ -38,15 +38,15 @@ constexpr int kHistoryHeight = 120;  // two or three answers
 
 // What a command does, for the one question before it. The manual's words, no more.
 constexpr KeyTable<kCommands, const char*> kConsequences{{
-    {Ask::ZeroAxes,
+    {Request::ZeroAxes,
      QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
                        "Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
                        "angles refer to the new zero.")},
-    {Ask::Reset,
+    {Request::Reset,
      QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
                        "The controller restarts (message 45): it falls silent, claims an address anew and "
                        "announces itself. It does not acknowledge.")},
-    {Ask::SetupMode,
+    {Request::SetupMode,
      QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
                        "The controller enters setup mode (message 46), as on power-up with the stream input "
                        "active. Only a restart leaves it.")},
@@ -102,13 +102,13 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
   m_historyHeader->resizeSection(AnswerHistory::When,
                                  fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
   m_historyHeader->resizeSection(AnswerHistory::What,
-                                 fontMetrics().horizontalAdvance(askText(Ask::Config)) + 24);
+                                 fontMetrics().horizontalAdvance(requestText(Request::Config)) + 24);
   m_historyView->setMinimumHeight(kHistoryHeight);
   m_historyView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // a tool tip has what is cut off
 
   auto* split = new QSplitter(Qt::Vertical, this);
   split->setChildrenCollapsible(false);
-  split->addWidget(makeAsks());
+  split->addWidget(makeRequests());
   split->addWidget(m_historyView);
   split->setStretchFactor(0, 3);
   split->setStretchFactor(1, 1);
@@ -125,7 +125,7 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
   });
 }
 
-QWidget* RequestPanel::makeAsks() {
+QWidget* RequestPanel::makeRequests() {
   auto* content = new QWidget(this);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
@@ -158,18 +158,19 @@ QWidget* RequestPanel::makeAsks() {
   m_none->setAlignment(Qt::AlignCenter);
   m_none->setMargin(16);
   column->addWidget(m_none);
-  for (const Ask ask : kAllOf<Ask>) {
-    m_cards[ask] = new AskCard(ask, content);
-    column->addWidget(m_cards[ask]);
-    connect(m_cards[ask], &AskCard::pressed, this, [this, ask] { press(ask); });
+  for (const Request request : kAllOf<Request>) {
+    m_cards[request] = new RequestCard(request, content);
+    column->addWidget(m_cards[request]);
+    connect(m_cards[request], &RequestCard::pressed, this, [this, request] { press(request); });
   }
   column->addStretch(1);
   connect(m_askAll, &QPushButton::clicked, this, [this] {
-    Q_EMIT wished(wish::AskDevice{m_view.device, kPolls});
+    Q_EMIT wished(wish::SendRequests{m_view.device, kPolls});
   });
   connect(m_askEveryone, &QPushButton::clicked, this, [this] {
     const Duration period = kPeriods.at(static_cast<std::size_t>(std::max(0, m_repeat->currentIndex())));
-    Q_EMIT wished(period > 0ns ? Wish(wish::Repeat{{}, kPolls, period}) : Wish(wish::AskDevice{{}, kPolls}));
+    Q_EMIT wished(period > 0ns ? Wish(wish::Repeat{{}, kPolls, period})
+                               : Wish(wish::SendRequests{{}, kPolls}));
   });
   connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_view.device}); });
   connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
@@ -200,7 +201,7 @@ void RequestPanel::showState() {
   m_hint->setStatus(services(), m_view.isLive, isNews ? refusalText(services().refusal) : QString());
   m_repeats->setStatus(services(), m_view.labels);
   const DeviceServices* device = services().find(m_view.device);
-  const bool canAsk = m_view.isLive && services().canAsk();
+  const bool canRequest = m_view.isLive && services().canRequest();
   bool isOpen = false;
   const Duration period = device != nullptr ? device->longestPeriod() : Duration{0};
   const bool isRepeated = period > 0ns;
@@ -212,18 +213,18 @@ void RequestPanel::showState() {
     }
   }
   const bool takesPolls = device != nullptr && !(device->takes & kPolls).isEmpty();
-  m_askAll->setEnabled(canAsk && takesPolls);
-  m_repeat->setEnabled((canAsk && takesPolls) || isRepeated);
-  offerPeriods(canAsk && takesPolls);
-  m_askEveryone->setEnabled(canAsk);
+  m_askAll->setEnabled(canRequest && takesPolls);
+  m_repeat->setEnabled((canRequest && takesPolls) || isRepeated);
+  offerPeriods(canRequest && takesPolls);
+  m_askEveryone->setEnabled(canRequest);
   m_cancel->setEnabled(isOpen || isRepeated);
   const auto found = std::ranges::find(kPeriods, period);
   const int index = found == kPeriods.end() ? 0 : static_cast<int>(found - kPeriods.begin());
   if (!m_repeat->view()->isVisible() && m_repeat->currentIndex() != index) m_repeat->setCurrentIndex(index);
   bool hasCard = false;
-  for (AskCard* card : m_cards) {
-    const bool isTaken = device != nullptr && device->takes.has(card->ask());
-    const bool isShown = isTaken || m_history->latest(card->ask()) != nullptr;
+  for (RequestCard* card : m_cards) {
+    const bool isTaken = device != nullptr && device->takes.has(card->request());
+    const bool isShown = isTaken || m_history->latest(card->request()) != nullptr;
     card->setVisible(isShown);
     hasCard = hasCard || isShown;
     if (isShown) showCard(*card, device);
@@ -241,63 +242,62 @@ void RequestPanel::offerPeriods(bool isOffered) {
   }
 }
 
-QString RequestPanel::stateText(Ask ask, const RequestStatus& request, bool& isFine) const {
+QString RequestPanel::stateText(Request request, const RequestStatus& status, bool& isFine) const {
   using Progress = RequestStatus::Progress;
-  isFine = request.end == RequestEnd::Answered;
+  isFine = status.end == RequestEnd::Answered;
   QStringList parts;
-  if (request.progress == Progress::Queued && request.period == 0ns) parts.append(tr("waits for its turn"));
-  if (request.progress == Progress::Waiting) {
-    parts.append(ask == Ask::Reset ? tr("waiting for it to announce itself")
-                 : isCommand(ask)  ? tr("waiting for the acknowledgement")
-                                   : tr("asked, try %1").arg(request.tries));
-  } else if (request.progress == Progress::NotOnBusYet) {
+  if (status.progress == Progress::Queued && status.period == 0ns) parts.append(tr("waits for its turn"));
+  if (status.progress == Progress::Waiting) {
+    parts.append(request == Request::Reset ? tr("waiting for it to announce itself")
+                 : isCommand(request)      ? tr("waiting for the acknowledgement")
+                                           : tr("asked, try %1").arg(status.tries));
+  } else if (status.progress == Progress::NotOnBusYet) {
     parts.append(tr("not on the bus yet; it may still go out"));
-  } else if (request.end != RequestEnd::None) {
-    const QString end =
-        ask == Ask::Reset && isFine
-            ? tr("restarted, announced itself after %1").arg(periodText(request.latency))
-        : ask == Ask::Reset && request.end == RequestEnd::NoAnswer ? tr("not seen again within 10 s")
-        : isCommand(ask) && isFine                                 ? tr("acknowledged")
-        : isFine && request.tries > 1 ? tr("answered at try %1, %2 after the first")
-                                            .arg(request.tries)
-                                            .arg(periodText(request.ended - request.firstSent))
-        : isFine ? tr("answered in %1").arg(periodText(request.latency))
-                 : requestEndText(ask, request.end);
+  } else if (status.end != RequestEnd::None) {
+    const QString end = request == Request::Reset && isFine
+                            ? tr("restarted, announced itself after %1").arg(periodText(status.latency))
+                        : request == Request::Reset && status.end == RequestEnd::NoAnswer
+                            ? tr("not seen again within 10 s")
+                        : isCommand(request) && isFine ? tr("acknowledged")
+                        : isFine && status.tries > 1   ? tr("answered at try %1, %2 after the first")
+                                                           .arg(status.tries)
+                                                           .arg(periodText(status.ended - status.firstSent))
+                        : isFine ? tr("answered in %1").arg(periodText(status.latency))
+                                 : requestEndText(request, status.end);
     parts.append(
-        tr("%1, %2").arg(end, agoText(std::max(m_view.log.cursor.time, m_view.log.end) - request.ended)));
+        tr("%1, %2").arg(end, agoText(std::max(m_view.log.cursor.time, m_view.log.end) - status.ended)));
   }
-  if (request.period > 0ns)
-    parts.append(tr("every %1: %2 of %3 answered")
-                     .arg(periodText(request.period))
-                     .arg(request.answered)
-                     .arg(request.asked > 0 && request.progress == Progress::Queued ? request.asked - 1
-                                                                                    : request.asked));
-  if (request.unasked > 0)
-    parts.append(tr("%Ln answers too many", nullptr, static_cast<int>(request.unasked)));
+  if (status.period > 0ns)
+    parts.append(
+        tr("every %1: %2 of %3 answered")
+            .arg(periodText(status.period))
+            .arg(status.answered)
+            .arg(status.asked > 0 && status.progress == Progress::Queued ? status.asked - 1 : status.asked));
+  if (status.unasked > 0) parts.append(tr("%Ln answers too many", nullptr, static_cast<int>(status.unasked)));
   return parts.join(QStringLiteral(" · "));
 }
 
-AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
-  AskCardValues values;
-  if (isCommand(ask)) return values;
+RequestCardValues RequestPanel::loggedValues(Request request, bool withMissing) const {
+  RequestCardValues values;
+  if (isCommand(request)) return values;
   const Instant now = m_view.log.cursor.time;
   const Device* known = m_view.log.state != nullptr ? findDevice(*m_view.log.state, m_view.device) : nullptr;
-  const AnswerHistory::Row* last = m_history->latest(ask);
+  const AnswerHistory::Row* last = m_history->latest(request);
   QStringList parts;
   if (last == nullptr) {
-    parts << (known != nullptr ? noAnswerText(*known, ask, now) : tr("never asked"));
-    if (known != nullptr && !askedAgainText(*known, ask, now).isEmpty()) values.tone = Severity::Attend;
+    parts << (known != nullptr ? noAnswerText(*known, request, now) : tr("never asked"));
+    if (known != nullptr && !askedAgainText(*known, request, now).isEmpty()) values.tone = Severity::Attend;
   } else {
-    const QString again = withMissing && known != nullptr ? askedAgainText(*known, ask, now) : QString();
+    const QString again = withMissing && known != nullptr ? askedAgainText(*known, request, now) : QString();
     if (!again.isEmpty()) {
       values.tone = Severity::Attend;
       parts << again;
     }
-    values.answer = m_history->latestText(ask);
+    values.answer = m_history->latestText(request);
     const AnswerAge age =
         known != nullptr ? ageOfAnswer(*m_view.log.state, *known, last->time) : AnswerAge::Current;
     values.isOld = age != AnswerAge::Current;
-    values.isFault = ask == Ask::Fault && known != nullptr && namesFault(*known);
+    values.isFault = request == Request::Fault && known != nullptr && namesFault(*known);
     const QString heard = tr("heard %1").arg(agoText(now - last->time));
     parts << (values.isOld ? tr("%1, %2", "age of an answer, why it is old").arg(heard, answerAgeText(age))
                            : heard);
@@ -306,18 +306,18 @@ AskCardValues RequestPanel::loggedValues(Ask ask, bool withMissing) const {
   return values;
 }
 
-void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
-  AskCardValues values = loggedValues(card.ask(), true);
+void RequestPanel::showCard(RequestCard& card, const DeviceServices* device) {
+  RequestCardValues values = loggedValues(card.request(), true);
   if (device != nullptr) {
-    const RequestStatus& request = device->of(card.ask());
+    const RequestStatus& request = device->of(card.request());
     bool isFine = false;
     // How a request ended is of now; the past knows its answers alone.
     const bool isKept = request.progress == RequestStatus::Progress::NotOnBusYet;
     const bool isOpen =
         isKept || request.progress == RequestStatus::Progress::Waiting || request.period > 0ns;
-    const QString state = m_view.log.atEnd || isOpen ? stateText(card.ask(), request, isFine) : QString();
+    const QString state = m_view.log.atEnd || isOpen ? stateText(card.request(), request, isFine) : QString();
     if (!state.isEmpty()) {
-      values = loggedValues(card.ask(), false);
+      values = loggedValues(card.request(), false);
       // What the log says is said too where the request does not say it: how old the answer is, and why.
       const bool isAdded = !values.answer.isEmpty() && (!isFine || values.isOld);
       values.state = isAdded ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
@@ -328,21 +328,22 @@ void RequestPanel::showCard(AskCard& card, const DeviceServices* device) {
                     : values.isFault || values.isOld                       ? Severity::Plain
                                                                            : Severity::Fine;
     }
-    values.isOffered = m_view.isLive && services().canAsk() && device->takes.has(card.ask()) &&
+    values.isOffered = m_view.isLive && services().canRequest() && device->takes.has(card.request()) &&
                        request.progress != RequestStatus::Progress::Waiting && !isKept;
   }
   card.setValues(values);
 }
 
-void RequestPanel::press(Ask ask) {
-  const wish::AskDevice wanted{m_view.device, AskSet{ask}};
-  if (!isCommand(ask)) {
+void RequestPanel::press(Request request) {
+  const wish::SendRequests wanted{m_view.device, RequestSet{request}};
+  if (!isCommand(request)) {
     Q_EMIT wished(wanted);
     return;
   }
-  DangerDialog::ask(
-      this, {tr("%1: %2?").arg(askText(ask), m_view.name), tr(*kConsequences.find(ask)), askText(ask)},
-      [this, wanted] { Q_EMIT wished(wanted); });
+  DangerDialog::request(this,
+                        {tr("%1: %2?").arg(requestText(request), m_view.name),
+                         tr(*kConsequences.find(request)), requestText(request)},
+                        [this, wanted] { Q_EMIT wished(wanted); });
 }
 
 void RequestPanel::repeat(int index) {

@@ -18,8 +18,8 @@ class QTreeView;
 namespace deckpipe {
 
 class AnswerHistory;
-class AskCard;
-struct AskCardValues;
+class RequestCard;
+struct RequestCardValues;
 class FlatHeader;
 class RepeatBar;
 class SendHint;
@@ -40,15 +40,15 @@ class RequestPanel : public QWidget {
   void frameRequested(std::uint64_t frame);
 
  private:
-  QWidget* makeAsks();
+  QWidget* makeRequests();
   void showState();
   void offerPeriods(bool isOffered);
   // What the log says up to the cursor, whoever asked. `withMissing`: also that no answer came.
-  AskCardValues loggedValues(Ask ask, bool withMissing) const;
-  void showCard(AskCard& card, const DeviceServices* device);
-  void press(Ask ask);
+  RequestCardValues loggedValues(Request request, bool withMissing) const;
+  void showCard(RequestCard& card, const DeviceServices* device);
+  void press(Request request);
   void repeat(int index);
-  QString stateText(Ask ask, const RequestStatus& request, bool& isFine) const;
+  QString stateText(Request request, const RequestStatus& status, bool& isFine) const;
 
   const ServiceStatus& services() const { return *m_view.services; }
 
@@ -61,7 +61,7 @@ class RequestPanel : public QWidget {
   QPushButton* m_askEveryone = nullptr;
   QPushButton* m_cancel = nullptr;
   QComboBox* m_repeat = nullptr;
-  EnumArray<Ask, AskCard*> m_cards;
+  EnumArray<Request, RequestCard*> m_cards;
   QLabel* m_none = nullptr;
   AnswerHistory* m_history;
   QTreeView* m_historyView = nullptr;

@@ -9,52 +9,52 @@
 #include <cstdint>
 #include <string_view>
 
-#include "base/ask.h"
 #include "base/enum_table.h"
+#include "base/request.h"
 #include "base/time.h"
 
 namespace deckpipe {
 
-enum class AskKind : std::uint8_t {
+enum class RequestKind : std::uint8_t {
   Poll,     // reads; may be repeated
   Command,  // changes something in the device; sent once
 };
 
-struct AskFacts {
+struct RequestFacts {
   std::string_view key;  // on command lines and in JSON: frozen contract
-  AskKind kind;
+  RequestKind kind;
   Duration patience;  // of one try
   unsigned tries;     // commands are never repeated by themselves
 };
 
-// To add a poll: an Ask, its row here, its messages in the catalogue, its words in text/service_text.cpp, and in
+// To add a poll: a Request, its row here, its messages in the catalogue, its words in text/service_text.cpp, and in
 // protocol/device_types.h who takes it, unless every device does.
-inline constexpr EnumTable<Ask, AskFacts> kAskFacts{{
-    {Ask::Fault, {"fault", AskKind::Poll, 500ms, 3}},
-    {Ask::Firmware, {"firmware", AskKind::Poll, 500ms, 3}},
-    {Ask::Pcode, {"pcode", AskKind::Poll, 500ms, 3}},
-    {Ask::Config, {"config", AskKind::Poll, 500ms, 3}},
-    {Ask::Vista, {"vista", AskKind::Poll, 500ms, 3}},
-    {Ask::ZeroAxes, {"zero_axes", AskKind::Command, 1s, 1}},
-    {Ask::Reset, {"reset", AskKind::Command, 10s, 1}},
-    {Ask::SetupMode, {"setup_mode", AskKind::Command, 1s, 1}},
+inline constexpr EnumTable<Request, RequestFacts> kRequestFacts{{
+    {Request::Fault, {"fault", RequestKind::Poll, 500ms, 3}},
+    {Request::Firmware, {"firmware", RequestKind::Poll, 500ms, 3}},
+    {Request::Pcode, {"pcode", RequestKind::Poll, 500ms, 3}},
+    {Request::Config, {"config", RequestKind::Poll, 500ms, 3}},
+    {Request::Vista, {"vista", RequestKind::Poll, 500ms, 3}},
+    {Request::ZeroAxes, {"zero_axes", RequestKind::Command, 1s, 1}},
+    {Request::Reset, {"reset", RequestKind::Command, 10s, 1}},
+    {Request::SetupMode, {"setup_mode", RequestKind::Command, 1s, 1}},
 }};
 
-constexpr bool isCommand(Ask ask) { return kAskFacts[ask].kind == AskKind::Command; }
+constexpr bool isCommand(Request request) { return kRequestFacts[request].kind == RequestKind::Command; }
 
 // The commands, in order; tables over them have a row for each.
 inline constexpr auto kCommands = [] {
-  constexpr auto kCount = static_cast<std::size_t>(std::ranges::count_if(kAllOf<Ask>, isCommand));
-  std::array<Ask, kCount> commands{};
-  std::ranges::copy_if(kAllOf<Ask>, commands.begin(), isCommand);
+  constexpr auto kCount = static_cast<std::size_t>(std::ranges::count_if(kAllOf<Request>, isCommand));
+  std::array<Request, kCount> commands{};
+  std::ranges::copy_if(kAllOf<Request>, commands.begin(), isCommand);
   return commands;
 }();
 
-using AskSet = EnumSet<Ask>;
-inline constexpr AskSet kPolls = [] {
-  AskSet polls;
-  for (const Ask ask : kAllOf<Ask>) {
-    if (!isCommand(ask)) polls.add(ask);
+using RequestSet = EnumSet<Request>;
+inline constexpr RequestSet kPolls = [] {
+  RequestSet polls;
+  for (const Request request : kAllOf<Request>) {
+    if (!isCommand(request)) polls.add(request);
   }
   return polls;
 }();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panel/poll/ask_card.h"
+#include "panel/poll/request_card.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -19,15 +19,15 @@ constexpr int kButtonWidth = 96;
 
 }  // namespace
 
-AskCard::AskCard(Ask ask, QWidget* parent)
+RequestCard::RequestCard(Request request, QWidget* parent)
     : QWidget(parent),
-      m_ask(ask),
+      m_request(request),
       m_answer(new QLabel(this)),
       m_sign(new GlyphLabel(this)),
       m_state(new QLabel(this)),
-      m_button(new QPushButton(isCommand(ask) ? tr("%1…").arg(askText(ask)) : tr("Ask"), this)) {
-  const QString name = askText(ask);
-  setObjectName(QStringLiteral("askCard%1").arg(static_cast<int>(ask)));
+      m_button(new QPushButton(isCommand(request) ? tr("%1…").arg(requestText(request)) : tr("Ask"), this)) {
+  const QString name = requestText(request);
+  setObjectName(QStringLiteral("askCard%1").arg(static_cast<int>(request)));
   setAccessibleName(name);
   auto* title = new QLabel(name, this);
   QFont bold = title->font();
@@ -42,10 +42,10 @@ AskCard::AskCard(Ask ask, QWidget* parent)
   m_state->setWordWrap(true);
   m_state->setFont(secondaryFont(font()));
   m_button->setObjectName(QStringLiteral("askButton"));
-  m_button->setAccessibleName(isCommand(ask) ? m_button->text() : tr("Ask: %1").arg(name));
+  m_button->setAccessibleName(isCommand(request) ? m_button->text() : tr("Ask: %1").arg(name));
   m_button->setMinimumWidth(kButtonWidth);
   m_button->setAutoDefault(false);
-  connect(m_button, &QPushButton::clicked, this, &AskCard::pressed);
+  connect(m_button, &QPushButton::clicked, this, &RequestCard::pressed);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);
   layout->setHorizontalSpacing(8);
@@ -59,13 +59,13 @@ AskCard::AskCard(Ask ask, QWidget* parent)
   showState();
 }
 
-void AskCard::setValues(const Values& values) {
+void RequestCard::setValues(const Values& values) {
   if (values == m_values) return;
   m_values = values;
   showState();
 }
 
-void AskCard::showState() {
+void RequestCard::showState() {
   const bool isPlain = m_values.tone == Severity::Plain;
   const Severity shown = isPlain && m_values.isOld ? Severity::Silent : m_values.tone;
   const Ink ink = shown == Severity::Plain ? Ink::Secondary : inkOf(shown);

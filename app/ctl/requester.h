@@ -10,16 +10,16 @@
 
 namespace deckpipe::ctl {
 
-class Asker {
+class Requester {
  public:
   // `saysAnswered`: an end line for what was answered too; commands have no answer worth a line.
-  Asker(LiveRun& run, bool saysAnswered);
+  Requester(LiveRun& run, bool saysAnswered);
 
   static constexpr std::chrono::milliseconds kStopPatience{150};
 
   enum class NotTaken : std::uint8_t { IsLeftOut, IsAFailure };
   // Everything of these once; the last round must be over.
-  void begin(const std::vector<DeviceServices>& devices, AskSet asks, NotTaken notTaken);
+  void begin(const std::vector<DeviceServices>& devices, RequestSet requests, NotTaken notTaken);
   void tick();
   // Ctrl+C. What is open gets kStopPatience more and then a line that says whether it is on the bus, since its
   // answer is not awaited any more. The run ends after that, or with `idle` if nothing is open.
@@ -33,7 +33,7 @@ class Asker {
   struct Open {
     DeviceKey device;
     Address address;
-    Ask ask;
+    Request request;
     unsigned heard = 0;    // bit n: the rule's n-th answer came
     Name holder{};         // of the address, when the device was first asked
     bool isOnBus = false;  // our request came back as an echo that proves it
@@ -56,7 +56,7 @@ class Asker {
   std::vector<Open> m_open;       // not ended yet
   std::vector<Open> m_asked;      // of this round
   std::vector<DeviceKey> m_wait;  // not handed on yet
-  AskSet m_asks;
+  RequestSet m_requests;
   // The intent that was handed on and not seen carried out or refused yet.
   std::uint64_t m_serial = 0;
   DeviceKey m_handed;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/severity.h"
-#include "control/ask.h"
+#include "control/request.h"
 
 class QLabel;
 class QPushButton;
@@ -16,27 +16,27 @@ namespace deckpipe {
 
 class GlyphLabel;
 
-struct AskCardValues {
+struct RequestCardValues {
   QString answer;  // empty: none yet
   QString state;
   Severity tone = Severity::Plain;  // of the state; only Fine has a tick
   bool isOld = false;               // the device restarted or fell silent after the answer
   bool isFault = false;             // the answer names a fault
   bool isOffered = false;
-  friend bool operator==(const AskCardValues&, const AskCardValues&) = default;
+  friend bool operator==(const RequestCardValues&, const RequestCardValues&) = default;
 };
 
-class AskCard : public QWidget {
+class RequestCard : public QWidget {
   Q_OBJECT
 
  public:
-  using Values = AskCardValues;
+  using Values = RequestCardValues;
 
-  explicit AskCard(Ask ask, QWidget* parent = nullptr);
+  explicit RequestCard(Request request, QWidget* parent = nullptr);
 
   void setValues(const Values& values);
   const Values& values() const { return m_values; }
-  Ask ask() const { return m_ask; }
+  Request request() const { return m_request; }
 
  Q_SIGNALS:
   void pressed();
@@ -44,7 +44,7 @@ class AskCard : public QWidget {
  private:
   void showState();
 
-  Ask m_ask;
+  Request m_request;
   Values m_values;
   QLabel* m_answer;
   GlyphLabel* m_sign;

@@ -10,12 +10,12 @@
 
 namespace deckpipe::ctl {
 
-constexpr std::string_view askWord(Ask ask) { return kAskFacts[ask].key; }
+constexpr std::string_view requestWord(Request request) { return kRequestFacts[request].key; }
 
-constexpr std::string_view endWord(Ask ask, RequestEnd end) {
+constexpr std::string_view endWord(Request request, RequestEnd end) {
   switch (end) {
     case RequestEnd::None: break;
-    case RequestEnd::Answered: return ask == Ask::Reset ? "restarted" : "answered";
+    case RequestEnd::Answered: return request == Request::Reset ? "restarted" : "answered";
     case RequestEnd::WrongAnswer: return "wrong_answer";
     case RequestEnd::NoAnswer: return "no_answer";
     case RequestEnd::Cancelled: return "cancelled";

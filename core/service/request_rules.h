@@ -6,14 +6,14 @@
 #include <array>
 #include <vector>
 
-#include "control/ask.h"
+#include "control/request.h"
 #include "control/status.h"
 #include "protocol/lists.h"
 #include "service/live.h"
 
 namespace deckpipe {
 
-struct AskRule {
+struct RequestRule {
   MessageId request = MessageId::Count;
   std::array<MessageId, kMostAnswers> answers{};  // all of them make the answer; Count = none
   Duration patience{};                            // of one try
@@ -21,23 +21,24 @@ struct AskRule {
 };
 
 inline constexpr MessageId kNoAnswer = MessageId::Count;
-inline constexpr EnumArray<Ask, AskRule> kAskRules = [] {
-  EnumArray<Ask, AskRule> rules;
-  for (const Ask ask : kAllOf<Ask>)
-    rules[ask] = {requestOf(ask), answersOf(ask), kAskFacts[ask].patience, kAskFacts[ask].tries};
+inline constexpr EnumArray<Request, RequestRule> kRequestRules = [] {
+  EnumArray<Request, RequestRule> rules;
+  for (const Request request : kAllOf<Request>)
+    rules[request] = {requestOf(request), answersOf(request), kRequestFacts[request].patience,
+                      kRequestFacts[request].tries};
   return rules;
 }();
 
 // All answers that a rule wants, as bits.
-constexpr unsigned wholeAnswer(const AskRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
+constexpr unsigned wholeAnswer(const RequestRule& rule) { return rule.answers[1] == kNoAnswer ? 1u : 3u; }
 
-constexpr const AskRule& ruleOf(Ask ask) { return kAskRules[ask]; }
+constexpr const RequestRule& ruleOf(Request request) { return kRequestRules[request]; }
 
 // What may be asked of a device by its type; of one without a PIN only what all take is known. Nothing of one
 // that the person said is a Copley drive, nor of another maker's: their messages look the same.
-AskSet asksTakenBy(const Live& live, const Device& device);
+RequestSet requestsTakenBy(const Live& live, const Device& device);
 // Everyone on this channel that takes something, in order of first appearance.
-std::vector<DeviceKey> askableDevices(const Live& live);
+std::vector<DeviceKey> requestTargets(const Live& live);
 // The entry of a device in the whole, made where there was none.
 DeviceServices& statusOf(const Live& live, const DeviceKey& device, ServiceStatus& in);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "service/ask_rules.h"
+#include "service/request_rules.h"
 
 #include <algorithm>
 
@@ -7,22 +7,22 @@
 
 namespace deckpipe {
 
-AskSet asksTakenBy(const Live& live, const Device& device) {
+RequestSet requestsTakenBy(const Live& live, const Device& device) {
   const AddressBook& book = live.bus().book;
   if (device.kind == Device::Kind::Node || book.isDrive(device.address) || book.isForeign(device.address))
     return {};
-  AskSet set = kTakenByAll;
+  RequestSet set = kTakenByAll;
   const auto* type = device.pin.isNull() ? nullptr : deviceTypeOf(device.pin.deviceType());
   if (type != nullptr) set |= type->takes;
   return set;
 }
 
-std::vector<DeviceKey> askableDevices(const Live& live) {
+std::vector<DeviceKey> requestTargets(const Live& live) {
   std::vector<DeviceKey> keys;
   for (const Device& device : live.state.devices().all()) {
     if (device.kind == Device::Kind::Free || device.channel != live.channel || device.address == kNullAddress)
       continue;
-    if (asksTakenBy(live, device).isEmpty()) continue;
+    if (requestsTakenBy(live, device).isEmpty()) continue;
     keys.push_back(live.canonical(DeviceKey::at(live.channel, device.address)));
   }
   return keys;
@@ -34,7 +34,7 @@ DeviceServices& statusOf(const Live& live, const DeviceKey& device, ServiceStatu
   DeviceServices& made = in.devices.emplace_back();
   made.device = device;
   made.address = live.addressOf(device).value_or(kNullAddress);
-  if (const Device* found = live.find(device)) made.takes = asksTakenBy(live, *found);
+  if (const Device* found = live.find(device)) made.takes = requestsTakenBy(live, *found);
   return made;
 }
 

@@ -9,7 +9,7 @@ namespace deckpipe {
 
 // Numbers stand in files (core/log/note_codec.h): never renumber one, never use one again. They count from 0
 // without a gap, as tables are indexed by them.
-enum class Ask : std::uint8_t {
+enum class Request : std::uint8_t {
   Fault = 0,
   Firmware = 1,
   Pcode = 2,
@@ -21,6 +21,6 @@ enum class Ask : std::uint8_t {
   Count,
 };
 
-constexpr bool isKnown(Ask ask) { return ask < Ask::Count; }
+constexpr bool isKnown(Request request) { return request < Request::Count; }
 
 }  // namespace deckpipe
