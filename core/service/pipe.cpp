@@ -55,9 +55,9 @@ bool Pipe::move(Instant now, PipeMove what) {
 
 void Pipe::settle(Instant now) { m_deadline = m_inAdapter.empty() ? now + kSettle : kNever; }
 
-void Pipe::giveUpFlying() {
-  if (m_flying->fate == Packet::Fate::InAdapter) m_inAdapter.push_back(m_flying->tag);
-  m_flying.reset();
+void Pipe::giveUpInFlight() {
+  if (m_inFlight->fate == Packet::Fate::InAdapter) m_inAdapter.push_back(m_inFlight->tag);
+  m_inFlight.reset();
 }
 
 // Where nothing is under way.
@@ -121,13 +121,13 @@ void Pipe::sendNext(const Turn& turn) {
     move(turn.now, PipeMove::Nothing);
     return;
   }
-  m_flying = std::move(packet);
+  m_inFlight = std::move(packet);
   move(turn.now, PipeMove::Next);
   fly(turn);
 }
 
 void Pipe::fly(const Turn& turn) {
-  Packet& packet = *m_flying;
+  Packet& packet = *m_inFlight;
   packet.fate = Packet::Fate::NotSent;
   packet.to = addressOf(turn, m_device);
   m_status.refusal = turn.live.whyNotTo(turn.now, m_device);
@@ -144,30 +144,32 @@ void Pipe::fly(const Turn& turn) {
 
 void Pipe::writeEnded(const Turn& turn, FrameTag tag, WriteOutcome outcome) {
   if (std::erase(m_inAdapter, tag) > 0) return settle(turn.now);
-  if (!m_flying || m_flying->tag != tag) return;
+  if (!m_inFlight || m_inFlight->tag != tag) return;
   switch (outcome) {
     case WriteOutcome::OnBus:
     case WriteOutcome::CannotTell:
     case WriteOutcome::EchoLost:
-      m_flying->fate = Packet::Fate::OnBus;
-      m_flying->sent = turn.now;
+      m_inFlight->fate = Packet::Fate::OnBus;
+      m_inFlight->sent = turn.now;
       m_deadline = turn.now + kAckTimeout;
       move(turn.now, PipeMove::LateEcho);
       return;
     case WriteOutcome::QueueFull:
-    case WriteOutcome::NotTaken: m_flying->fate = Packet::Fate::NotSent; return stall(turn, Stall::NotTaken);
+    case WriteOutcome::NotTaken:
+      m_inFlight->fate = Packet::Fate::NotSent;
+      return stall(turn, Stall::NotTaken);
     case WriteOutcome::Gone:
-      m_flying->fate = Packet::Fate::OnBus;
+      m_inFlight->fate = Packet::Fate::OnBus;
       return;  // perhaps; a lost link ends the pipe
   }
 }
 
 void Pipe::ackHeard(const Turn& turn, Address source) {
-  if (!m_flying || m_flying->to != source || m_flying->fate != Packet::Fate::OnBus) {
+  if (!m_inFlight || m_inFlight->to != source || m_inFlight->fate != Packet::Fate::OnBus) {
     ++m_status.strayAcks;
     return;
   }
-  const Duration took = std::max<Duration>(turn.now - m_flying->sent, 0ns);
+  const Duration took = std::max<Duration>(turn.now - m_inFlight->sent, 0ns);
   m_inARow = 0;
   ++m_status.acks;
   m_status.ackLast = took;
@@ -175,17 +177,17 @@ void Pipe::ackHeard(const Turn& turn, Address source) {
   m_status.ackSum += took;
   if (m_status.progress == Progress::Stalled) {
     ++m_status.lateAcks;
-    notePipe(turn, m_device, m_flying->to, PipeEvent::AckLate);
+    notePipe(turn, m_device, m_inFlight->to, PipeEvent::AckLate);
   }
-  move(turn.now, m_flying->wasResent ? PipeMove::AckAgain : PipeMove::Ack);
+  move(turn.now, m_inFlight->wasResent ? PipeMove::AckAgain : PipeMove::Ack);
   passed(turn);
   sendNext(turn);
 }
 
 // The packet in flight counts as delivered.
 void Pipe::passed(const Turn& turn) {
-  const Packet packet = std::move(*m_flying);
-  m_flying.reset();
+  const Packet packet = std::move(*m_inFlight);
+  m_inFlight.reset();
   if (m_status.progress != Progress::Settling) m_deadline = kNever;
   m_status.sent += packet.bytes.size();
   if (!packet.isOfFile || !m_status.isSendingFile()) return;
@@ -211,7 +213,7 @@ void Pipe::stall(const Turn& turn, Stall why) {
   if (!move(turn.now, PipeMove::Silence)) return;
   m_deadline = kNever;
   m_status.stall = why;
-  notePipe(turn, m_device, m_flying->to, PipeEvent::Stalled);
+  notePipe(turn, m_device, m_inFlight->to, PipeEvent::Stalled);
   const Rest rest = std::exchange(m_status.rest, Rest::Ask);
   if (rest == Rest::Ask || why != Stall::NoAck || m_inARow >= kMostMissingAcks) return;
   m_status.rest = rest;
@@ -220,10 +222,10 @@ void Pipe::stall(const Turn& turn, Stall why) {
 }
 
 PipeStatus::Stall Pipe::whyNoAck(const Live& live) const {
-  if (m_flying->fate == Packet::Fate::InAdapter) return Stall::NotOnBus;
+  if (m_inFlight->fate == Packet::Fate::InAdapter) return Stall::NotOnBus;
   const auto address = live.addressOf(m_device);
   if (!address) return Stall::Gone;
-  return *address != m_flying->to ? Stall::Moved : Stall::NoAck;
+  return *address != m_inFlight->to ? Stall::Moved : Stall::NoAck;
 }
 
 void Pipe::followDevice(const Turn& turn) {
@@ -231,14 +233,14 @@ void Pipe::followDevice(const Turn& turn) {
   // Whoever says who it is from another address has moved.
   if (device != nullptr && isUnderWay() && device->restarted > std::max(m_begun, device->addressSince))
     return deviceRestarted(turn);
-  if (m_status.progress == Progress::Stalled && m_flying->fate != Packet::Fate::NotSent)
+  if (m_status.progress == Progress::Stalled && m_inFlight->fate != Packet::Fate::NotSent)
     m_status.stall = whyNoAck(turn.live);
 }
 
 // It does not know any more what was sent before, and the rest alone would be another text.
 void Pipe::deviceRestarted(const Turn& turn) {
   ++m_status.restarts;
-  const std::size_t inFlight = m_flying && !m_flying->isOfFile ? m_flying->bytes.size() : 0;
+  const std::size_t inFlight = m_inFlight && !m_inFlight->isOfFile ? m_inFlight->bytes.size() : 0;
   m_status.notTaken = static_cast<std::uint32_t>(waiting() + inFlight);
   notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::DeviceRestarted);
   drop(turn, FileEnd::Restarted);
@@ -266,15 +268,15 @@ Refusal Pipe::decide(const Turn& turn, Rest what, bool forTheRest) {
 }
 
 Refusal Pipe::resend(const Turn& turn) {
-  if (!after(m_status.progress, PipeMove::Resend) || m_flying->fate == Packet::Fate::InAdapter)
+  if (!after(m_status.progress, PipeMove::Resend) || m_inFlight->fate == Packet::Fate::InAdapter)
     return Refusal::Busy;
   if (const Refusal why = turn.live.whyNotTo(turn.now, m_device); why != Refusal::None) return why;
   move(turn.now, PipeMove::Resend);
-  if (m_flying->fate == Packet::Fate::OnBus) {
+  if (m_inFlight->fate == Packet::Fate::OnBus) {
     ++m_status.resent;
-    ++(m_flying->isOfFile ? m_status.fileResent : m_status.textResent);
-    m_flying->wasResent = true;
-    notePipe(turn, m_device, m_flying->to, PipeEvent::Resent);
+    ++(m_inFlight->isOfFile ? m_status.fileResent : m_status.textResent);
+    m_inFlight->wasResent = true;
+    notePipe(turn, m_device, m_inFlight->to, PipeEvent::Resent);
   }
   fly(turn);
   return Refusal::None;
@@ -282,29 +284,29 @@ Refusal Pipe::resend(const Turn& turn) {
 
 Refusal Pipe::skip(const Turn& turn) {
   if (!after(m_status.progress, PipeMove::Skip)) return Refusal::Busy;
-  if (m_flying->fate == Packet::Fate::InAdapter) m_inAdapter.push_back(m_flying->tag);
+  if (m_inFlight->fate == Packet::Fate::InAdapter) m_inAdapter.push_back(m_inFlight->tag);
   move(turn.now, PipeMove::Skip);
   ++m_status.skipped;
-  ++(m_flying->isOfFile ? m_status.fileSkipped : m_status.textSkipped);
-  notePipe(turn, m_device, m_flying->to, PipeEvent::Skipped);
+  ++(m_inFlight->isOfFile ? m_status.fileSkipped : m_status.textSkipped);
+  notePipe(turn, m_device, m_inFlight->to, PipeEvent::Skipped);
   passed(turn);
   return Refusal::None;
 }
 
 // A packet whose ack is in doubt goes with its file.
 void Pipe::cancelFile(const Turn& turn) {
-  const bool isInDoubt = m_status.progress == Progress::Stalled && m_flying->isOfFile;
+  const bool isInDoubt = m_status.progress == Progress::Stalled && m_inFlight->isOfFile;
   endFile(turn, FileEnd::Cancelled);
   if (!isInDoubt) return;
-  giveUpFlying();
+  giveUpInFlight();
   move(turn.now, PipeMove::GiveUp);
   settle(turn.now);
 }
 
 void Pipe::drop(const Turn& turn, FileEnd how) {
-  const bool wasFlying = m_flying.has_value();
-  const bool had = wasFlying || waiting() > 0;
-  if (wasFlying) giveUpFlying();
+  const bool wasInFlight = m_inFlight.has_value();
+  const bool had = wasInFlight || waiting() > 0;
+  if (wasInFlight) giveUpInFlight();
   m_status.isPaused = false;
   m_status.rest = Rest::Ask;
   m_typed.clear();
@@ -316,7 +318,7 @@ void Pipe::drop(const Turn& turn, FileEnd how) {
     notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::Dropped);
   }
   move(turn.now, PipeMove::GiveUp);
-  if (wasFlying) settle(turn.now);
+  if (wasInFlight) settle(turn.now);
 }
 
 void Pipe::take(const Turn& turn, Pipe&& other) {

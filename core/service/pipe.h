@@ -70,7 +70,7 @@ class Pipe {
   };
 
   std::size_t waiting() const { return m_typed.size() - m_typedFrom; }
-  bool isUnderWay() const { return m_flying || waiting() > 0 || m_status.isSendingFile(); }
+  bool isUnderWay() const { return m_inFlight || waiting() > 0 || m_status.isSendingFile(); }
   bool isBusy() const { return isUnderWay() || m_status.progress == PipeStatus::Progress::Settling; }
   void begin(Instant now);
   bool move(Instant now, PipeMove what);
@@ -81,7 +81,7 @@ class Pipe {
   PipeStatus::Stall whyNoAck(const Live& live) const;
   // An ack of what was given up may come until kSettle after it was on the bus.
   void settle(Instant now);
-  void giveUpFlying();
+  void giveUpInFlight();
   void deviceRestarted(const Turn& turn);
   Refusal decide(const Turn& turn, PipeStatus::Rest what, bool forTheRest);
   Refusal resend(const Turn& turn);
@@ -96,7 +96,7 @@ class Pipe {
   std::string m_typed;  // from m_typedFrom on it is still to be sent
   std::size_t m_typedFrom = 0;
   std::shared_ptr<const std::string> m_content;
-  std::optional<Packet> m_flying;
+  std::optional<Packet> m_inFlight;
   std::vector<FrameTag> m_inAdapter;  // packets that were given up there
   unsigned m_inARow = 0;              // missing acks that m_status.rest answered
   Instant m_begun = kNotYet;          // what is under way

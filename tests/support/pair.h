@@ -114,7 +114,7 @@ class Pair {
   void setLink(Console& console, bool isUp) {
     if (!isUp) {
       std::erase_if(m_waiting, [&](const Waiting& waiting) { return waiting.of == &console; });
-      std::erase_if(m_flying, [&](const Flying& flying) { return flying.to == &console; });
+      std::erase_if(m_inFlight, [&](const InFlight& inFlight) { return inFlight.to == &console; });
     }
     console.services.linkChanged(m_now, console.state, isUp);
     pump();
@@ -161,7 +161,7 @@ class Pair {
   }
 
  private:
-  struct Flying {
+  struct InFlight {
     Instant due;
     std::uint64_t order;
     Frame frame;
@@ -177,7 +177,7 @@ class Pair {
     log.push_back({at, frame, sender});
     const auto fly = [&](Console* to, const Frame& f, const Fate& fate) {
       for (int i = 0; i < fate.copies; ++i) {
-        m_flying.push_back({at + kFlight + fate.delay + i * kFlight, m_order++, f, to});
+        m_inFlight.push_back({at + kFlight + fate.delay + i * kFlight, m_order++, f, to});
       }
     };
     const Fate fate = wire(frame);
@@ -197,7 +197,7 @@ class Pair {
   Instant nextTime() const {
     Instant next = bench.nextTime();
     for (const Waiting& waiting : m_waiting) next = std::min(next, waiting.due);
-    for (const Flying& flying : m_flying) next = std::min(next, timeFor(flying.to, flying.due));
+    for (const InFlight& inFlight : m_inFlight) next = std::min(next, timeFor(inFlight.to, inFlight.due));
     for (const auto& console : m_consoles)
       next = std::min(next, timeFor(console.get(), console->services.nextTime()));
     return next;
@@ -218,20 +218,20 @@ class Pair {
         m_waiting.push_back(waiting);
       }
     }
-    std::vector<Flying> due;
-    std::erase_if(m_flying, [&](const Flying& flying) {
-      if (timeFor(flying.to, flying.due) > m_now) return false;
-      due.push_back(flying);
+    std::vector<InFlight> due;
+    std::erase_if(m_inFlight, [&](const InFlight& inFlight) {
+      if (timeFor(inFlight.to, inFlight.due) > m_now) return false;
+      due.push_back(inFlight);
       return true;
     });
-    std::ranges::sort(due, {}, [](const Flying& f) { return std::pair(f.due.ns, f.order); });
-    for (const Flying& flying : due) {
-      if (flying.to == nullptr) {
-        bench.received(m_now, flying.frame);
+    std::ranges::sort(due, {}, [](const InFlight& f) { return std::pair(f.due.ns, f.order); });
+    for (const InFlight& inFlight : due) {
+      if (inFlight.to == nullptr) {
+        bench.received(m_now, inFlight.frame);
       } else {
-        const Instant at = std::max(flying.due, flying.to->state.cursor().time);
-        flying.to->state.apply(flying.frame, at);
-        flying.to->services.received(at, flying.to->state, flying.frame);
+        const Instant at = std::max(inFlight.due, inFlight.to->state.cursor().time);
+        inFlight.to->state.apply(inFlight.frame, at);
+        inFlight.to->services.received(at, inFlight.to->state, inFlight.frame);
       }
       pump();
     }
@@ -275,7 +275,7 @@ class Pair {
 
   Instant m_now{};
   std::vector<std::unique_ptr<Console>> m_consoles;
-  std::vector<Flying> m_flying;
+  std::vector<InFlight> m_inFlight;
   std::vector<Waiting> m_waiting;
   std::uint64_t m_order = 0;
   std::vector<simulator::DueFrame> m_due;
