@@ -32,22 +32,22 @@ constexpr Duration kClockBack = 1s;
 constexpr std::size_t kPlacesShown = 5;
 constexpr int kJ1939BitRate = 250'000;
 
-QString reasonText(Unkept reason) {
+QString reasonText(Skipped reason) {
   switch (reason) {
-    case Unkept::CanFd: return NoticeText::tr("CAN FD frame, not held");
-    case Unkept::CanXl: return NoticeText::tr("CAN XL frame, not held");
-    case Unkept::RecorderDropped: return NoticeText::tr("the recorder lost frames here");
-    case Unkept::Fraction: return NoticeText::tr("fraction of a time, as it has more than nine digits");
-    case Unkept::Layout: return NoticeText::tr("not a line of a known form");
-    case Unkept::Binary: return NoticeText::tr("control characters");
-    case Unkept::LineTooLong: return NoticeText::tr("line too long");
-    case Unkept::Time: return NoticeText::tr("unreadable time");
-    case Unkept::TimeRange: return NoticeText::tr("time out of range");
-    case Unkept::Interface: return NoticeText::tr("unreadable interface name");
-    case Unkept::Identifier: return NoticeText::tr("unreadable identifier");
-    case Unkept::Data: return NoticeText::tr("unreadable data");
-    case Unkept::DataTooLong: return NoticeText::tr("more than 8 data bytes");
-    case Unkept::LengthMismatch: return NoticeText::tr("data bytes and length differ");
+    case Skipped::CanFd: return NoticeText::tr("CAN FD frame, not held");
+    case Skipped::CanXl: return NoticeText::tr("CAN XL frame, not held");
+    case Skipped::RecorderDropped: return NoticeText::tr("the recorder lost frames here");
+    case Skipped::Fraction: return NoticeText::tr("fraction of a time, as it has more than nine digits");
+    case Skipped::Layout: return NoticeText::tr("not a line of a known form");
+    case Skipped::Binary: return NoticeText::tr("control characters");
+    case Skipped::LineTooLong: return NoticeText::tr("line too long");
+    case Skipped::Time: return NoticeText::tr("unreadable time");
+    case Skipped::TimeRange: return NoticeText::tr("time out of range");
+    case Skipped::Interface: return NoticeText::tr("unreadable interface name");
+    case Skipped::Identifier: return NoticeText::tr("unreadable identifier");
+    case Skipped::Data: return NoticeText::tr("unreadable data");
+    case Skipped::DataTooLong: return NoticeText::tr("more than 8 data bytes");
+    case Skipped::LengthMismatch: return NoticeText::tr("data bytes and length differ");
   }
   return {};
 }
@@ -57,9 +57,9 @@ int forPlural(std::uint64_t number) {
 }
 
 Notice unreadable(const Snapshot& snapshot) {
-  const UnkeptPlaces unkept = snapshot.view.document->unkept.content();
+  const SkippedPlaces skipped = snapshot.view.document->skipped.content();
   QStringList shown, all;
-  for (const UnkeptPlace& place : unkept.places()) {
+  for (const SkippedPlace& place : skipped.places()) {
     if (!isUnreadable(place.reason)) continue;
     all += NoticeText::tr("line %1: %2").arg(place.place).arg(reasonText(place.reason));
     if (shown.size() < static_cast<qsizetype>(kPlacesShown)) shown.append(all.last());
@@ -209,7 +209,7 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
   if (snapshot.view.frameCount == 0) return {Severity::Attend, NoticeText::tr("This log holds no frames.")};
-  if (const auto cut = snapshot.view.document->unkept.content().count(Unkept::Fraction); cut > 0)
+  if (const auto cut = snapshot.view.document->skipped.content().count(Skipped::Fraction); cut > 0)
     return {Severity::Attend,
             NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
                            "only their seconds are kept, so rates and ages are not to be "

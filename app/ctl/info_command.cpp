@@ -30,8 +30,9 @@ ExitStatus infoCommand(const QStringList& arguments) {
   if (status == kCannotRead || status == kNothingRead) return status;
   report.takeNotes();
   Output output;
-  const UnkeptPlaces unkept = input.unkept.content();
-  output.text() = parser.isSet(json) ? report.json(input.name(), unkept) : report.text(input.name(), unkept);
+  const SkippedPlaces skipped = input.skipped.content();
+  output.text() =
+      parser.isSet(json) ? report.json(input.name(), skipped) : report.text(input.name(), skipped);
   return output.flush() ? status : kNotWhole;
 }
 

@@ -253,7 +253,7 @@ double InfoReport::spanSeconds() const {
   return std::chrono::duration<double>(m_frames.lastTime() - m_frames.timeAt(0)).count();
 }
 
-std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept) const {
+std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipped) const {
   std::string out = file + "\n";
   char line[160];
   char span[40] = "without times";
@@ -263,11 +263,11 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
   out += line;
   appendNotes(out);
   if (m_timeJumps != 0) out += "  " + std::to_string(m_timeJumps) + " frames whose time goes back or leaps\n";
-  if (unkept.unreadable() != 0) out += "  " + std::to_string(unkept.unreadable()) + " unreadable lines\n";
-  for (const Unkept reason : kAllOf<Unkept>) {
-    if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
-    out +=
-        "  " + std::to_string(unkept.count(reason)) + " not kept: " + std::string(unkeptText(reason)) + "\n";
+  if (skipped.unreadable() != 0) out += "  " + std::to_string(skipped.unreadable()) + " unreadable lines\n";
+  for (const Skipped reason : kAllOf<Skipped>) {
+    if (isUnreadable(reason) || skipped.count(reason) == 0) continue;
+    out += "  " + std::to_string(skipped.count(reason)) + " not kept: " + std::string(skippedText(reason)) +
+           "\n";
   }
   for (const auto& [key, count] : m_byId) {
     std::string id;
@@ -291,7 +291,7 @@ std::string InfoReport::text(const std::string& file, const UnkeptPlaces& unkept
   return out;
 }
 
-std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept) const {
+std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipped) const {
   std::string out = "{\"file\":";
   appendJsonString(out, file);
   out += ",\"frames\":" + std::to_string(m_frames.count());
@@ -300,18 +300,18 @@ std::string InfoReport::json(const std::string& file, const UnkeptPlaces& unkept
   out += span;
   appendNotesJson(out);
   out += ",\"time_jumps\":" + std::to_string(m_timeJumps);
-  out += ",\"unreadable\":" + std::to_string(unkept.unreadable());
+  out += ",\"unreadable\":" + std::to_string(skipped.unreadable());
   out += ",\"not_kept\":{";
   bool first = true;
   const auto comma = [&] {
     if (!first) out += ',';
     first = false;
   };
-  for (const Unkept reason : kAllOf<Unkept>) {
-    if (isUnreadable(reason) || unkept.count(reason) == 0) continue;
+  for (const Skipped reason : kAllOf<Skipped>) {
+    if (isUnreadable(reason) || skipped.count(reason) == 0) continue;
     comma();
-    appendJsonString(out, unkeptText(reason));
-    out += ':' + std::to_string(unkept.count(reason));
+    appendJsonString(out, skippedText(reason));
+    out += ':' + std::to_string(skipped.count(reason));
   }
   out += "},\"ids\":[";
   first = true;

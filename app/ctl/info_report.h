@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "log/frame_store.h"
-#include "log/unkept.h"
+#include "log/skipped.h"
 #include "state/state.h"
 
 namespace deckpipe::ctl {
@@ -23,8 +23,8 @@ class InfoReport {
   void countNew();
   // Once, when all of it was read.
   void takeNotes();
-  std::string text(const std::string& file, const UnkeptPlaces& unkept) const;
-  std::string json(const std::string& file, const UnkeptPlaces& unkept) const;
+  std::string text(const std::string& file, const SkippedPlaces& skipped) const;
+  std::string json(const std::string& file, const SkippedPlaces& skipped) const;
 
  private:
   struct Key {  // in order of channel, then as candump sorts: 11-bit before 29-bit

@@ -83,7 +83,7 @@ ExitStatus LogInput::readFile(const std::function<bool()>& more) {
       if (isShownAsItComes) publish();
       return wanted.load();
     };
-    outcome.emplace(openLog(path, {frames, unkept, &notes}, options));
+    outcome.emplace(openLog(path, {frames, skipped, &notes}, options));
     hasEnded = true;
     publish();
   });
@@ -100,7 +100,7 @@ ExitStatus LogInput::readFile(const std::function<bool()>& more) {
 ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& more) {
   ReadOptions options;
   options.addsUpTimes = addsUpTimes;
-  LogStream stream({frames, unkept, &notes}, logFormats(), options);
+  LogStream stream({frames, skipped, &notes}, logFormats(), options);
   std::array<char, 64 * 1024> buffer;
   std::string failure;
   for (;;) {
@@ -158,8 +158,8 @@ bool LogInput::sayMissed() const {
 }
 
 ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const {
-  const UnkeptPlaces content = unkept.content();
-  sayUnkept(content);
+  const SkippedPlaces content = skipped.content();
+  saySkipped(content);
   if (!addsUpTimes && hasDeltaTimes(frames))
     complain(name(), "its times look like differences (candump -t d), not times; --deltas adds them up");
   if (!outcome) {
@@ -172,22 +172,22 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const 
     complain(name(), m_hasBytes ? "it holds no frame" : "it is empty");
     return kNothingRead;
   }
-  return isWhole && !hasMissed && content.count(Unkept::Fraction) == 0 ? kDone : kNotWhole;
+  return isWhole && !hasMissed && content.count(Skipped::Fraction) == 0 ? kDone : kNotWhole;
 }
 
-void LogInput::sayUnkept(const UnkeptPlaces& content) const {
-  EnumArray<Unkept, std::uint64_t> said;
-  for (const UnkeptPlace& place : content.places()) {
+void LogInput::saySkipped(const SkippedPlaces& content) const {
+  EnumArray<Skipped, std::uint64_t> said;
+  for (const SkippedPlace& place : content.places()) {
     if (!isUnreadable(place.reason)) continue;
-    const std::string_view reason = unkeptText(place.reason);
+    const std::string_view reason = skippedText(place.reason);
     std::fprintf(stderr, "%s:%" PRIu64 ": %.*s\n", name().c_str(), place.place,
                  static_cast<int>(reason.size()), reason.data());
     ++said[place.reason];
   }
-  for (const Unkept reason : kAllOf<Unkept>) {
+  for (const Skipped reason : kAllOf<Skipped>) {
     const std::uint64_t rest = content.count(reason) - said[reason];
     if (rest == 0) continue;
-    const std::string_view text = unkeptText(reason);
+    const std::string_view text = skippedText(reason);
     std::fprintf(
         stderr,
         isUnreadable(reason) ? "%s: %" PRIu64 " more lines: %.*s\n" : "%s: %" PRIu64 " not kept: %.*s\n",

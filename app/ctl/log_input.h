@@ -13,7 +13,7 @@
 #include "log/frame_store.h"
 #include "log/note_store.h"
 #include "log/reading.h"
-#include "log/unkept.h"
+#include "log/skipped.h"
 
 namespace deckpipe::ctl {
 
@@ -30,7 +30,7 @@ struct LogInput {
   bool addsUpTimes;  // --deltas was given
   FrameStore frames;
   NoteStore notes;  // of a recording or a sidecar
-  UnkeptList unkept;
+  SkippedList skipped;
 
   // What a person calls it in messages.
   std::string name() const { return path == "-" ? "standard input" : path; }
@@ -45,7 +45,7 @@ struct LogInput {
   ExitStatus readStream(int descriptor, const std::function<bool()>& more);
   // Says what came of it.
   ExitStatus ended(const Result<ReadSummary, ReadError>& outcome) const;
-  void sayUnkept(const UnkeptPlaces& content) const;
+  void saySkipped(const SkippedPlaces& content) const;
   bool m_hasBytes = false;  // the file or pipe is not empty
   // Says which parts of a recording or its notes are missing; false if any is.
   bool sayMissing(const ReadSummary& summary) const;

@@ -19,7 +19,7 @@ LogOpening::LogOpening(std::shared_ptr<LogDocument> document, const QString& pat
           }
           return !stop.stop_requested();
         };
-        m_outcome.emplace(openLog(file, {document->frames, document->unkept, &document->notes}, options));
+        m_outcome.emplace(openLog(file, {document->frames, document->skipped, &document->notes}, options));
         m_ended.store(true, std::memory_order_release);
       }) {}
 

@@ -99,12 +99,12 @@ void PartWriter::end() {
 void PartWriter::noteLeftOut() {
   using Why = note::LeftOut::Why;
   if (m_channels.empty()) return;
-  const UnkeptPlaces unkept = m_log.unkept.content();
+  const SkippedPlaces skipped = m_log.skipped.content();
   const std::uint64_t count = m_log.frames.count();
   const Instant time = count > 0 ? m_log.frames.timeAt(count - 1) : Instant{};
   for (const auto& [why, kind] :
-       {std::pair(Why::CanFd, Unkept::CanFd), std::pair(Why::NotClassic, Unkept::CanXl)}) {
-    std::uint64_t leftOut = unkept.count(kind);
+       {std::pair(Why::CanFd, Skipped::CanFd), std::pair(Why::NotClassic, Skipped::CanXl)}) {
+    std::uint64_t leftOut = skipped.count(kind);
     for (const Note& note : m_notes) {
       const auto* noted = std::get_if<note::LeftOut>(&note.value);
       if (noted != nullptr && noted->why == why) leftOut -= std::min(leftOut, noted->count);

@@ -100,9 +100,9 @@ Recording readRecording(const QString& path, std::uint64_t readWhole) {
       file.size() > readWhole ? readJournalTail(file, std::min(readWhole, kJournalTailBytes)) : std::nullopt;
   FrameStore frames;
   NoteStore notes;
-  UnkeptList unkept;
+  SkippedList skipped;
   const auto summary =
-      readLog(FrontOfFile(file, tail ? readWhole / 2 : file.size()), {frames, unkept, &notes});
+      readLog(FrontOfFile(file, tail ? readWhole / 2 : file.size()), {frames, skipped, &notes});
   if (!summary) return recording;
   recording.isReadable = true;
   recording.isGlanced = tail.has_value();

@@ -345,9 +345,9 @@ void Session::updateSource() {
   SourceStatus& source = m_snapshot.source;
   if (m_opening != nullptr) {
     source.fraction = m_opening->fraction();
-    const UnkeptPlaces unkept = m_document->unkept.content();
-    source.unreadable = unkept.unreadable();
-    source.notKept = unkept.skipped();
+    const SkippedPlaces skipped = m_document->skipped.content();
+    source.unreadable = skipped.unreadable();
+    source.notKept = skipped.skipped();
     if (const auto* outcome = m_opening->outcome()) {
       const bool isNews = source.progress == SourceStatus::Progress::Opening;
       if (isNews && *outcome && outcome->value().hasSidecar) m_walker->notesCame();

@@ -107,7 +107,7 @@ std::optional<std::int64_t> dateSeconds(std::string_view text) {
 }
 
 // The inside of "(…)" into the line; a reason where that is impossible.
-std::optional<Unkept> readStamp(std::string_view text, TextLine& line) {
+std::optional<Skipped> readStamp(std::string_view text, TextLine& line) {
   const bool negative = !text.empty() && text.front() == '-';
   if (negative) text.remove_prefix(1);
   const std::size_t dot = std::min(text.find('.'), text.size());
@@ -115,11 +115,11 @@ std::optional<Unkept> readStamp(std::string_view text, TextLine& line) {
   const auto nanoseconds = fraction(text.substr(dot), line.isFractionLost);
   auto seconds = decimal(whole);
   if (!seconds && !negative) seconds = dateSeconds(whole);
-  if (!seconds || !nanoseconds) return Unkept::Time;
+  if (!seconds || !nanoseconds) return Skipped::Time;
   std::int64_t time = 0;
   if (__builtin_mul_overflow(*seconds, std::int64_t{1'000'000'000}, &time) ||
       __builtin_add_overflow(time, *nanoseconds, &time)) {
-    return Unkept::TimeRange;
+    return Skipped::TimeRange;
   }
   line.frame.stamp = negative ? -time : time;
   return {};
@@ -137,9 +137,9 @@ bool setIdentifier(Frame& frame, std::uint32_t id, bool wide) {
   return id <= (kErrorBit | kIdMask);
 }
 
-TextLine unkept(Unkept reason) {
+TextLine skipped(Skipped reason) {
   TextLine line;
-  line.kind = TextLine::Kind::Unkept;
+  line.kind = TextLine::Kind::Skipped;
   line.reason = reason;
   return line;
 }
@@ -171,38 +171,38 @@ TextLine readLogForm(TextLine line, Rest rest) {
   Rest word(rest.word());
   const std::string_view digits = word.upTo('#');
   std::string_view data = word.all();
-  if (data.find(':') != std::string_view::npos && hexNumber(digits)) return unkept(Unkept::CanXl);
+  if (data.find(':') != std::string_view::npos && hexNumber(digits)) return skipped(Skipped::CanXl);
   const auto id = hexNumber(digits);
   Frame& frame = line.frame;
   if (!id || (digits.size() != 3 && digits.size() != 8) || !setIdentifier(frame, *id, digits.size() == 8)) {
-    return unkept(Unkept::Identifier);
+    return skipped(Skipped::Identifier);
   }
   if (!data.empty() && data.front() == '#') {
-    if (data.size() < 2 || hexValue(data[1]) > 15) return unkept(Unkept::Data);
+    if (data.size() < 2 || hexValue(data[1]) > 15) return skipped(Skipped::Data);
     data.remove_prefix(2);
     if (!data.empty() && data.front() == '.') data.remove_prefix(1);
-    return unkept(readCompactBytes(data, nullptr) ? Unkept::CanFd : Unkept::Data);
+    return skipped(readCompactBytes(data, nullptr) ? Skipped::CanFd : Skipped::Data);
   }
   const std::size_t sizeBefore = data.size();
   dropRawDlc(data);
   const bool rawDlc = data.size() != sizeBefore;
   if (!data.empty() && (data.front() == 'R' || data.front() == 'r')) {
     frame.id |= kRemoteBit;
-    if (data.size() > 2) return unkept(Unkept::Data);
+    if (data.size() > 2) return skipped(Skipped::Data);
     const unsigned length = data.size() == 2 ? hexValue(data[1]) : 0;
-    if (length > 8) return unkept(Unkept::Data);
+    if (length > 8) return skipped(Skipped::Data);
     frame.length = static_cast<std::uint8_t>(length);
   } else {
     const auto length = readCompactBytes(data, &frame.data);
-    if (!length) return unkept(Unkept::Data);
-    if (*length > 8) return unkept(Unkept::DataTooLong);
+    if (!length) return skipped(Skipped::Data);
+    if (*length > 8) return skipped(Skipped::DataTooLong);
     frame.length = static_cast<std::uint8_t>(*length);
   }
-  if (rawDlc && frame.length != 8) return unkept(Unkept::Data);
+  if (rawDlc && frame.length != 8) return skipped(Skipped::Data);
   const std::string_view direction = rest.word();
   rest.skipSpaces();
   if (!rest.empty() || !(direction.empty() || direction == "R" || direction == "T")) {
-    return unkept(Unkept::Layout);
+    return skipped(Skipped::Layout);
   }
   if (direction == "T") frame.flags |= Frame::kSent;
   return line;
@@ -242,15 +242,15 @@ TextLine readScreenForm(TextLine line, Rest rest) {
   const std::string_view length = rest.word();
   const bool plain = length.size() >= 3 && length.front() == '[' && length.back() == ']';
   const bool raw = length.size() == 3 && length.front() == '{' && length.back() == '}';
-  if (!plain && !raw) return unkept(Unkept::Layout);
+  if (!plain && !raw) return skipped(Skipped::Layout);
   const auto id = hexNumber(digits);
   Frame& frame = line.frame;
-  if (!id || !setIdentifier(frame, *id, digits.size() > 3)) return unkept(Unkept::Identifier);
+  if (!id || !setIdentifier(frame, *id, digits.size() > 3)) return skipped(Skipped::Identifier);
   const std::string_view number = length.substr(1, length.size() - 2);
-  if (!decimal(number) && !(raw && hexValue(number.front()) < 16)) return unkept(Unkept::Layout);
-  if (number.size() == 2) return unkept(Unkept::CanFd);
-  if (number.size() == 4) return unkept(Unkept::CanXl);
-  if (number.size() != 1 || (plain && number.front() > '8')) return unkept(Unkept::LengthMismatch);
+  if (!decimal(number) && !(raw && hexValue(number.front()) < 16)) return skipped(Skipped::Layout);
+  if (number.size() == 2) return skipped(Skipped::CanFd);
+  if (number.size() == 4) return skipped(Skipped::CanXl);
+  if (number.size() != 1 || (plain && number.front() > '8')) return skipped(Skipped::LengthMismatch);
   frame.length = static_cast<std::uint8_t>(std::min(hexValue(number.front()), 8u));
 
   std::size_t n = 0;
@@ -264,10 +264,10 @@ TextLine readScreenForm(TextLine line, Rest rest) {
       frame.id |= kRemoteBit;
       break;
     }
-    if (!readScreenBytes(word, frame, n)) return unkept(Unkept::Data);
+    if (!readScreenBytes(word, frame, n)) return skipped(Skipped::Data);
   }
-  if (n > 8) return unkept(Unkept::DataTooLong);
-  if (n != frame.length && !(frame.isRemote() && n == 0)) return unkept(Unkept::LengthMismatch);
+  if (n > 8) return skipped(Skipped::DataTooLong);
+  if (n != frame.length && !(frame.isRemote() && n == 0)) return skipped(Skipped::LengthMismatch);
   if (frame.isRemote()) frame.data = {};  // canutils 4 prints what lay in its buffer
   return line;
 }
@@ -308,10 +308,10 @@ TextLine readPlainLine(std::string_view text) {
   Rest rest(text);
   rest.skipSpaces();
   if (rest.empty() || rest.starts('#') || isErrorDetail(text)) return line;
-  if (text.substr(0, 10) == "DROPCOUNT:") return unkept(Unkept::RecorderDropped);
+  if (text.substr(0, 10) == "DROPCOUNT:") return skipped(Skipped::RecorderDropped);
   if (rest.starts('(')) {
     rest.upTo('(');
-    if (const auto reason = readStamp(rest.upTo(')'), line)) return unkept(*reason);
+    if (const auto reason = readStamp(rest.upTo(')'), line)) return skipped(*reason);
     rest.skipSpaces();
   }
   line.kind = TextLine::Kind::Frame;
@@ -327,7 +327,7 @@ TextLine readPlainLine(std::string_view text) {
   const bool printable =
       std::all_of(line.interface.begin(), line.interface.end(), [](char c) { return c > ' ' && c <= '~'; });
   if (line.interface.empty() || line.interface.size() > kMaxInterfaceName || !printable) {
-    return unkept(rest.peek().empty() ? Unkept::Layout : Unkept::Interface);
+    return skipped(rest.peek().empty() ? Skipped::Layout : Skipped::Interface);
   }
   if (header) return line;
 
@@ -351,9 +351,9 @@ TextLine readCandumpLine(std::string_view text, std::string& scratch) {
     text = scratch;
   }
   TextLine line = readPlainLine(text);
-  if (line.kind == TextLine::Kind::Unkept && isUnreadable(line.reason) &&
+  if (line.kind == TextLine::Kind::Skipped && isUnreadable(line.reason) &&
       std::any_of(text.begin(), text.end(), isControl)) {
-    line.reason = Unkept::Binary;
+    line.reason = Skipped::Binary;
   }
   return line;
 }

@@ -19,7 +19,7 @@
 #include "log/log_writer.h"
 #include "log/note_store.h"
 #include "log/reading.h"
-#include "log/unkept.h"
+#include "log/skipped.h"
 
 namespace deckpipe {
 
@@ -36,7 +36,7 @@ class StreamReader {
 // Where a log goes that is read; all empty.
 struct LogTarget {
   FrameStore& frames;
-  UnkeptList& unkept;
+  SkippedList& skipped;
   NoteStore* notes = nullptr;  // null: notes are left out
 };
 

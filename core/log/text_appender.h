@@ -11,8 +11,8 @@
 
 #include "log/frame_store.h"
 #include "log/reading.h"
+#include "log/skipped.h"
 #include "log/text_parser.h"
-#include "log/unkept.h"
 
 namespace deckpipe {
 
@@ -38,10 +38,10 @@ class ChannelMap {
 
 class TextAppender {
  public:
-  TextAppender(FrameStore& store, UnkeptList& unkept, bool addsUpTimes)
-      : m_store(store), m_unkept(&unkept), m_addsUpTimes(addsUpTimes) {}
+  TextAppender(FrameStore& store, SkippedList& skipped, bool addsUpTimes)
+      : m_store(store), m_skipped(&skipped), m_addsUpTimes(addsUpTimes) {}
   // Reports go there from now on.
-  void reportTo(UnkeptList& unkept) { m_unkept = &unkept; }
+  void reportTo(SkippedList& skipped) { m_skipped = &skipped; }
 
   // False where the store had no room.
   bool append(TextBlock& block, ChannelMap& channels) {
@@ -57,7 +57,7 @@ class TextAppender {
     }
     const std::uint64_t before = m_store.count();
     const bool fits = m_store.append(frames, Follows::More);
-    m_unkept->add(block.unkept, m_lines);
+    m_skipped->add(block.skipped, m_lines);
     m_frames += m_store.count() - before;
     m_lines += block.lines;
     return fits;
@@ -72,14 +72,14 @@ class TextAppender {
   }
 
   // A line of which a parser gets to see nothing.
-  void appendTooLong() { m_unkept->add(++m_lines, Unkept::LineTooLong); }
+  void appendTooLong() { m_skipped->add(++m_lines, Skipped::LineTooLong); }
 
   std::uint64_t lines() const { return m_lines; }
   std::uint64_t frames() const { return m_frames; }
 
  private:
   FrameStore& m_store;
-  UnkeptList* m_unkept;
+  SkippedList* m_skipped;
   bool m_addsUpTimes;
   std::int64_t m_time = 0;  // ns; sum of the times so far
   std::string m_unnamedIs{kUnnamedInterface};

@@ -30,10 +30,10 @@ constexpr LogFormat textFormat(std::string_view name, std::string_view patterns)
           },
       .read =
           [](const LogBytes& bytes, const LogTarget& target, const ReadOptions& options) {
-            return readText(bytes, makeTextParser<Parser>, target.frames, target.unkept, options);
+            return readText(bytes, makeTextParser<Parser>, target.frames, target.skipped, options);
           },
       .stream = [](const LogTarget& target, const ReadOptions& options) -> std::unique_ptr<StreamReader> {
-        return std::make_unique<TextStream>(std::make_unique<Parser>(), target.frames, target.unkept,
+        return std::make_unique<TextStream>(std::make_unique<Parser>(), target.frames, target.skipped,
                                             options);
       },
   };

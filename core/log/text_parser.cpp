@@ -22,7 +22,7 @@ void TextParser::learn(std::string_view, const TextLine&, LocalChannel) {}
 void TextParser::parse(const char* begin, const char* end, const char* readable, TextBlock& block) {
   block.count = 0;
   block.lines = 0;
-  block.unkept.clear();
+  block.skipped.clear();
   block.channels.clear();
   block.header.clear();
   m_unnamedUsed = false;
@@ -46,7 +46,7 @@ void TextParser::parse(const char* begin, const char* end, const char* readable,
     const auto known = static_cast<std::size_t>(readable - p);
     const char* const lineEnd = findLineEnd(p, p + std::min(known, kMaxTextLine + 1));
     if (lineEnd == nullptr && known > kMaxTextLine) {
-      block.unkept.add(block.lines, Unkept::LineTooLong);
+      block.skipped.add(block.lines, Skipped::LineTooLong);
       const char* const skipped = findLineEnd(p, end);
       p = skipped != nullptr ? skipped + 1 : end;
       continue;
@@ -62,7 +62,7 @@ void TextParser::readOther(std::string_view text, TextBlock& block) {
   const TextLine line = readLine(text);
   switch (line.kind) {
     case TextLine::Kind::Nothing: return;
-    case TextLine::Kind::Unkept: block.unkept.add(block.lines, line.reason); return;
+    case TextLine::Kind::Skipped: block.skipped.add(block.lines, line.reason); return;
     case TextLine::Kind::Header: block.header = line.interface; return;
     case TextLine::Kind::Frame: break;
   }
@@ -76,7 +76,7 @@ void TextParser::readOther(std::string_view text, TextBlock& block) {
     m_unnamedUsed = true;
     block.channels.emplace_back(kUnnamedChannel, std::string());
   }
-  if (line.isFractionLost) block.unkept.add(block.lines, Unkept::Fraction);
+  if (line.isFractionLost) block.skipped.add(block.lines, Skipped::Fraction);
   Frame& frame = block.frames[block.count++];
   frame = line.frame;
   frame.channel = static_cast<std::uint8_t>(number);

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "bus/frame.h"
-#include "log/unkept.h"
+#include "log/skipped.h"
 
 namespace deckpipe {
 
@@ -35,10 +35,10 @@ struct TextLine {
     Nothing,  // blank, a comment, words about the frame before
     Frame,    // frame (its channel is 0) and interface, empty where the line names none
     Header,   // interface: that of the lines after it which name none
-    Unkept,   // reason
+    Skipped,  // reason
   };
   Kind kind = Kind::Nothing;
-  Unkept reason = Unkept::Layout;
+  Skipped reason = Skipped::Layout;
   Frame frame{};
   std::string_view interface {};
   bool isFractionLost = false;  // of a frame: its time is good to the second only
@@ -54,13 +54,13 @@ struct TextBlock {
   std::vector<Frame> frames;  // only the first `count` are meant: the vector is never shrunk between blocks
   std::size_t count = 0;
   std::uint64_t lines = 0;
-  UnkeptPlaces unkept;  // line numbers from 1 at the block's start
+  SkippedPlaces skipped;  // line numbers from 1 at the block's start
   // Channels new to the parser, and the unnamed one, in the order in which the block uses them.
   std::vector<std::pair<LocalChannel, std::string>> channels;
   std::string header;  // the interface that the last header line names; empty without one
 
   // Whether a line of it was understood, so that the text is a log of this format.
-  bool isUnderstood() const { return count > 0 || unkept.understood() > 0; }
+  bool isUnderstood() const { return count > 0 || skipped.understood() > 0; }
 };
 
 class TextParser {

@@ -21,12 +21,12 @@ constexpr std::size_t kSniffedLines = kSniffBytes - kMaxTextLine;
 // Threads take blocks by number, parse them side by side and append them in turn.
 class BlockReading {
  public:
-  BlockReading(const LogBytes& bytes, MakeTextParser makeParser, FrameStore& store, UnkeptList& unkept,
+  BlockReading(const LogBytes& bytes, MakeTextParser makeParser, FrameStore& store, SkippedList& skipped,
                const ReadOptions& options)
       : m_bytes(bytes),
         m_makeParser(makeParser),
         m_options(options),
-        m_appender(store, unkept, options.addsUpTimes) {}
+        m_appender(store, skipped, options.addsUpTimes) {}
 
   Result<ReadSummary, ReadError> run() {
     std::thread second;
@@ -121,8 +121,8 @@ class BlockReading {
 }  // namespace
 
 Result<ReadSummary, ReadError> readText(const LogBytes& bytes, MakeTextParser makeParser, FrameStore& store,
-                                        UnkeptList& unkept, const ReadOptions& options) {
-  return BlockReading(bytes, makeParser, store, unkept, options).run();
+                                        SkippedList& skipped, const ReadOptions& options) {
+  return BlockReading(bytes, makeParser, store, skipped, options).run();
 }
 
 Sniff sniffText(TextParser& parser, std::string_view head, bool isWhole) {
@@ -135,7 +135,7 @@ Sniff sniffText(TextParser& parser, std::string_view head, bool isWhole) {
   parser.parse(begin, begin + std::min(known, kSniffedLines), begin + known, block);
   if (block.isUnderstood()) return Sniff::Yes;
   if (!isWhole && known < kSniffedLines) return Sniff::Open;
-  return block.unkept.unreadable() == 0 ? Sniff::Yes : Sniff::No;
+  return block.skipped.unreadable() == 0 ? Sniff::Yes : Sniff::No;
 }
 
 }  // namespace deckpipe

@@ -11,8 +11,8 @@
 #include "log/frame_store.h"
 #include "log/log_bytes.h"
 #include "log/reading.h"
+#include "log/skipped.h"
 #include "log/text_parser.h"
-#include "log/unkept.h"
 
 namespace deckpipe {
 
@@ -20,7 +20,7 @@ namespace deckpipe {
 using MakeTextParser = std::unique_ptr<TextParser> (*)();
 
 Result<ReadSummary, ReadError> readText(const LogBytes& bytes, MakeTextParser makeParser, FrameStore& store,
-                                        UnkeptList& unkept, const ReadOptions& options);
+                                        SkippedList& skipped, const ReadOptions& options);
 
 // Whether a text is a log of the parser's format, by the lines that begin in its first 64 kB: one that is
 // understood says yes; unreadable ones and none that is understood say no. An empty text is an empty log.

@@ -8,17 +8,17 @@
 
 #include "log/frame_store.h"
 #include "log/log_format.h"
+#include "log/skipped.h"
 #include "log/text_appender.h"
 #include "log/text_parser.h"
-#include "log/unkept.h"
 
 namespace deckpipe {
 
 class TextStream final : public StreamReader {
  public:
-  TextStream(std::unique_ptr<TextParser> parser, FrameStore& store, UnkeptList& unkept,
+  TextStream(std::unique_ptr<TextParser> parser, FrameStore& store, SkippedList& skipped,
              const ReadOptions& options)
-      : m_parser(std::move(parser)), m_appender(store, unkept, options.addsUpTimes) {}
+      : m_parser(std::move(parser)), m_appender(store, skipped, options.addsUpTimes) {}
 
   bool feed(std::string_view bytes) override;
   Result<ReadSummary, ReadError> finish() override;

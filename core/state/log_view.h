@@ -7,7 +7,7 @@
 
 #include "log/frame_store.h"
 #include "log/note_store.h"
-#include "log/unkept.h"
+#include "log/skipped.h"
 #include "state/events.h"
 #include "state/exchanges.h"
 #include "state/keyframes.h"
@@ -21,7 +21,7 @@ struct LogDocument {
 
   FrameStore frames;
   NoteStore notes;
-  UnkeptList unkept;
+  SkippedList skipped;
   Keyframes keyframes{frames, notes};
   RoleIndex roles{frames, notes};
   Events events{frames, notes, keyframes};

@@ -16,7 +16,7 @@ using namespace deckpipe;
 struct Reading {
   // Nothing of it belongs on disk, and the usual budget would only cost time.
   FrameStore store{{.memoryBytes = 64 << 20, .spillFolder = "/nonexistent"}};
-  UnkeptList unkept;
+  SkippedList skipped;
   Result<ReadSummary, ReadError> result = ReadSummary{};
 };
 
@@ -41,8 +41,8 @@ void demandEqual(const Reading& a, const Reading& b) {
     const auto index = static_cast<std::uint8_t>(i);
     demand(a.store.channelName(index) == b.store.channelName(index));
   }
-  demand(a.unkept.content().places() == b.unkept.content().places());
-  demand(a.unkept.content().unreadable() == b.unkept.content().unreadable());
+  demand(a.skipped.content().places() == b.skipped.content().places());
+  demand(a.skipped.content().unreadable() == b.skipped.content().unreadable());
 }
 
 }  // namespace
@@ -53,17 +53,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data) + 2, size - 2);
 
   Reading whole;
-  whole.result = readLog(BytesInMemory(text), {whole.store, whole.unkept});
+  whole.result = readLog(BytesInMemory(text), {whole.store, whole.skipped});
 
   Reading blocks;
   ReadOptions options;
   options.threads = 1 + data[0] % 2;
   options.blockBytes = block;
-  blocks.result = readLog(BytesInMemory(text), {blocks.store, blocks.unkept}, options);
+  blocks.result = readLog(BytesInMemory(text), {blocks.store, blocks.skipped}, options);
   demandEqual(whole, blocks);
 
   Reading pieces;
-  LogStream stream({pieces.store, pieces.unkept});
+  LogStream stream({pieces.store, pieces.skipped});
   for (std::size_t at = 0; at < text.size() && stream.feed(text.substr(at, piece)); at += piece) {
   }
   pieces.result = stream.finish();
@@ -78,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     writeCandump(frame, whole.store.channelName(frame.channel), written);
   }
   Reading back;
-  back.result = readLog(BytesInMemory(written), {back.store, back.unkept});
+  back.result = readLog(BytesInMemory(written), {back.store, back.skipped});
   demand(back.store.count() == whole.store.count());
   for (std::uint64_t i = 0; i < back.store.count(); ++i) {
     Frame read = back.store[i], expected = whole.store[i];

@@ -21,11 +21,11 @@ struct Reading {
   // Nothing of it belongs on disk, and the usual budget would only cost time.
   FrameStore frames{{.memoryBytes = 64 << 20, .spillFolder = "/nonexistent"}};
   NoteStore notes;
-  UnkeptList unkept;
+  SkippedList skipped;
 
   Result<ReadSummary, ReadError> read(const JournalBytes& bytes) {
     return readJournal(BytesInMemory({reinterpret_cast<const char*>(bytes.data()), bytes.size()}),
-                       {frames, unkept, &notes}, {});
+                       {frames, skipped, &notes}, {});
   }
 };
 

@@ -71,10 +71,10 @@ inline JournalHead someHead() { return {.isSimulated = false, .begin = 1'796'000
 struct Recording {
   FrameStore frames;
   NoteStore notes;
-  UnkeptList unkept;
+  SkippedList skipped;
   Result<ReadSummary, ReadError> result = ReadSummary{};
 
-  LogTarget target() { return {frames, unkept, &notes}; }
+  LogTarget target() { return {frames, skipped, &notes}; }
   void read(std::span<const std::uint8_t> bytes, const ReadOptions& options = {}) {
     result = readLog(BytesInMemory({reinterpret_cast<const char*>(bytes.data()), bytes.size()}), target(),
                      options);

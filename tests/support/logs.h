@@ -30,7 +30,7 @@ inline std::shared_ptr<LogDocument> logOf(const std::vector<Frame>& frames) {
 
 inline std::shared_ptr<LogDocument> logOfText(std::string_view candump) {
   auto log = std::make_shared<LogDocument>();
-  if (!readLog(BytesInMemory(candump), {log->frames, log->unkept})) std::abort();
+  if (!readLog(BytesInMemory(candump), {log->frames, log->skipped})) std::abort();
   buildIndexes(*log);
   return log;
 }

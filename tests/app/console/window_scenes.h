@@ -62,7 +62,7 @@ inline Snapshot snapshotOf(const std::string& text, SourceStatus::Kind kind,
   SourceStatus& source = snapshot.source;
   source.kind = kind;
   source.progress = progress;
-  source.unreadable = log->unkept.content().unreadable();
+  source.unreadable = log->skipped.content().unreadable();
   if (kind == SourceStatus::Kind::File) {
     source.name =
         QStringLiteral("/home/technician/logs/2026-11-22 ladder 4 monitor stops short of the left limit.log");

@@ -108,7 +108,7 @@ struct SavedPartTest : testing::Test {
   }
   std::shared_ptr<LogDocument> reopened() const {
     auto read = std::make_shared<LogDocument>();
-    const auto result = openLog(path.toStdString(), {read->frames, read->unkept, &read->notes});
+    const auto result = openLog(path.toStdString(), {read->frames, read->skipped, &read->notes});
     EXPECT_TRUE(result);
     EXPECT_TRUE(!result || !result.value().sidecarFault);
     return read;
@@ -213,7 +213,7 @@ TEST_F(SavedPartTest, WhoComesLaterIsAddedThoughAFilterHoldsItBack) {
 TEST_F(SavedPartTest, FramesThatTheFilesReaderSkippedAreNoted) {
   const std::string text = std::string(kBench) + "(100.600000) can0 123##1001122\n";
   log = test::logOfText(text);
-  ASSERT_EQ(log->unkept.content().skipped(), 1u);
+  ASSERT_EQ(log->skipped.content().skipped(), 1u);
   save({.begin = 3, .end = 5});
   EXPECT_EQ(reopened()->notes.missedFrames(), 0u) << "nobody knows whether it was one of the part's";
   save();
@@ -225,9 +225,9 @@ TEST_F(SavedPartTest, FramesThatTheFilesReaderSkippedAreNoted) {
 }
 
 TEST_F(SavedPartTest, SkippedFramesKeepTheirKind) {
-  log->unkept.add(7, Unkept::CanFd);
-  log->unkept.add(8, Unkept::CanXl);
-  log->unkept.add(9, Unkept::CanXl);
+  log->skipped.add(7, Skipped::CanFd);
+  log->skipped.add(8, Skipped::CanXl);
+  log->skipped.add(9, Skipped::CanXl);
   save();
   std::vector<note::LeftOut> leftOut;
   for (const Note& note : reopened()->notes.all()) leftOut.push_back(std::get<note::LeftOut>(note.value));

@@ -63,8 +63,8 @@ class OpenedLog : public testing::Test {
 QStringList marksIn(const QString& path) {
   FrameStore frames;
   NoteStore notes;
-  UnkeptList unkept;
-  const auto read = openLog(path.toStdString(), {frames, unkept, &notes});
+  SkippedList skipped;
+  const auto read = openLog(path.toStdString(), {frames, skipped, &notes});
   EXPECT_TRUE(read && !read.value().sidecarFault);
   QStringList marks;
   for (const Note& note : notes.all()) {
@@ -167,8 +167,8 @@ TEST_F(OpenedLog, TakesTheNotesBesideItIntoItsState) {
   const QString path = writeLog(m_dir, kThreeFrames);
   SidecarMaker maker;
   FrameStore frames;
-  UnkeptList unkept;
-  ASSERT_TRUE(openLog(path.toStdString(), {frames, unkept}));
+  SkippedList skipped;
+  ASSERT_TRUE(openLog(path.toStdString(), {frames, skipped}));
   maker.channel("can0");
   for (std::uint64_t i = 0; i < 3; ++i) {
     if (i == 1)

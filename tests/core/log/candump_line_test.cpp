@@ -49,7 +49,7 @@ class CandumpLineReads : public testing::TestWithParam<Readable> {};
 TEST_P(CandumpLineReads, AsOneFrame) {
   std::string scratch;
   const TextLine line = readCandumpLine(GetParam().line, scratch);
-  ASSERT_EQ(line.kind, TextLine::Kind::Frame) << unkeptText(line.reason);
+  ASSERT_EQ(line.kind, TextLine::Kind::Frame) << skippedText(line.reason);
   const Frame& expected = GetParam().frame;
   EXPECT_EQ(line.frame.stamp, expected.stamp);
   EXPECT_EQ(line.frame.id, expected.id);
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
 struct Rejected {
   const char* name;
   std::string line;
-  Unkept reason;
+  Skipped reason;
 };
 void PrintTo(const Rejected& row, std::ostream* out) { *out << row.line; }
 
@@ -138,8 +138,8 @@ class CandumpLineRejects : public testing::TestWithParam<Rejected> {};
 TEST_P(CandumpLineRejects, WithTheReason) {
   std::string scratch;
   const TextLine line = readCandumpLine(GetParam().line, scratch);
-  ASSERT_EQ(line.kind, TextLine::Kind::Unkept);
-  EXPECT_EQ(unkeptText(line.reason), unkeptText(GetParam().reason));
+  ASSERT_EQ(line.kind, TextLine::Kind::Skipped);
+  EXPECT_EQ(skippedText(line.reason), skippedText(GetParam().reason));
 }
 
 const std::string kTime = "(1700000000.123456) ";
@@ -147,64 +147,65 @@ const std::string kTime = "(1700000000.123456) ";
 INSTANTIATE_TEST_SUITE_P(
     , CandumpLineRejects,
     testing::Values(
-        Rejected{"CanFd", kTime + "can0 123##1112233", Unkept::CanFd},
-        Rejected{"CanFdWithoutData", kTime + "can0 123##0", Unkept::CanFd},
-        Rejected{"CanFdWithDots", kTime + "can0 12345678##1.11.22", Unkept::CanFd},
-        Rejected{"CanFdOnScreen", "  can0  123  [08]  11 22 33 44 55 66 77 88", Unkept::CanFd},
+        Rejected{"CanFd", kTime + "can0 123##1112233", Skipped::CanFd},
+        Rejected{"CanFdWithoutData", kTime + "can0 123##0", Skipped::CanFd},
+        Rejected{"CanFdWithDots", kTime + "can0 12345678##1.11.22", Skipped::CanFd},
+        Rejected{"CanFdOnScreen", "  can0  123  [08]  11 22 33 44 55 66 77 88", Skipped::CanFd},
         Rejected{"CanFdOfManyBytesOnScreen", "  can0  123  [12]  11 22 33 44 55 66 77 88 99 AA BB CC",
-                 Unkept::CanFd},
-        Rejected{"CanFdWithoutFlags", kTime + "can0 123##", Unkept::Data},
-        Rejected{"CanXl", kTime + "can0 45123#81:00:12345678#11223344.556677", Unkept::CanXl},
-        Rejected{"CanXlOnScreen", "  can0  123 [0003] (45|81:00:12345678) 11 22 33", Unkept::CanXl},
+                 Skipped::CanFd},
+        Rejected{"CanFdWithoutFlags", kTime + "can0 123##", Skipped::Data},
+        Rejected{"CanXl", kTime + "can0 45123#81:00:12345678#11223344.556677", Skipped::CanXl},
+        Rejected{"CanXlOnScreen", "  can0  123 [0003] (45|81:00:12345678) 11 22 33", Skipped::CanXl},
         Rejected{"RecorderDropped", "DROPCOUNT: dropped 2 CAN frames on 'can0' socket (total drops 2)",
-                 Unkept::RecorderDropped},
-        Rejected{"Prose", "hello world", Unkept::Layout}, Rejected{"OneWord", "hello", Unkept::Layout},
-        Rejected{"Number", "0", Unkept::Layout},
+                 Skipped::RecorderDropped},
+        Rejected{"Prose", "hello world", Skipped::Layout}, Rejected{"OneWord", "hello", Skipped::Layout},
+        Rejected{"Number", "0", Skipped::Layout},
         Rejected{"PeakTrace", "     1)      1059.9  Rx         0300  7  00 00 00 00 04 00 00 ",
-                 Unkept::Layout},
-        Rejected{"StampAlone", "(1700000000.123456)", Unkept::Layout},
-        Rejected{"EndsAfterInterface", kTime + "can0", Unkept::Layout},
-        Rejected{"EndsInStamp", "(1700000000.1", Unkept::Layout},
-        Rejected{"EndsInIdentifier", kTime + "can0 18EF", Unkept::Layout},
-        Rejected{"EndsInByte", kTime + "can0 123#112", Unkept::Data},
-        Rejected{"TextInStamp", "(yesterday) can0 123#11", Unkept::Time},
-        Rejected{"EmptyStamp", "() can0 123#11", Unkept::Time},
-        Rejected{"TwoPoints", "(1.2.3) can0 123#11", Unkept::Time},
-        Rejected{"PointWithoutDecimals", "(12.) can0 123#11", Unkept::Time},
-        Rejected{"NoSuchDay", "(2023-02-29 00:00:00.0) can0 123#11", Unkept::Time},
-        Rejected{"NoSuchHour", "(2023-02-20 24:00:00.0) can0 123#11", Unkept::Time},
-        Rejected{"TimeJustTooLate", "(9223372036.854775808) can0 123#11", Unkept::TimeRange},
-        Rejected{"TimeFarTooLate", "(99999999999999999999999.5) can0 123#11", Unkept::TimeRange},
-        Rejected{"YearTooLate", "(9999-12-31 00:00:00.0) can0 123#11", Unkept::TimeRange},
-        Rejected{"InterfaceNotAscii", kTime + "c\xC3\xA4n0 123#11", Unkept::Interface},
-        Rejected{"InterfaceTooLong", kTime + std::string(64, 'c') + " 123#11", Unkept::Interface},
-        Rejected{"NarrowIdentifierTooLarge", kTime + "can0 800#11", Unkept::Identifier},
-        Rejected{"WideIdentifierTooLarge", kTime + "can0 40000000#11", Unkept::Identifier},
-        Rejected{"FourDigitIdentifier", kTime + "can0 1234#11", Unkept::Identifier},
-        Rejected{"NineDigitIdentifier", kTime + "can0 123456789#11", Unkept::Identifier},
-        Rejected{"NoIdentifier", kTime + "can0 #11", Unkept::Identifier},
-        Rejected{"IdentifierNotHexadecimal", kTime + "can0 12G#11", Unkept::Identifier},
-        Rejected{"OddDigits", kTime + "can0 123#11223", Unkept::Data},
-        Rejected{"DataNotHexadecimal", kTime + "can0 123#11xx", Unkept::Data},
-        Rejected{"DotFirst", kTime + "can0 123#.11", Unkept::Data},
-        Rejected{"DotLast", kTime + "can0 123#11.", Unkept::Data},
-        Rejected{"RawDlcOfAShortFrame", kTime + "can0 123#1122_E", Unkept::Data},
-        Rejected{"RemoteLengthTooLarge", kTime + "can0 123#R9", Unkept::Data},
-        Rejected{"NineBytes", kTime + "can0 123#112233445566778899", Unkept::DataTooLong},
-        Rejected{"TextBehind", kTime + "can0 123#11 X", Unkept::Layout},
-        Rejected{"TwoDirections", kTime + "can0 123#11 R T", Unkept::Layout},
-        Rejected{"ScreenFewerBytes", "  can0  123   [8]  11 22", Unkept::LengthMismatch},
-        Rejected{"ScreenMoreBytes", "  can0  123   [1]  11 22", Unkept::LengthMismatch},
-        Rejected{"ScreenNineBytes", "  can0  123   [8]  11 22 33 44 55 66 77 88 99", Unkept::DataTooLong},
-        Rejected{"ScreenLengthNine", "  can0  123   [9]  11 22 33 44 55 66 77 88 99", Unkept::LengthMismatch},
-        Rejected{"ScreenEndsInByte", "  can0  123   [2]  11 2", Unkept::Data},
-        Rejected{"ScreenLengthOpen", "  can0  123   [2", Unkept::Layout},
-        Rejected{"NulInData", kTime + std::string("can0 123#11\0", 12), Unkept::Binary},
-        Rejected{"NulAlone", std::string(5, '\0'), Unkept::Binary},
+                 Skipped::Layout},
+        Rejected{"StampAlone", "(1700000000.123456)", Skipped::Layout},
+        Rejected{"EndsAfterInterface", kTime + "can0", Skipped::Layout},
+        Rejected{"EndsInStamp", "(1700000000.1", Skipped::Layout},
+        Rejected{"EndsInIdentifier", kTime + "can0 18EF", Skipped::Layout},
+        Rejected{"EndsInByte", kTime + "can0 123#112", Skipped::Data},
+        Rejected{"TextInStamp", "(yesterday) can0 123#11", Skipped::Time},
+        Rejected{"EmptyStamp", "() can0 123#11", Skipped::Time},
+        Rejected{"TwoPoints", "(1.2.3) can0 123#11", Skipped::Time},
+        Rejected{"PointWithoutDecimals", "(12.) can0 123#11", Skipped::Time},
+        Rejected{"NoSuchDay", "(2023-02-29 00:00:00.0) can0 123#11", Skipped::Time},
+        Rejected{"NoSuchHour", "(2023-02-20 24:00:00.0) can0 123#11", Skipped::Time},
+        Rejected{"TimeJustTooLate", "(9223372036.854775808) can0 123#11", Skipped::TimeRange},
+        Rejected{"TimeFarTooLate", "(99999999999999999999999.5) can0 123#11", Skipped::TimeRange},
+        Rejected{"YearTooLate", "(9999-12-31 00:00:00.0) can0 123#11", Skipped::TimeRange},
+        Rejected{"InterfaceNotAscii", kTime + "c\xC3\xA4n0 123#11", Skipped::Interface},
+        Rejected{"InterfaceTooLong", kTime + std::string(64, 'c') + " 123#11", Skipped::Interface},
+        Rejected{"NarrowIdentifierTooLarge", kTime + "can0 800#11", Skipped::Identifier},
+        Rejected{"WideIdentifierTooLarge", kTime + "can0 40000000#11", Skipped::Identifier},
+        Rejected{"FourDigitIdentifier", kTime + "can0 1234#11", Skipped::Identifier},
+        Rejected{"NineDigitIdentifier", kTime + "can0 123456789#11", Skipped::Identifier},
+        Rejected{"NoIdentifier", kTime + "can0 #11", Skipped::Identifier},
+        Rejected{"IdentifierNotHexadecimal", kTime + "can0 12G#11", Skipped::Identifier},
+        Rejected{"OddDigits", kTime + "can0 123#11223", Skipped::Data},
+        Rejected{"DataNotHexadecimal", kTime + "can0 123#11xx", Skipped::Data},
+        Rejected{"DotFirst", kTime + "can0 123#.11", Skipped::Data},
+        Rejected{"DotLast", kTime + "can0 123#11.", Skipped::Data},
+        Rejected{"RawDlcOfAShortFrame", kTime + "can0 123#1122_E", Skipped::Data},
+        Rejected{"RemoteLengthTooLarge", kTime + "can0 123#R9", Skipped::Data},
+        Rejected{"NineBytes", kTime + "can0 123#112233445566778899", Skipped::DataTooLong},
+        Rejected{"TextBehind", kTime + "can0 123#11 X", Skipped::Layout},
+        Rejected{"TwoDirections", kTime + "can0 123#11 R T", Skipped::Layout},
+        Rejected{"ScreenFewerBytes", "  can0  123   [8]  11 22", Skipped::LengthMismatch},
+        Rejected{"ScreenMoreBytes", "  can0  123   [1]  11 22", Skipped::LengthMismatch},
+        Rejected{"ScreenNineBytes", "  can0  123   [8]  11 22 33 44 55 66 77 88 99", Skipped::DataTooLong},
+        Rejected{"ScreenLengthNine", "  can0  123   [9]  11 22 33 44 55 66 77 88 99",
+                 Skipped::LengthMismatch},
+        Rejected{"ScreenEndsInByte", "  can0  123   [2]  11 2", Skipped::Data},
+        Rejected{"ScreenLengthOpen", "  can0  123   [2", Skipped::Layout},
+        Rejected{"NulInData", kTime + std::string("can0 123#11\0", 12), Skipped::Binary},
+        Rejected{"NulAlone", std::string(5, '\0'), Skipped::Binary},
         Rejected{"BinaryFile",
                  "\x7F"
                  "ELF\x02\x01\x01",
-                 Unkept::Binary}),
+                 Skipped::Binary}),
     [](const auto& row) { return row.param.name; });
 
 TEST(CandumpLine, SkipsWhatIsNoFrameAndNoError) {
@@ -226,7 +227,7 @@ TEST(CandumpLine, TakesTheInterfaceFromAHeader) {
 
 struct Outcome {
   std::vector<Frame> frames;
-  std::vector<UnkeptPlace> unkept;
+  std::vector<SkippedPlace> skipped;
   std::uint64_t lines = 0;
   std::vector<std::pair<LocalChannel, std::string>> channels;
   friend bool operator==(const Outcome&, const Outcome&) = default;
@@ -236,7 +237,7 @@ Outcome parse(CandumpParser& parser, const std::string& text) {
   TextBlock block;
   parser.parse(text.data(), text.data() + text.size(), text.data() + text.size(), block);
   return {{block.frames.begin(), block.frames.begin() + static_cast<std::ptrdiff_t>(block.count)},
-          block.unkept.places(),
+          block.skipped.places(),
           block.lines,
           block.channels};
 }

@@ -16,8 +16,8 @@
 namespace deckpipe {
 
 // For messages of failed tests.
-void PrintTo(const UnkeptPlace& place, std::ostream* out) {
-  *out << place.place << ": " << unkeptText(place.reason);
+void PrintTo(const SkippedPlace& place, std::ostream* out) {
+  *out << place.place << ": " << skippedText(place.reason);
 }
 
 namespace {
@@ -27,12 +27,12 @@ struct Outcome {
   std::uint64_t lines = 0;
   std::vector<Frame> frames;
   std::vector<std::string> channels;
-  std::vector<UnkeptPlace> unkept;
+  std::vector<SkippedPlace> skipped;
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
 Outcome outcomeOf(const Result<ReadSummary, ReadError>& result, const FrameStore& store,
-                  const UnkeptList& unkept) {
+                  const SkippedList& skipped) {
   Outcome outcome;
   if (result) {
     outcome.lines = result.value().lines;
@@ -44,25 +44,25 @@ Outcome outcomeOf(const Result<ReadSummary, ReadError>& result, const FrameStore
   for (std::size_t i = 0; i < store.channelCount(); ++i) {
     outcome.channels.emplace_back(store.channelName(static_cast<std::uint8_t>(i)));
   }
-  outcome.unkept = unkept.content().places();
+  outcome.skipped = skipped.content().places();
   return outcome;
 }
 
 Outcome readText(const std::string& text, const ReadOptions& options = {}) {
   FrameStore store;
-  UnkeptList unkept;
-  const auto result = readLog(BytesInMemory(text), {store, unkept}, options);
-  return outcomeOf(result, store, unkept);
+  SkippedList skipped;
+  const auto result = readLog(BytesInMemory(text), {store, skipped}, options);
+  return outcomeOf(result, store, skipped);
 }
 
 Outcome readStream(const std::string& text, std::size_t piece) {
   FrameStore store;
-  UnkeptList unkept;
-  LogStream stream({store, unkept});
+  SkippedList skipped;
+  LogStream stream({store, skipped});
   for (std::size_t at = 0; at < text.size(); at += piece) {
     if (!stream.feed(std::string_view(text).substr(at, piece))) break;
   }
-  return outcomeOf(stream.finish(), store, unkept);
+  return outcomeOf(stream.finish(), store, skipped);
 }
 
 // However the text is cut and whoever reads it: always the same.
@@ -99,7 +99,7 @@ TEST(CandumpReader, ReadsEveryLineInOrder) {
   ASSERT_EQ(outcome.frames.size(), 3000u);
   EXPECT_EQ(outcome.lines, 3000u);
   EXPECT_EQ(outcome.channels, (std::vector<std::string>{"can0", "can1", "can2"}));
-  EXPECT_TRUE(outcome.unkept.empty());
+  EXPECT_TRUE(outcome.skipped.empty());
   for (std::size_t i = 0; i < 3000; ++i) {
     ASSERT_EQ(loadBig(outcome.frames[i].data), i);
     ASSERT_EQ(outcome.frames[i].channel, i % 3);
@@ -113,9 +113,9 @@ TEST(CandumpReader, ReportsUnreadableLinesByTheirNumberAndGoesOn) {
   const Outcome outcome = readEveryWay(text);
   EXPECT_EQ(outcome.frames.size(), 103u);
   EXPECT_EQ(outcome.lines, 109u);
-  EXPECT_EQ(outcome.unkept,
-            (std::vector<UnkeptPlace>{
-                {4, Unkept::Layout}, {6, Unkept::CanFd}, {7, Unkept::Data}, {108, Unkept::Identifier}}));
+  EXPECT_EQ(outcome.skipped,
+            (std::vector<SkippedPlace>{
+                {4, Skipped::Layout}, {6, Skipped::CanFd}, {7, Skipped::Data}, {108, Skipped::Identifier}}));
 }
 
 TEST(CandumpReader, TakesALoneCarriageReturnForALineEnd) {
@@ -138,7 +138,7 @@ TEST(CandumpReader, CountsLinesByWhateverEndsThem) {
       readEveryWay("(1.0) can0 123#11\r\r\nrubbish\r(2.0) can0 123#22\n\rrubbish\r\n(3.0) can0 123#33\r");
   EXPECT_EQ(outcome.frames.size(), 3u);
   EXPECT_EQ(outcome.lines, 7u);
-  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{3, Unkept::Layout}, {6, Unkept::Layout}}));
+  EXPECT_EQ(outcome.skipped, (std::vector<SkippedPlace>{{3, Skipped::Layout}, {6, Skipped::Layout}}));
 }
 
 TEST(CandumpReader, SkipsATooLongLineUpToItsCarriageReturn) {
@@ -150,7 +150,7 @@ TEST(CandumpReader, SkipsATooLongLineUpToItsCarriageReturn) {
           usualLine(0) + std::string(length, 'x') + end + usualLine(1) + std::string(length, 'y') + end;
       const Outcome outcome = readEveryWay(text);
       EXPECT_EQ(outcome.frames.size(), 2u);
-      EXPECT_EQ(outcome.unkept.size(), 2u);
+      EXPECT_EQ(outcome.skipped.size(), 2u);
     }
   }
 }
@@ -161,7 +161,7 @@ TEST(CandumpReader, KeepsTheSecondOfATimeWithMoreThanNineDecimals) {
   ASSERT_EQ(outcome.frames.size(), 2u);
   EXPECT_EQ(outcome.frames[0].stamp, 1'700'000'000'000'000'000);
   EXPECT_EQ(outcome.frames[1].stamp, 1'700'000'001'500'000'000);
-  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{1, Unkept::Fraction}}));
+  EXPECT_EQ(outcome.skipped, (std::vector<SkippedPlace>{{1, Skipped::Fraction}}));
 }
 
 TEST(DeltaTimes, AreToldFromTimes) {
@@ -183,8 +183,8 @@ TEST(DeltaTimes, AreToldFromTimes) {
     std::string text;
     for (const char* time : row.times) text += "(" + std::string(time) + ") can0 123#11\n";
     FrameStore store;
-    UnkeptList unkept;
-    ASSERT_TRUE(readLog(BytesInMemory(text), {store, unkept}));
+    SkippedList skipped;
+    ASSERT_TRUE(readLog(BytesInMemory(text), {store, skipped}));
     EXPECT_EQ(hasDeltaTimes(store), row.areDeltas) << row.name;
   }
 }
@@ -202,10 +202,10 @@ TEST(DeltaTimes, AreAddedUpAlikeOfFileAndPipe) {
   EXPECT_TRUE(
       std::ranges::none_of(file.frames, [](const Frame& f) { return (f.flags & Frame::kTimeJump) != 0; }));
   FrameStore store;
-  UnkeptList unkept;
-  LogStream stream({store, unkept}, logFormats(), options);
+  SkippedList skipped;
+  LogStream stream({store, skipped}, logFormats(), options);
   for (const char c : text) stream.feed({&c, 1});
-  EXPECT_EQ(outcomeOf(stream.finish(), store, unkept), file);
+  EXPECT_EQ(outcomeOf(stream.finish(), store, skipped), file);
 }
 
 TEST(CandumpReader, ReadsALastLineWithoutLineFeed) {
@@ -218,14 +218,14 @@ TEST(CandumpReader, ReadsALastLineWithoutLineFeed) {
 TEST(CandumpReader, ReportsALastLineThatIsCutOff) {
   const Outcome outcome = readEveryWay("(1.0) can0 123#11\n(2.0) can0 12");
   EXPECT_EQ(outcome.frames.size(), 1u);
-  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{2, Unkept::Layout}}));
+  EXPECT_EQ(outcome.skipped, (std::vector<SkippedPlace>{{2, Skipped::Layout}}));
 }
 
 TEST(CandumpReader, TakesAnEmptyTextForAnEmptyLog) {
   for (const char* text : {"", "\n", "# only a comment\n", "\r\n\r\n"}) {
     const Outcome outcome = readEveryWay(text);
     EXPECT_EQ(outcome.error, "");
-    EXPECT_TRUE(outcome.frames.empty() && outcome.unkept.empty());
+    EXPECT_TRUE(outcome.frames.empty() && outcome.skipped.empty());
   }
 }
 
@@ -239,7 +239,7 @@ TEST(CandumpReader, RefusesWhatIsNoCandumpLogWithOneError) {
         std::string(300'000, 'x') + "\n(1.0) can0 123#11\n", rubbish + "(1.0) can0 123#11\n"}) {
     const Outcome outcome = readEveryWay(text);
     EXPECT_EQ(outcome.error, "not a log of a known format") << text.substr(0, 20);
-    EXPECT_TRUE(outcome.frames.empty() && outcome.unkept.empty());
+    EXPECT_TRUE(outcome.frames.empty() && outcome.skipped.empty());
   }
 }
 
@@ -247,13 +247,13 @@ TEST(CandumpReader, AcceptsALogWhoseFirstReadableLineComesLate) {
   const std::string before(40'000, 'x');
   const Outcome outcome = readEveryWay(before + "\n(1.0) can0 123#11\n");
   EXPECT_EQ(outcome.frames.size(), 1u);
-  EXPECT_EQ(outcome.unkept, (std::vector<UnkeptPlace>{{1, Unkept::LineTooLong}}));
+  EXPECT_EQ(outcome.skipped, (std::vector<SkippedPlace>{{1, Skipped::LineTooLong}}));
   // Comments for longer than anybody looks, then frames.
   std::string comments;
   while (comments.size() < 100'000) comments += "# nothing yet\n";
   EXPECT_EQ(readEveryWay(comments + "(1.0) can0 123#11\n").frames.size(), 1u);
   // Nothing but CAN FD is a log too.
-  EXPECT_EQ(readEveryWay("x\n(1.0) can0 123##011\n").unkept.size(), 2u);
+  EXPECT_EQ(readEveryWay("x\n(1.0) can0 123##011\n").skipped.size(), 2u);
 }
 
 TEST(CandumpReader, ReportsALineTooLongAndReadsTheNext) {
@@ -261,10 +261,11 @@ TEST(CandumpReader, ReportsALineTooLongAndReadsTheNext) {
   for (const std::size_t length : {kMaxTextLine - 1, kMaxTextLine, kMaxTextLine + 1, 3 * kMaxTextLine}) {
     const Outcome outcome = readEveryWay(frame + std::string(length, 'x') + "\n" + frame + frame);
     ASSERT_EQ(outcome.frames.size(), 3u) << length;
-    EXPECT_EQ(outcome.unkept,
-              (std::vector<UnkeptPlace>{{2, length > kMaxTextLine ? Unkept::LineTooLong : Unkept::Layout}}));
+    EXPECT_EQ(
+        outcome.skipped,
+        (std::vector<SkippedPlace>{{2, length > kMaxTextLine ? Skipped::LineTooLong : Skipped::Layout}}));
     const Outcome last = readEveryWay(frame + std::string(length, 'x'));
-    EXPECT_EQ(last.unkept, outcome.unkept) << "without line feed";
+    EXPECT_EQ(last.skipped, outcome.skipped) << "without line feed";
   }
 }
 
@@ -304,10 +305,10 @@ TEST(CandumpReader, BoundsTheReportOfAHostileText) {
   std::string text = usualLine(0);
   for (int i = 0; i < 50'000; ++i) text += "x\n";
   FrameStore store;
-  UnkeptList unkept;
-  ASSERT_TRUE(readLog(BytesInMemory(text), {store, unkept}));
-  EXPECT_EQ(unkept.content().places().size(), UnkeptPlaces::kMaxPlaces);
-  EXPECT_EQ(unkept.content().count(Unkept::Layout), 50'000u);
+  SkippedList skipped;
+  ASSERT_TRUE(readLog(BytesInMemory(text), {store, skipped}));
+  EXPECT_EQ(skipped.content().places().size(), SkippedPlaces::kMaxPlaces);
+  EXPECT_EQ(skipped.content().count(Skipped::Layout), 50'000u);
 }
 
 TEST(CandumpReader, AgreesWithItselfOnRandomMixtures) {
@@ -328,14 +329,14 @@ TEST(CandumpReader, AgreesWithItselfOnRandomMixtures) {
                                           "\n",
                                           std::string(9000, 'y'),
                                           "(1.0) long_name_here 123#R T\n"};
-  std::map<Unkept, int> reasons;
+  std::map<Skipped, int> reasons;
   for (int round = 0; round < 60; ++round) {
     std::string text;
     for (std::uint64_t n = random() % 40; n > 0; --n) text += parts[random() % parts.size()];
-    for (const UnkeptPlace& place : readEveryWay(text).unkept) ++reasons[place.reason];
+    for (const SkippedPlace& place : readEveryWay(text).skipped) ++reasons[place.reason];
   }
-  for (const Unkept reason : {Unkept::Layout, Unkept::Binary, Unkept::LineTooLong})
-    EXPECT_GT(reasons[reason], 0) << unkeptText(reason) << ": the mixtures lack what makes it";
+  for (const Skipped reason : {Skipped::Layout, Skipped::Binary, Skipped::LineTooLong})
+    EXPECT_GT(reasons[reason], 0) << skippedText(reason) << ": the mixtures lack what makes it";
 }
 
 TEST(CandumpReader, PublishesTheFirstRowsBeforeItReadsOn) {
@@ -358,12 +359,12 @@ TEST(CandumpReader, StopsWhenToldAndKeepsWhatWasPublished) {
   const std::string text = usualText(40'000);
   for (const unsigned threads : {1u, 2u}) {
     FrameStore store;
-    UnkeptList unkept;
+    SkippedList skipped;
     ReadOptions options;
     options.threads = threads;
     int calls = 0;
     options.onProgress = [&calls](const ReadProgress&) { return ++calls < 3; };
-    const auto result = readLog(BytesInMemory(text), {store, unkept}, options);
+    const auto result = readLog(BytesInMemory(text), {store, skipped}, options);
     ASSERT_TRUE(result);
     EXPECT_TRUE(result.value().cancelled);
     EXPECT_EQ(calls, 3);
@@ -375,20 +376,20 @@ TEST(CandumpReader, StopsWhenToldAndKeepsWhatWasPublished) {
 
 TEST(CandumpReader, SaysThatTheStoreIsFull) {
   FrameStore store({.memoryBytes = 0, .spillFolder = "/nonexistent"});
-  UnkeptList unkept;
-  const auto result = readLog(BytesInMemory(usualText(10)), {store, unkept});
+  SkippedList skipped;
+  const auto result = readLog(BytesInMemory(usualText(10)), {store, skipped});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ReadError::Kind::StoreFull);
-  LogStream stream({store, unkept});
+  LogStream stream({store, skipped});
   EXPECT_FALSE(stream.feed(std::string_view("(1.0) can0 123#11\n")));
   EXPECT_EQ(stream.finish().error().kind, ReadError::Kind::StoreFull);
 }
 
 TEST(CandumpReader, SaysWhyAFileCannotBeOpened) {
   FrameStore store;
-  UnkeptList unkept;
+  SkippedList skipped;
   for (const char* path : {"/nonexistent/file.log", "/tmp"}) {
-    const auto result = openLog(path, {store, unkept});
+    const auto result = openLog(path, {store, skipped});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().kind, ReadError::Kind::CannotOpen);
     EXPECT_FALSE(result.error().detail.empty());
@@ -399,13 +400,13 @@ TEST(CandumpReader, ReportsAFileThatShrinksWhileItIsRead) {
   const std::string path = testing::TempDir() + "/shrinking-" + std::to_string(::getpid()) + ".log";
   std::ofstream(path) << usualText(40'000);
   FrameStore store;
-  UnkeptList unkept;
+  SkippedList skipped;
   ReadOptions options;
   options.onProgress = [&path](const ReadProgress&) {
     std::filesystem::resize_file(path, 100'000);
     return true;
   };
-  const auto result = openLog(path, {store, unkept}, options);
+  const auto result = openLog(path, {store, skipped}, options);
   std::filesystem::remove(path);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ReadError::Kind::CannotRead);
@@ -415,8 +416,8 @@ TEST(CandumpReader, ReportsAFileThatShrinksWhileItIsRead) {
 
 TEST(LogStream, PutsWholeLinesIntoTheStoreAtOnce) {
   FrameStore store;
-  UnkeptList unkept;
-  LogStream stream({store, unkept});
+  SkippedList skipped;
+  LogStream stream({store, skipped});
   EXPECT_TRUE(stream.feed(std::string_view("(1.0) can0 123#11\n(2.0) can0 123#2")));
   EXPECT_EQ(store.count(), 1u);
   EXPECT_TRUE(stream.feed(std::string_view("2\n")));
@@ -425,8 +426,8 @@ TEST(LogStream, PutsWholeLinesIntoTheStoreAtOnce) {
 
 TEST(LogStream, GivesUpOnWhatIsNoLogBeforeItEnds) {
   FrameStore store;
-  UnkeptList unkept;
-  LogStream stream({store, unkept});
+  SkippedList skipped;
+  LogStream stream({store, skipped});
   std::uint64_t fed = 0;
   const std::string rubbish = "this is not a line of any log\n";
   while (fed < 1'000'000 && stream.feed(std::string_view(rubbish))) fed += rubbish.size();
@@ -439,7 +440,7 @@ TEST(LogStream, GivesUpOnWhatIsNoLogBeforeItEnds) {
 struct SharedLog {
   const char* name;
   std::size_t frames;
-  std::map<Unkept, std::uint64_t> unkept;
+  std::map<Skipped, std::uint64_t> skipped;
 };
 
 TEST(CandumpReader, ReadsLogsOfOthers) {
@@ -448,22 +449,22 @@ TEST(CandumpReader, ReadsLogsOfOthers) {
   for (const SharedLog& log :
        {SharedLog{"candump-old-form.txt", 6026, {}}, SharedLog{"candump-odd-line-ends.txt", 23, {}},
         SharedLog{"candump-short.log", 106, {}}, SharedLog{"car-candump.log", 12'974, {}},
-        SharedLog{"multiple_CAN.log", 36, {{Unkept::CanFd, 128}}}}) {
+        SharedLog{"multiple_CAN.log", 36, {{Skipped::CanFd, 128}}}}) {
     SCOPED_TRACE(log.name);
     std::ifstream file(folder / log.name, std::ios::binary);
     ASSERT_TRUE(file);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const Outcome outcome = text.size() < 10'000 ? readEveryWay(text) : readText(text);
     EXPECT_EQ(outcome.frames.size(), log.frames);
-    std::map<Unkept, std::uint64_t> reasons;
-    for (const UnkeptPlace& place : outcome.unkept) ++reasons[place.reason];
-    EXPECT_EQ(reasons, log.unkept);
+    std::map<Skipped, std::uint64_t> reasons;
+    for (const SkippedPlace& place : outcome.skipped) ++reasons[place.reason];
+    EXPECT_EQ(reasons, log.skipped);
 
     FrameStore store;
-    UnkeptList unkept;
+    SkippedList skipped;
     ReadOptions options;
     options.threads = 2;
-    ASSERT_TRUE(openLog(folder / log.name, {store, unkept}, options));
+    ASSERT_TRUE(openLog(folder / log.name, {store, skipped}, options));
     EXPECT_EQ(store.count(), log.frames);
   }
 }
@@ -476,8 +477,8 @@ TEST(CandumpReader, RefusesLogsOfOtherFormats) {
     if (name.find("candump") != std::string::npos || name == "multiple_CAN.log") continue;
     SCOPED_TRACE(name);
     FrameStore store;
-    UnkeptList unkept;
-    const auto result = openLog(entry.path(), {store, unkept});
+    SkippedList skipped;
+    const auto result = openLog(entry.path(), {store, skipped});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().kind, ReadError::Kind::UnknownFormat);
   }

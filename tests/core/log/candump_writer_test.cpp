@@ -59,8 +59,8 @@ TEST(CandumpWriter, WritesNamesThatAreReadBackAsOneName) {
       Frame frame = usual();
       frame.stamp = stamp;
       FrameStore store;
-      UnkeptList unkept;
-      ASSERT_TRUE(readLog(BytesInMemory(written(frame, name)), {store, unkept}));
+      SkippedList skipped;
+      ASSERT_TRUE(readLog(BytesInMemory(written(frame, name)), {store, skipped}));
       ASSERT_EQ(store.count(), 1u) << name;
       EXPECT_EQ(store.channelName(0), expected);
     }
@@ -107,12 +107,12 @@ TEST(CandumpWriter, LogsItWroteAreReadBackFrameForFrame) {
   }
   ASSERT_TRUE(original.append({}, Follows::Nothing));
   FrameStore copy;
-  UnkeptList unkept;
+  SkippedList skipped;
   ReadOptions options;
   options.threads = 2;
-  const auto result = readLog(BytesInMemory(text), {copy, unkept}, options);
+  const auto result = readLog(BytesInMemory(text), {copy, skipped}, options);
   ASSERT_TRUE(result);
-  EXPECT_EQ(unkept.content().unreadable(), 0u);
+  EXPECT_EQ(skipped.content().unreadable(), 0u);
   ASSERT_EQ(copy.count(), n);
   for (std::uint64_t i = 0; i < n; ++i) {
     Frame rounded = original[i];

@@ -139,14 +139,14 @@ void openCandump(benchmark::State& state) {
     const double start = secondsNow();
     double first = 0;
     const auto store = std::make_unique<FrameStore>();
-    UnkeptList unkept;
+    SkippedList skipped;
     ReadOptions options;
     options.threads = static_cast<unsigned>(state.range(0));
     options.onProgress = [&first](const ReadProgress&) {
       if (first == 0) first = secondsNow();
       return true;
     };
-    if (!openLog(path, {*store, unkept}, options) || store->count() != kFrames)
+    if (!openLog(path, {*store, skipped}, options) || store->count() != kFrames)
       state.SkipWithError("not read");
     const double seconds = secondsNow() - start;
     state.SetIterationTime(seconds);
@@ -163,8 +163,8 @@ void openCandump(benchmark::State& state) {
 const FrameStore& filledStore() {
   static const std::unique_ptr<FrameStore> store = [] {
     auto filled = std::make_unique<FrameStore>();
-    UnkeptList unkept;
-    if (!openLog(logFile(), {*filled, unkept})) std::abort();
+    SkippedList skipped;
+    if (!openLog(logFile(), {*filled, skipped})) std::abort();
     return filled;
   }();
   return *store;

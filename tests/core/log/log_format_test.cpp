@@ -23,7 +23,7 @@ class TinyParser final : public TextParser {
   TextLine readLine(std::string_view line) override {
     TextLine read;
     if (line.empty() || line.front() == ';') return read;
-    read.kind = TextLine::Kind::Unkept;
+    read.kind = TextLine::Kind::Skipped;
     if (line.front() != '@') return read;
     const char* p = line.data() + 1;
     const char* const end = line.data() + line.size();
@@ -63,7 +63,7 @@ std::string tinyLog(int lines) {
 
 struct Reading {
   FrameStore store;
-  UnkeptList unkept;
+  SkippedList skipped;
   Result<ReadSummary, ReadError> result = ReadSummary{};
 
   std::string written(const LogFormat& format) const {
@@ -80,7 +80,7 @@ struct Reading {
 TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
   const std::string text = tinyLog(5'000);
   Reading whole;
-  whole.result = readLog(BytesInMemory(text), {whole.store, whole.unkept}, {}, kFormats);
+  whole.result = readLog(BytesInMemory(text), {whole.store, whole.skipped}, {}, kFormats);
   ASSERT_TRUE(whole.result);
   ASSERT_EQ(whole.store.count(), 5'000u);
   EXPECT_EQ(whole.store[1].stamp, 101);
@@ -91,7 +91,7 @@ TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
   options.threads = 2;
   options.blockBytes = 100;
   Reading blocks;
-  blocks.result = readLog(BytesInMemory(text), {blocks.store, blocks.unkept}, options, kFormats);
+  blocks.result = readLog(BytesInMemory(text), {blocks.store, blocks.skipped}, options, kFormats);
   ASSERT_TRUE(blocks.result);
   EXPECT_EQ(blocks.result.value(), whole.result.value());
   EXPECT_EQ(blocks.written(kTiny), whole.written(kTiny));
@@ -99,14 +99,14 @@ TEST(LogFormats, OneEntryMakesATextFormatReadInBlocksOnTwoThreadsAndFromAPipe) {
   const std::string path = testing::TempDir() + "/format-" + std::to_string(::getpid()) + ".any";
   std::ofstream(path) << text;
   Reading file;
-  file.result = openLog(path, {file.store, file.unkept}, {}, kFormats);
+  file.result = openLog(path, {file.store, file.skipped}, {}, kFormats);
   std::filesystem::remove(path);
   ASSERT_TRUE(file.result);
   EXPECT_EQ(file.written(kTiny), whole.written(kTiny));
 
   for (const std::size_t piece : {1u, 1'000u, 1'000'000u}) {
     Reading pipe;
-    LogStream stream({pipe.store, pipe.unkept}, kFormats);
+    LogStream stream({pipe.store, pipe.skipped}, kFormats);
     for (std::size_t at = 0; at < text.size(); at += piece)
       EXPECT_TRUE(stream.feed(std::string_view(text).substr(at, piece)));
     pipe.result = stream.finish();
@@ -123,11 +123,11 @@ TEST(LogFormats, ContentDecidesNotTheOrderOrTheName) {
        {std::span<const LogFormat>(kFormats), std::span<const LogFormat>(kReversed)}) {
     for (const std::string& text : {candump, tiny}) {
       Reading reading;
-      ASSERT_TRUE(readLog(BytesInMemory(text), {reading.store, reading.unkept}, {}, formats));
+      ASSERT_TRUE(readLog(BytesInMemory(text), {reading.store, reading.skipped}, {}, formats));
       EXPECT_EQ(reading.store.count(), 1u);
-      EXPECT_EQ(reading.unkept.content().unreadable(), 1u);
+      EXPECT_EQ(reading.skipped.content().unreadable(), 1u);
       Reading pipe;
-      LogStream stream({pipe.store, pipe.unkept}, formats);
+      LogStream stream({pipe.store, pipe.skipped}, formats);
       for (const char c : text) stream.feed({&c, 1});
       ASSERT_TRUE(stream.finish());
       EXPECT_EQ(pipe.store.count(), 1u);
@@ -137,7 +137,7 @@ TEST(LogFormats, ContentDecidesNotTheOrderOrTheName) {
 
 TEST(LogFormats, WhatNoneKnowsIsOneErrorThatNamesNone) {
   Reading reading;
-  reading.result = readLog(BytesInMemory("rubbish\n"), {reading.store, reading.unkept}, {}, kFormats);
+  reading.result = readLog(BytesInMemory("rubbish\n"), {reading.store, reading.skipped}, {}, kFormats);
   ASSERT_FALSE(reading.result);
   EXPECT_EQ(reading.result.error(), ReadError{ReadError::Kind::UnknownFormat});
 }
@@ -151,11 +151,11 @@ TEST(LogFormats, WhatAnotherProgramWroteIsNamedAlikeOfFileAndPipe) {
                                       {"Time Stamp,ID,Extended,Bus,LEN\n", "SavvyCAN CSV"}}) {
     SCOPED_TRACE(name);
     Reading reading;
-    reading.result = readLog(BytesInMemory(content), {reading.store, reading.unkept});
+    reading.result = readLog(BytesInMemory(content), {reading.store, reading.skipped});
     ASSERT_FALSE(reading.result);
     EXPECT_EQ(reading.result.error(), (ReadError{ReadError::Kind::UnknownFormat, {}, name}));
     Reading pipe;
-    LogStream stream({pipe.store, pipe.unkept});
+    LogStream stream({pipe.store, pipe.skipped});
     for (std::size_t at = 0; at < content.size() && stream.feed(content.substr(at, 5)); at += 5) {
     }
     pipe.result = stream.finish();
@@ -170,7 +170,7 @@ TEST(LogFormats, AnErrorNamesTheFormatThatTheContentSeemedToBe) {
     return Failure{ReadError{ReadError::Kind::CannotRead, "no luck"}};
   };
   Reading reading;
-  reading.result = readLog(BytesInMemory(tinyLog(3)), {reading.store, reading.unkept}, {}, {&broken, 1});
+  reading.result = readLog(BytesInMemory(tinyLog(3)), {reading.store, reading.skipped}, {}, {&broken, 1});
   ASSERT_FALSE(reading.result);
   EXPECT_EQ(reading.result.error(), (ReadError{ReadError::Kind::CannotRead, "no luck", "tiny"}));
 }
@@ -180,7 +180,7 @@ TEST(LogFormats, OneThatCannotBeReadFromAPipeSaysSo) {
   fileOnly.stream = nullptr;
   const LogFormat formats[] = {kCandumpFormat, fileOnly};
   Reading reading;
-  LogStream stream({reading.store, reading.unkept}, formats);
+  LogStream stream({reading.store, reading.skipped}, formats);
   bool wantsMore = true;
   for (int i = 0; i < 1'000 && wantsMore; ++i) wantsMore = stream.feed(tinyLog(100));
   EXPECT_FALSE(wantsMore) << "and does not wait for the end";

@@ -45,12 +45,12 @@ std::vector<MarkedText> markedTexts() {
           {"CR LF", withEnds("\r\n")}};
 }
 
-void expectTwoFrames(const FrameStore& store, const UnkeptList& unkept) {
+void expectTwoFrames(const FrameStore& store, const SkippedList& skipped) {
   ASSERT_EQ(store.count(), 2u);
   EXPECT_EQ(store[1].id, kExtendedBit | 0x18EFFF80);
   EXPECT_EQ(store[1].stamp - store[0].stamp, 100'000'000);
   EXPECT_EQ(store[1].data[7], 0x41);
-  EXPECT_EQ(unkept.content().unreadable(), 0u);
+  EXPECT_EQ(skipped.content().unreadable(), 0u);
 }
 
 TEST(TextMarks, EveryFrameIsReadFromAFile) {
@@ -59,12 +59,12 @@ TEST(TextMarks, EveryFrameIsReadFromAFile) {
       for (const std::size_t block : {std::size_t{7}, std::size_t{256 * 1024}}) {
         SCOPED_TRACE(row.name);
         FrameStore store;
-        UnkeptList unkept;
+        SkippedList skipped;
         ReadOptions options;
         options.threads = threads;
         options.blockBytes = block;
-        ASSERT_TRUE(readLog(BytesInMemory(row.bytes), {store, unkept}, options));
-        expectTwoFrames(store, unkept);
+        ASSERT_TRUE(readLog(BytesInMemory(row.bytes), {store, skipped}, options));
+        expectTwoFrames(store, skipped);
       }
     }
   }
@@ -77,12 +77,12 @@ TEST(TextMarks, EveryFrameIsReadFromAPipeHoweverItIsCut) {
       SCOPED_TRACE(row.name);
       SCOPED_TRACE(piece);
       FrameStore store;
-      UnkeptList unkept;
-      LogStream stream({store, unkept});
+      SkippedList skipped;
+      LogStream stream({store, skipped});
       for (std::size_t at = 0; at < row.bytes.size(); at += piece)
         EXPECT_TRUE(stream.feed(std::string_view(row.bytes).substr(at, piece)));
       ASSERT_TRUE(stream.finish());
-      expectTwoFrames(store, unkept);
+      expectTwoFrames(store, skipped);
     }
   }
 }
@@ -90,9 +90,9 @@ TEST(TextMarks, EveryFrameIsReadFromAPipeHoweverItIsCut) {
 TEST(TextMarks, AMarkAloneIsAnEmptyLog) {
   for (const std::string bytes : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"}) {
     FrameStore store;
-    UnkeptList unkept;
-    EXPECT_TRUE(readLog(BytesInMemory(bytes), {store, unkept}));
-    LogStream stream({store, unkept});
+    SkippedList skipped;
+    EXPECT_TRUE(readLog(BytesInMemory(bytes), {store, skipped}));
+    LogStream stream({store, skipped});
     stream.feed(bytes);
     EXPECT_TRUE(stream.finish());
     EXPECT_EQ(store.count(), 0u);
@@ -102,7 +102,7 @@ TEST(TextMarks, AMarkAloneIsAnEmptyLog) {
 TEST(TextMarks, ASecondMarkIsText) {
   const std::string bytes = "\xEF\xBB\xBF\xFE\xFF" + kTwoLines;
   FrameStore file, pipe;
-  UnkeptList ofFile, ofPipe;
+  SkippedList ofFile, ofPipe;
   ASSERT_TRUE(readLog(BytesInMemory(bytes), {file, ofFile}));
   LogStream stream({pipe, ofPipe});
   stream.feed(bytes);
@@ -115,9 +115,9 @@ TEST(TextMarks, ASecondMarkIsText) {
 TEST(TextMarks, HalfACharacterAtTheEndIsNone) {
   const std::string bytes = wide(kTwoLines, true) + "(";
   FrameStore store;
-  UnkeptList unkept;
-  ASSERT_TRUE(readLog(BytesInMemory(bytes), {store, unkept}));
-  expectTwoFrames(store, unkept);
+  SkippedList skipped;
+  ASSERT_TRUE(readLog(BytesInMemory(bytes), {store, skipped}));
+  expectTwoFrames(store, skipped);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace deckpipe {
 
-enum class Unkept : std::uint8_t {
+enum class Skipped : std::uint8_t {
   // Understood, and not kept.
   CanFd,
   CanXl,
@@ -33,70 +33,70 @@ enum class Unkept : std::uint8_t {
   LengthMismatch,
 };
 template <>
-inline constexpr Unkept kLastOf<Unkept> = Unkept::LengthMismatch;
+inline constexpr Skipped kLastOf<Skipped> = Skipped::LengthMismatch;
 
 // Something stands there that no reader understands.
-constexpr bool isUnreadable(Unkept reason) { return reason >= Unkept::Layout; }
+constexpr bool isUnreadable(Skipped reason) { return reason >= Skipped::Layout; }
 
 // English, for the standard error of the headless tool; windows translate the enum.
-std::string_view unkeptText(Unkept reason);
+std::string_view skippedText(Skipped reason);
 
-struct UnkeptPlace {
+struct SkippedPlace {
   // Line number from 1, of a binary format the byte offset; live, so many frames stand before it.
   std::uint64_t place = 0;
-  Unkept reason = Unkept::Layout;
+  Skipped reason = Skipped::Layout;
 
-  friend constexpr bool operator==(const UnkeptPlace&, const UnkeptPlace&) = default;
+  friend constexpr bool operator==(const SkippedPlace&, const SkippedPlace&) = default;
 };
 
 // The bare list; a reader's threads fill one a block.
-class UnkeptPlaces {
+class SkippedPlaces {
  public:
   static constexpr std::size_t kMaxPlaces = 10'000;
 
-  void add(std::uint64_t place, Unkept reason) {
+  void add(std::uint64_t place, Skipped reason) {
     ++m_counts[reason];
     if (m_places.size() < kMaxPlaces) m_places.push_back({place, reason});
   }
   // All of another list behind these, its places moved on by so many.
-  void add(const UnkeptPlaces& other, std::uint64_t placesOn);
+  void add(const SkippedPlaces& other, std::uint64_t placesOn);
   void clear() { *this = {}; }
 
-  const std::vector<UnkeptPlace>& places() const { return m_places; }
-  std::uint64_t count(Unkept reason) const { return m_counts[reason]; }
+  const std::vector<SkippedPlace>& places() const { return m_places; }
+  std::uint64_t count(Skipped reason) const { return m_counts[reason]; }
   // All of which isUnreadable() is true, and all others. A file is read whole if it has neither unreadable
   // places nor skipped frames.
   std::uint64_t unreadable() const { return sum(true); }
   std::uint64_t understood() const { return sum(false); }
   // Frames of a kind that the store does not hold.
-  std::uint64_t skipped() const { return count(Unkept::CanFd) + count(Unkept::CanXl); }
+  std::uint64_t skipped() const { return count(Skipped::CanFd) + count(Skipped::CanXl); }
 
  private:
   std::uint64_t sum(bool unreadable) const;
 
-  std::vector<UnkeptPlace> m_places;
-  EnumArray<Unkept, std::uint64_t> m_counts;
+  std::vector<SkippedPlace> m_places;
+  EnumArray<Skipped, std::uint64_t> m_counts;
 };
 
 // The same, to be looked at while a reader on another thread fills it.
-class UnkeptList {
+class SkippedList {
  public:
-  void add(std::uint64_t place, Unkept reason) {
+  void add(std::uint64_t place, Skipped reason) {
     const std::lock_guard lock(m_lock);
     m_content.add(place, reason);
   }
-  void add(const UnkeptPlaces& other, std::uint64_t placesOn) {
+  void add(const SkippedPlaces& other, std::uint64_t placesOn) {
     const std::lock_guard lock(m_lock);
     m_content.add(other, placesOn);
   }
-  UnkeptPlaces content() const {
+  SkippedPlaces content() const {
     const std::lock_guard lock(m_lock);
     return m_content;
   }
 
  private:
   mutable std::mutex m_lock;
-  UnkeptPlaces m_content;
+  SkippedPlaces m_content;
 };
 
 }  // namespace deckpipe
