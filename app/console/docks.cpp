@@ -20,11 +20,12 @@ namespace {
 
 template <typename P>
 void connectPanel(P* panel, Workspace* workspace) {
-  if constexpr (requires { &P::wished; }) QObject::connect(panel, &P::wished, workspace, &Workspace::wished);
+  if constexpr (requires { &P::intended; })
+    QObject::connect(panel, &P::intended, workspace, &Workspace::intended);
   if constexpr (requires { &P::unlockRequested; })
     QObject::connect(panel, &P::unlockRequested, workspace, &Workspace::unlockRequested);
-  if constexpr (requires { &P::twinWished; })
-    QObject::connect(panel, &P::twinWished, workspace, &Workspace::twinWished);
+  if constexpr (requires { &P::twinIntended; })
+    QObject::connect(panel, &P::twinIntended, workspace, &Workspace::twinIntended);
   if constexpr (requires { &P::frameRequested; })
     QObject::connect(panel, &P::frameRequested, workspace, &Workspace::frameRequested);
   if constexpr (requires { &P::seekRequested; })

@@ -135,9 +135,9 @@ void MainWindow::connectPanels() {
   connect(m_workspace, &Workspace::labelsChanged, m_transport, &TransportBar::setLabels);
   m_transport->setLabels(m_workspace->labels());
   connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
-  connect(m_workspace, &Workspace::wished, m_sending, &SendingActions::wish);
+  connect(m_workspace, &Workspace::intended, m_sending, &SendingActions::intent);
   connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);
-  connect(m_workspace, &Workspace::twinWished, &m_session, &Session::wantOfTwin);
+  connect(m_workspace, &Workspace::twinIntended, &m_session, &Session::wantOfTwin);
   connect(&m_session, &Session::twinChanged, m_workspace, &Workspace::setTwin);
   connect(m_transport, &TransportBar::playRequested, &m_session, &Session::play);
   connect(m_transport, &TransportBar::pauseRequested, &m_session, &Session::pause);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one window: status strip, the workspace with its docks, and the transport bar at the foot. It hands
-// each snapshot of the session to them and their wishes to the session; it decides nothing about a log.
+// each snapshot of the session to them and their intents to the session; it decides nothing about a log.
 #pragma once
 
 #include <QMainWindow>

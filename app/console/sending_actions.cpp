@@ -32,17 +32,19 @@ SendingActions::SendingActions(Session& session, QWidget* window)
                              &SendingActions::toggleLock);
   m_lock->setObjectName(QStringLiteral("lockAction"));
   m_menu->addSeparator();
-  m_names = m_menu->addAction(tr("Ask who is &there"), this, [this] { wish(wish::RequestNames{}); });
+  m_names = m_menu->addAction(tr("Ask who is &there"), this, [this] { intent(intent::RequestNames{}); });
   m_names->setObjectName(QStringLiteral("askNamesAction"));
   m_names->setToolTip(tr("A request for the NAME to everyone (PGN 60928)"));
   m_everyone = m_menu->addAction(tr("&Ask every device"), this, [this] {
-    wish(wish::SendRequests{{}, kPolls});
+    intent(intent::SendRequests{{}, kPolls});
   });
   m_everyone->setObjectName(QStringLiteral("askEveryoneAction"));
-  m_stop = m_menu->addAction(tr("&Give up all that is asked"), this, [this] { wish(wish::Cancel{}); });
+  m_stop = m_menu->addAction(tr("&Give up all that is asked"), this, [this] { intent(intent::Cancel{}); });
   m_stop->setObjectName(QStringLiteral("stopAskingAction"));
   m_stop->setToolTip(tr("Ends every poll of every device, repeated ones too"));
-  m_endRepeats = m_menu->addAction(QString(), this, [this] { wish(wish::Repeat{{}, kPolls, Duration{0}}); });
+  m_endRepeats = m_menu->addAction(QString(), this, [this] {
+    intent(intent::Repeat{{}, kPolls, Duration{0}});
+  });
   m_endRepeats->setObjectName(QStringLiteral("endRepeatsAction"));
   setSnapshot({});
 }
@@ -64,14 +66,14 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
                     : tr("&End the repeated polls of %n devices", nullptr, static_cast<int>(repeated)));
 }
 
-void SendingActions::wish(const Wish& wish) { m_session.want(wish); }
+void SendingActions::intent(const Intent& intent) { m_session.want(intent); }
 
-void SendingActions::lock() { m_session.want(wish::Lock{}); }
+void SendingActions::lock() { m_session.want(intent::Lock{}); }
 
 void SendingActions::askToUnlock() {
   const SourceStatus& source = m_session.snapshot().source;
   // Is refused; the notice says why and what to do.
-  if (source.isListenOnly) return wish(wish::Unlock{});
+  if (source.isListenOnly) return intent(intent::Unlock{});
   const QString where = source.simulated ? tr("the simulated truck") : source.name;
   DangerDialog::request(
       m_window,
@@ -81,7 +83,7 @@ void SendingActions::askToUnlock() {
           "for. It stays unlocked until you lock it or close the link.")
            .arg(where),
        tr("Unlock"), tr("Keep locked")},
-      [this] { wish(wish::Unlock{}); });
+      [this] { intent(intent::Unlock{}); });
 }
 
 ClaimSettings claimSettings() {

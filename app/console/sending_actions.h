@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything in the window that sends, as actions: the transmit lock, and what is asked of every device. The
-// main window puts the menu into its bar, gives it each snapshot, and hands it the wishes of the panels.
+// main window puts the menu into its bar, gives it each snapshot, and hands it the intents of the panels.
 #pragma once
 
 #include <QObject>
@@ -25,7 +25,7 @@ class SendingActions : public QObject {
   void setSnapshot(const Snapshot& snapshot);
 
  public Q_SLOTS:
-  void wish(const deckpipe::Wish& wish);
+  void intent(const deckpipe::Intent& intent);
   // Unlocking is a deliberate act: it asks once. Locking is not.
   void askToUnlock();
   void lock();

@@ -58,7 +58,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
     if (now != nullptr && now->window() == window() && !dock("helpDock").dock->isAncestorOf(now))
       m_help->explain(now);
   });
-  // Only a person closes a dock; that it is hidden while there is nothing to show is no wish of theirs.
+  // Only a person closes a dock; that it is hidden while there is nothing to show is no intent of theirs.
   dock("decodeDock").dock->installEventFilter(this);
   connect(dock("decodeDock").action, &QAction::triggered, this, [this](bool isOn) { m_decodeWanted = isOn; });
   connect(m_trace, &TracePanel::cursorRequested, this, &Workspace::frameRequested);

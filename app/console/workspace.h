@@ -58,9 +58,9 @@ class Workspace : public QMainWindow {
   // The cursor is wanted behind that frame: it has happened then.
   void frameRequested(std::uint64_t frame);
   void seekRequested(deckpipe::Instant time);
-  void wished(const deckpipe::Wish& wish);
+  void intended(const deckpipe::Intent& intent);
   void unlockRequested();
-  void twinWished(const deckpipe::TwinWish& wish);
+  void twinIntended(const deckpipe::TwinIntent& intent);
   void labelsChanged(const deckpipe::DeviceLabels& labels);
 
  public Q_SLOTS:

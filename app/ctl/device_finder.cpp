@@ -21,7 +21,7 @@ void DeviceFinder::begin() {
 
 void DeviceFinder::request() {
   m_asked = m_since.elapsed();
-  m_run.session().want(wish::RequestNames{});
+  m_run.session().want(intent::RequestNames{});
 }
 
 std::vector<DeviceServices> DeviceFinder::devices() const {

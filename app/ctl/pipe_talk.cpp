@@ -18,7 +18,7 @@ namespace deckpipe::ctl {
 namespace {
 
 using Progress = PipeStatus::Progress;
-using What = wish::PipeAction::What;
+using What = intent::PipeAction::What;
 
 // Enough to keep the pipe busy between two ticks many times over; the rest waits where it came from.
 constexpr std::uint64_t kMostAhead = 1'024;
@@ -116,7 +116,7 @@ void PipeTalk::beginSending() {
     m_sending.start();
     m_progress.start();
     const std::uint64_t serial =
-        m_run.session().want(wish::PipeFile{m_device, m_plan.fileName, m_plan.content});
+        m_run.session().want(intent::PipeFile{m_device, m_plan.fileName, m_plan.content});
     if (m_firstSerial == 0) m_firstSerial = serial;
     return;
   }
@@ -126,7 +126,7 @@ void PipeTalk::beginSending() {
 
 void PipeTalk::write(std::string bytes) {
   m_handed += bytes.size();
-  const std::uint64_t serial = m_run.session().want(wish::PipeWrite{m_device, std::move(bytes)});
+  const std::uint64_t serial = m_run.session().want(intent::PipeWrite{m_device, std::move(bytes)});
   if (m_firstSerial == 0) m_firstSerial = serial;
 }
 
@@ -203,7 +203,7 @@ void PipeTalk::ackMissing(const PipeStatus& pipe) {
   act(resends ? What::Resend : What::Skip);
 }
 
-void PipeTalk::act(What what) { m_run.session().want(wish::PipeAction{m_device, what}); }
+void PipeTalk::act(What what) { m_run.session().want(intent::PipeAction{m_device, what}); }
 
 void PipeTalk::sayProgress(const PipeStatus& pipe) {
   if (m_progress.elapsed() < kTellEvery) return;

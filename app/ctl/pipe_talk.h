@@ -43,7 +43,7 @@ class PipeTalk {
   std::string withLineEnds(std::string_view input);
   void frameCame(const Frame& frame);
   void ackMissing(const PipeStatus& pipe);
-  void act(wish::PipeAction::What what);
+  void act(intent::PipeAction::What what);
   void sayProgress(const PipeStatus& pipe);
   void sayEnd(const PipeStatus& pipe);
   static void sayDoubts(const PipeStatus& pipe);

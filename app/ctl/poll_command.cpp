@@ -128,7 +128,7 @@ ExitStatus pollCommand(const QStringList& arguments) {
   if (parser.isSet(every)) {
     const auto seconds = parseSeconds(parser.value(every));
     if (!seconds) return badUsage(QStringLiteral("poll: --every wants a number of seconds above 0"));
-    if (std::chrono::duration<double>(*seconds) < wish::Repeat::kShortestPeriod)
+    if (std::chrono::duration<double>(*seconds) < intent::Repeat::kShortestPeriod)
       return badUsage(QStringLiteral("poll: --every takes 0.5 s or more: devices have other work to do"));
     plan.every = *seconds;
     plan.rounds = 0;

@@ -123,18 +123,18 @@ void BenchRunner::run() {
   m_timer->start(std::max(wait, std::chrono::milliseconds{0}));
 }
 
-void BenchRunner::obey(const TwinWish& wish) {
-  if (m_link == nullptr || !m_powered || wish.device >= m_wished.size()) return;
-  if (const auto* button = std::get_if<TwinButton>(&wish.what)) {
-    m_bench.bench.press(now(), wish.device, buttonOf(*button));
+void BenchRunner::obey(const TwinIntent& intent) {
+  if (m_link == nullptr || !m_powered || intent.device >= m_wished.size()) return;
+  if (const auto* button = std::get_if<TwinButton>(&intent.what)) {
+    m_bench.bench.press(now(), intent.device, buttonOf(*button));
   } else {
-    TwinFaults& faults = m_wished[wish.device];
-    if (const auto* one = std::get_if<TwinSwitch>(&wish.what)) {
+    TwinFaults& faults = m_wished[intent.device];
+    if (const auto* one = std::get_if<TwinSwitch>(&intent.what)) {
       faults.set(one->fault, one->on);
     } else {
       faults = {};
     }
-    m_bench.bench.misbehave(now(), wish.device, misbehaviourOf(faults));
+    m_bench.bench.misbehave(now(), intent.device, misbehaviourOf(faults));
   }
   run();
 }

@@ -40,7 +40,7 @@ class BenchRunner : public QObject, private PortListener {
   // On an interface that is there. `movesMonitors`: a person said that it may be one with real monitors.
   void start(const deckpipe::LinkSettings& settings, bool movesMonitors = false);
   // At once. Nothing while it is not on a bus yet, or where it has no such device.
-  void obey(const deckpipe::TwinWish& wish);
+  void obey(const deckpipe::TwinIntent& intent);
 
  Q_SIGNALS:
   void busReady(const QString& interfaceName);

@@ -64,7 +64,7 @@ void LiveBus::start() {
   m_link->open(*this);
 }
 
-void LiveBus::apply(const Intent& intent) {
+void LiveBus::apply(const StampedIntent& intent) {
   if (m_storeFull && !onlyStops(intent.value)) return;
   if (m_link != nullptr) m_link->drain();
   followHardware();
@@ -152,7 +152,7 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
   if (!m_document->frames.append(frames, arrival())) {
     // What is not recorded is not known either: nothing is sent on a picture that stands still.
     m_storeFull = true;
-    m_services.apply(bootTime(), m_state, {wish::Lock{}, bootTime(), 0});
+    m_services.apply(bootTime(), m_state, {intent::Lock{}, bootTime(), 0});
     serve();
     return;
   }

@@ -71,7 +71,7 @@ class LiveBus : public QObject, private PortListener {
   void stop();
   // Carries the intent out or refuses it at once; a refusal is in the next Published. A full log lets nothing
   // begin.
-  void apply(const deckpipe::Intent& intent);
+  void apply(const deckpipe::StampedIntent& intent);
   // By the person: only a drive's own manual tells.
   void sayDrive(deckpipe::Address address, bool isDrive);
   // Ends the services, waits for what they still have to say (Services: 1 s at most), closes the link and

@@ -221,19 +221,19 @@ void Session::openDemo() {
   Q_EMIT changed();
 }
 
-std::uint64_t Session::want(Wish wish) {
+std::uint64_t Session::want(Intent intent) {
   const auto refusal = [&] {
-    if (onlyStops(wish)) return Refusal::None;
+    if (onlyStops(intent)) return Refusal::None;
     if (m_live == nullptr) return Refusal::NoLink;
     if (!m_snapshot.view.atEnd) return Refusal::NotLive;
     return m_live->latest().storeFull ? Refusal::LogFull : Refusal::None;
   }();
   if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
   if (refusal != Refusal::None || m_live == nullptr) return 0;
-  const Intent intent{std::move(wish), bootTime(), ++m_serial};
+  const StampedIntent stamped{std::move(intent), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(
-      m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
-  return intent.serial;
+      m_live, [live = m_live, stamped] { live->apply(stamped); }, Qt::QueuedConnection);
+  return stamped.serial;
 }
 
 void Session::sayDrive(Address address, bool isDrive) {
@@ -242,10 +242,10 @@ void Session::sayDrive(Address address, bool isDrive) {
       m_live, [live = m_live, address, isDrive] { live->sayDrive(address, isDrive); }, Qt::QueuedConnection);
 }
 
-void Session::wantOfTwin(const TwinWish& wish) {
+void Session::wantOfTwin(const TwinIntent& intent) {
   if (m_bench == nullptr) return;
   QMetaObject::invokeMethod(
-      m_bench, [bench = m_bench, wish] { bench->obey(wish); }, Qt::QueuedConnection);
+      m_bench, [bench = m_bench, intent] { bench->obey(intent); }, Qt::QueuedConnection);
 }
 
 Cursor Session::endCursor() const {

@@ -66,13 +66,13 @@ class Session : public QObject {
 
   const Snapshot& snapshot() const { return m_snapshot; }
 
-  // Hands a wish to the live link. Off the live edge only what stops something is heard; 0 where it was not
+  // Hands a intent to the live link. Off the live edge only what stops something is heard; 0 where it was not
   // handed on, which the snapshot then says, otherwise its serial, by which it tells whether it was refused.
-  std::uint64_t want(Wish wish);
+  std::uint64_t want(Intent intent);
   // What no frame tells: a Copley drive is at this address of the open link, or is none after all.
   void sayDrive(Address address, bool isDrive);
   // To the demo's twin, where one runs.
-  void wantOfTwin(const TwinWish& wish);
+  void wantOfTwin(const TwinIntent& intent);
 
   // Plays on from the cursor; from the end it starts over where the log does not grow.
   void play();

@@ -84,7 +84,7 @@ struct Snapshot {
   SourceStatus source;
   // Of the live link, whatever the cursor shows; locked and empty without one. Never null.
   std::shared_ptr<const ServiceStatus> services = std::make_shared<const ServiceStatus>();
-  // Why the last wish was not handed to the link at all; None again with the next one, or once the cursor is
+  // Why the last intent was not handed to the link at all; None again with the next one, or once the cursor is
   // moved by hand.
   Refusal notSent = Refusal::None;
   // The same of a log that cannot be read, and of the recording of a link that was left.

@@ -8,38 +8,38 @@ namespace deckpipe {
 StateWalker::StateWalker(std::shared_ptr<LogDocument> document)
     : m_document(std::move(document)),
       m_here(std::make_shared<const State>()),
-      m_worker([this](const Wish& wish, const Worker::Turn& turn) { fulfil(wish, turn); }, m_here) {}
+      m_worker([this](const Intent& intent, const Worker::Turn& turn) { fulfil(intent, turn); }, m_here) {}
 
 void StateWalker::request(Cursor cursor) {
-  if (std::exchange(m_wish.cursor, cursor) != cursor) m_worker.request(m_wish);
+  if (std::exchange(m_intent.cursor, cursor) != cursor) m_worker.request(m_intent);
 }
 
 void StateWalker::notesCame() {
   m_document->roles.invalidateAfter(0);
-  ++m_wish.generation;
-  m_worker.request(m_wish);
+  ++m_intent.generation;
+  m_worker.request(m_intent);
 }
 
 void StateWalker::index(Cursor end) {
-  m_wish.end = end;
-  m_worker.request(m_wish);
+  m_intent.end = end;
+  m_worker.request(m_intent);
 }
 
-void StateWalker::fulfil(const Wish& wish, const Worker::Turn& turn) {
-  if (std::exchange(m_generation, wish.generation) != wish.generation) {
+void StateWalker::fulfil(const Intent& intent, const Worker::Turn& turn) {
+  if (std::exchange(m_generation, intent.generation) != intent.generation) {
     m_isAnew = true;
     m_document->keyframes.invalidateAfter(0);
     m_document->events.restart();
     m_document->exchanges.restart();
   }
-  if (m_isAnew || m_here->cursor() != wish.cursor) {
-    auto state = walk(wish, turn);
+  if (m_isAnew || m_here->cursor() != intent.cursor) {
+    auto state = walk(intent, turn);
     if (state == nullptr) return;
     m_here = std::move(state);
     m_isAnew = false;
     turn.handOver(m_here);
   }
-  while (!turn.isGivenUp() && indexMore(wish.end)) {
+  while (!turn.isGivenUp() && indexMore(intent.end)) {
   }
 }
 
@@ -51,11 +51,11 @@ bool StateWalker::indexMore(Cursor end) {
   return hasRoles || hasEvents || hasExchanges || m_document->keyframes.build();
 }
 
-std::shared_ptr<const State> StateWalker::walk(const Wish& wish, const Worker::Turn& turn) {
-  const Cursor cursor = wish.cursor;
+std::shared_ptr<const State> StateWalker::walk(const Intent& intent, const Worker::Turn& turn) {
+  const Cursor cursor = intent.cursor;
   // Far from every keyframe the way leads over new ones, so that it can be left at each.
   while ((m_document->keyframes.count() + 1) * Keyframes::kEvery <= cursor.frames) {
-    if (!indexMore(wish.end)) break;
+    if (!indexMore(intent.end)) break;
     if (turn.isGivenUp()) return nullptr;
   }
   const Cursor from = m_here->cursor();

@@ -26,21 +26,21 @@ class StateWalker {
   std::shared_ptr<const State> latest() const { return m_worker.latest(); }
 
  private:
-  // A wish is whole: a newer one repeats what still holds of the older one.
-  struct Wish {
+  // A intent is whole: a newer one repeats what still holds of the older one.
+  struct Intent {
     Cursor cursor;
     Cursor end;                    // of the log, as last told
     std::uint64_t generation = 0;  // counts how often notes came in the past
   };
-  using Worker = LatestRequestWorker<Wish, State>;
-  void fulfil(const Wish& wish, const Worker::Turn& turn);
-  // Null where a newer wish or the end came between.
-  std::shared_ptr<const State> walk(const Wish& wish, const Worker::Turn& turn);
+  using Worker = LatestRequestWorker<Intent, State>;
+  void fulfil(const Intent& intent, const Worker::Turn& turn);
+  // Null where a newer intent or the end came between.
+  std::shared_ptr<const State> walk(const Intent& intent, const Worker::Turn& turn);
   // A step of roles, events and keyframes; false where all are complete.
   bool indexMore(Cursor end);
 
   std::shared_ptr<LogDocument> m_document;
-  Wish m_wish;  // the caller's
+  Intent m_intent;  // the caller's
   // The worker's own:
   std::shared_ptr<const State> m_here;
   std::uint64_t m_generation = 0;  // of the notes that it knows

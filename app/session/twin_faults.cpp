@@ -65,7 +65,7 @@ simulator::Bench::Button buttonOf(TwinButton button) {
   return Button::Reset;
 }
 
-TwinStatus twinStatus(const simulator::StandardBench& bench, const std::vector<TwinFaults>& wished) {
+TwinStatus twinStatus(const simulator::StandardBench& bench, const std::vector<TwinFaults>& intended) {
   TwinStatus status;
   for (std::size_t i = 0; i < bench.bench.size(); ++i) {
     const simulator::Device& device = bench.bench.device(i);
@@ -75,7 +75,7 @@ TwinStatus twinStatus(const simulator::StandardBench& bench, const std::vector<T
     d.model = d.pin.isNull() ? 6039 : d.pin.deviceType() + 5000;
     d.address = device.address();
     d.isPowered = device.isPowered();
-    d.faults = wished[i];
+    d.faults = intended[i];
     d.possible = possibleFor(d.model);
     status.devices.push_back(d);
   }

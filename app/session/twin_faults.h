@@ -11,6 +11,6 @@ namespace deckpipe {
 simulator::Misbehaviour misbehaviourOf(const TwinFaults& faults);
 simulator::Bench::Button buttonOf(TwinButton button);
 // `wished` has the faults of each device of the bench.
-TwinStatus twinStatus(const simulator::StandardBench& bench, const std::vector<TwinFaults>& wished);
+TwinStatus twinStatus(const simulator::StandardBench& bench, const std::vector<TwinFaults>& intended);
 
 }  // namespace deckpipe

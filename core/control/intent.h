@@ -13,7 +13,7 @@
 #include "control/request.h"
 
 namespace deckpipe {
-namespace wish {
+namespace intent {
 
 // The transmit lock. Unlocked, the console claims an address of its own.
 struct Unlock {};
@@ -61,23 +61,24 @@ struct PipeAction {
   bool forTheRest = false;
 };
 
-}  // namespace wish
+}  // namespace intent
 
-using Wish = std::variant<wish::Lock, wish::Unlock, wish::RequestNames, wish::SendRequests, wish::Repeat,
-                          wish::Cancel, wish::PipeWrite, wish::PipeFile, wish::PipeAction>;
+using Intent =
+    std::variant<intent::Lock, intent::Unlock, intent::RequestNames, intent::SendRequests, intent::Repeat,
+                 intent::Cancel, intent::PipeWrite, intent::PipeFile, intent::PipeAction>;
 
 // Whether it only holds or ends what is under way: that is offered whatever the cursor shows. What begins
 // something wants the live edge.
-inline bool onlyStops(const Wish& wish) {
-  using What = wish::PipeAction::What;
-  if (const auto* repeat = std::get_if<wish::Repeat>(&wish)) return repeat->period == Duration{0};
-  if (const auto* action = std::get_if<wish::PipeAction>(&wish))
+inline bool onlyStops(const Intent& intent) {
+  using What = intent::PipeAction::What;
+  if (const auto* repeat = std::get_if<intent::Repeat>(&intent)) return repeat->period == Duration{0};
+  if (const auto* action = std::get_if<intent::PipeAction>(&intent))
     return action->what == What::Pause || action->what == What::Cancel || action->what == What::Abort;
-  return std::holds_alternative<wish::Lock>(wish) || std::holds_alternative<wish::Cancel>(wish);
+  return std::holds_alternative<intent::Lock>(intent) || std::holds_alternative<intent::Cancel>(intent);
 }
 
-struct Intent {
-  Wish value;
+struct StampedIntent {
+  Intent value;
   Instant stamp{};  // CLOCK_BOOTTIME when the person asked
   std::uint64_t serial = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person wants of the demo's bench twin, and how its devices are. The twin panel makes a TwinWish of
-// every tick and button and shows each TwinStatus; BenchRunner takes the wishes and publishes the status. Not
+// What a person wants of the demo's bench twin, and how its devices are. The twin panel makes a TwinIntent of
+// every tick and button and shows each TwinStatus; BenchRunner takes the intents and publishes the status. Not
 // an intent: it goes to the simulated truck, never to a bus.
 #pragma once
 
@@ -89,10 +89,10 @@ struct TwinAllWell {
   friend bool operator==(const TwinAllWell&, const TwinAllWell&) = default;
 };
 
-struct TwinWish {
+struct TwinIntent {
   std::size_t device = 0;  // as in TwinStatus
   std::variant<TwinSwitch, TwinAllWell, TwinButton> what;
-  friend bool operator==(const TwinWish&, const TwinWish&) = default;
+  friend bool operator==(const TwinIntent&, const TwinIntent&) = default;
 };
 
 struct TwinDevice {

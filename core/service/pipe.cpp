@@ -14,7 +14,7 @@ using Progress = PipeStatus::Progress;
 using Stall = PipeStatus::Stall;
 using FileEnd = PipeStatus::FileEnd;
 using Rest = PipeStatus::Rest;
-using What = wish::PipeAction::What;
+using What = intent::PipeAction::What;
 
 void notePipe(const Pipe::Turn& turn, const DeviceKey& device, Address address, PipeEvent event,
               const std::string& file = {}) {
@@ -77,19 +77,19 @@ Refusal Pipe::write(const Turn& turn, const std::string& bytes) {
   return Refusal::None;
 }
 
-Refusal Pipe::sendFile(const Turn& turn, const wish::PipeFile& wish) {
+Refusal Pipe::sendFile(const Turn& turn, const intent::PipeFile& intent) {
   if (isUnderWay()) return Refusal::Busy;
   begin(turn.now);
-  m_content = wish.content;
-  m_status.file = wish.name;
-  m_status.fileSize = wish.content->size();
+  m_content = intent.content;
+  m_status.file = intent.name;
+  m_status.fileSize = intent.content->size();
   m_status.fileSent = 0;
   m_status.fileEnd = FileEnd::None;
   m_status.fileBegan = turn.now;
   m_status.fileEnded = kNotYet;
   m_status.filePaused = 0ns;
   m_status.fileSkipped = m_status.fileResent = 0;
-  notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::FileBegan, wish.name);
+  notePipe(turn, m_device, addressOf(turn, m_device), PipeEvent::FileBegan, intent.name);
   if (m_status.fileSize == 0) endFile(turn, FileEnd::Done);
   sendNext(turn);
   return Refusal::None;
@@ -246,7 +246,7 @@ void Pipe::deviceRestarted(const Turn& turn) {
   drop(turn, FileEnd::Restarted);
 }
 
-Refusal Pipe::act(const Turn& turn, const wish::PipeAction& action) {
+Refusal Pipe::act(const Turn& turn, const intent::PipeAction& action) {
   switch (action.what) {
     case What::Pause: m_status.isPaused = true; break;
     case What::Resume: m_status.isPaused = false; break;

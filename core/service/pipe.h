@@ -36,8 +36,8 @@ class Pipe {
   void rename(const DeviceKey& device) { m_device = device; }
 
   Refusal write(const Turn& turn, const std::string& bytes);
-  Refusal sendFile(const Turn& turn, const wish::PipeFile& wish);
-  Refusal act(const Turn& turn, const wish::PipeAction& action);
+  Refusal sendFile(const Turn& turn, const intent::PipeFile& intent);
+  Refusal act(const Turn& turn, const intent::PipeAction& action);
   // Nothing more of all that waits; what is in flight may or may not arrive.
   void drop(const Turn& turn) { drop(turn, PipeStatus::FileEnd::Aborted); }
 

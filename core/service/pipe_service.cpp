@@ -31,11 +31,12 @@ void PipeService::status(const Live& live, ServiceStatus& into) const {
   for (const Pipe& pipe : m_pipes) statusOf(live, pipe.device(), into).pipe = pipe.status();
 }
 
-std::optional<Refusal> PipeService::wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) {
+std::optional<Refusal> PipeService::wants(Instant now, const Live& live, const Intent& intent,
+                                          Outgoing& out) {
   const Pipe::Turn turn{now, live, source(), out};
-  const auto* write = std::get_if<wish::PipeWrite>(&wish);
-  const auto* file = std::get_if<wish::PipeFile>(&wish);
-  const auto* action = std::get_if<wish::PipeAction>(&wish);
+  const auto* write = std::get_if<intent::PipeWrite>(&intent);
+  const auto* file = std::get_if<intent::PipeFile>(&intent);
+  const auto* action = std::get_if<intent::PipeAction>(&intent);
   if (write == nullptr && file == nullptr && action == nullptr) return {};
   if (source() == kNullAddress) return Refusal::NoAddress;
   adopt(turn);

@@ -50,17 +50,18 @@ void RequestService::end(Instant now, const Live& live, EndReason reason, Outgoi
   endAll(now, live, reason == EndReason::AddressLost ? RequestEnd::AddressLost : RequestEnd::Cancelled, out);
 }
 
-std::optional<Refusal> RequestService::wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) {
+std::optional<Refusal> RequestService::wants(Instant now, const Live& live, const Intent& intent,
+                                             Outgoing& out) {
   const auto ifAddressed = [&](auto&& carryOut) {
     if (source() == kNullAddress) return Refusal::NoAddress;
     adopt(now, live, out);
     return carryOut();
   };
-  if (const auto* it = std::get_if<wish::SendRequests>(&wish))
+  if (const auto* it = std::get_if<intent::SendRequests>(&intent))
     return ifAddressed([&] { return request(now, live, *it, out); });
-  if (const auto* it = std::get_if<wish::Repeat>(&wish))
+  if (const auto* it = std::get_if<intent::Repeat>(&intent))
     return ifAddressed([&] { return repeat(now, live, *it, out); });
-  if (const auto* it = std::get_if<wish::Cancel>(&wish))
+  if (const auto* it = std::get_if<intent::Cancel>(&intent))
     return ifAddressed([&] { return cancel(now, live, *it, out); });
   return {};
 }
@@ -80,21 +81,22 @@ void RequestService::queue(RequestStatus& status, Timing& timing, Instant due) {
   ++status.asked;
 }
 
-Refusal RequestService::request(Instant now, const Live& live, const wish::SendRequests& wish,
+Refusal RequestService::request(Instant now, const Live& live, const intent::SendRequests& intent,
                                 Outgoing& out) {
-  if (wish.device.isNull()) {
-    for (const DeviceKey& key : requestTargets(live)) request(now, live, {key, wish.requests & kPolls}, out);
+  if (intent.device.isNull()) {
+    for (const DeviceKey& key : requestTargets(live))
+      request(now, live, {key, intent.requests & kPolls}, out);
     return Refusal::None;
   }
-  const Device* device = live.find(wish.device);
+  const Device* device = live.find(intent.device);
   if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
-  const RequestSet takes = requestsTakenBy(live, *device) & wish.requests;
+  const RequestSet takes = requestsTakenBy(live, *device) & intent.requests;
   if (takes.isEmpty()) return Refusal::NotTaken;
   // A silent device may be polled; nothing is sent to an address that is contested.
-  const Refusal why = live.whyNotTo(now, wish.device);
+  const Refusal why = live.whyNotTo(now, intent.device);
   if (m_own.isDisputed() && (takes & kPolls) != takes) return Refusal::Disputed;
   if (why == Refusal::Contested || (why != Refusal::None && (takes & kPolls) != takes)) return why;
-  Asked& at = asked(live.canonical(wish.device));
+  Asked& at = asked(live.canonical(intent.device));
   Refusal refusal = Refusal::Busy;
   takes.forEach([&](Request request) {
     RequestStatus& status = at.status(request);
@@ -109,20 +111,20 @@ Refusal RequestService::request(Instant now, const Live& live, const wish::SendR
   return refusal;
 }
 
-Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat& wish, Outgoing& out) {
-  if (wish.device.isNull()) {
+Refusal RequestService::repeat(Instant now, const Live& live, const intent::Repeat& intent, Outgoing& out) {
+  if (intent.device.isNull()) {
     std::vector<DeviceKey> keys = requestTargets(live);
-    if (wish.period == 0ns) {
+    if (intent.period == 0ns) {
       for (const Asked& known : m_devices) keys.push_back(known.device);
     }
-    for (const DeviceKey& key : keys) repeat(now, live, {key, wish.requests, wish.period}, out);
+    for (const DeviceKey& key : keys) repeat(now, live, {key, intent.requests, intent.period}, out);
     return Refusal::None;
   }
-  const DeviceKey key = live.canonical(wish.device);
-  if (wish.period == 0ns) {
+  const DeviceKey key = live.canonical(intent.device);
+  if (intent.period == 0ns) {
     if (find(key) == nullptr) return Refusal::None;
     Asked& at = asked(key);
-    wish.requests.forEach([&](Request request) {
+    intent.requests.forEach([&](Request request) {
       RequestStatus& status = at.status(request);
       if (status.period == 0ns) return;
       status.period = 0ns;
@@ -135,12 +137,12 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   }
   const Device* device = live.find(key);
   if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
-  const RequestSet takes = requestsTakenBy(live, *device) & wish.requests & kPolls;
+  const RequestSet takes = requestsTakenBy(live, *device) & intent.requests & kPolls;
   if (takes.isEmpty()) return Refusal::NotTaken;
   Asked& at = asked(key);
   takes.forEach([&](Request request) {
     RequestStatus& status = at.status(request);
-    status.period = std::max<Duration>(wish.period, wish::Repeat::kShortestPeriod);
+    status.period = std::max<Duration>(intent.period, intent::Repeat::kShortestPeriod);
     if (!status.isOpen()) {
       queue(status, at.timing(request), now);
     } else if (status.progress == Progress::Queued) {
@@ -151,8 +153,8 @@ Refusal RequestService::repeat(Instant now, const Live& live, const wish::Repeat
   return Refusal::None;
 }
 
-Refusal RequestService::cancel(Instant now, const Live& live, const wish::Cancel& wish, Outgoing& out) {
-  const DeviceKey key = live.canonical(wish.device);
+Refusal RequestService::cancel(Instant now, const Live& live, const intent::Cancel& intent, Outgoing& out) {
+  const DeviceKey key = live.canonical(intent.device);
   for (Asked& at : m_devices) {
     if (key.isNull() || at.device == key) endDevice(now, live, at, RequestEnd::Cancelled, out);
   }
@@ -177,7 +179,7 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Request requ
   const RequestRule& rule = ruleOf(request);
   RequestStatus& status = at.status(request);
   Timing& timing = at.timing(request);
-  // What may be asked of it can change after the wish: a drive is said to be one.
+  // What may be asked of it can change after the intent: a drive is said to be one.
   if (!requestsTakenBy(live, *live.find(at.device)).has(request)) {
     status.period = 0ns;
     return end(now, live, at, request, RequestEnd::Cancelled, out);

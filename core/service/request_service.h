@@ -34,7 +34,7 @@ class RequestService : public Service {
   RequestService(BusBudget& budget, const ClaimService& own) : m_budget(budget), m_own(own) {}
 
   void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
-  std::optional<Refusal> wants(Instant now, const Live& live, const Wish& wish, Outgoing& out) override;
+  std::optional<Refusal> wants(Instant now, const Live& live, const Intent& intent, Outgoing& out) override;
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) override;
   void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome, Outgoing& out) override;
   void timeCame(Instant now, const Live& live, Outgoing& out) override;
@@ -73,9 +73,9 @@ class RequestService : public Service {
     Timing& timing(Request request) { return timings[request]; }
   };
 
-  Refusal request(Instant now, const Live& live, const wish::SendRequests& wish, Outgoing& out);
-  Refusal repeat(Instant now, const Live& live, const wish::Repeat& wish, Outgoing& out);
-  Refusal cancel(Instant now, const Live& live, const wish::Cancel& wish, Outgoing& out);
+  Refusal request(Instant now, const Live& live, const intent::SendRequests& intent, Outgoing& out);
+  Refusal repeat(Instant now, const Live& live, const intent::Repeat& intent, Outgoing& out);
+  Refusal cancel(Instant now, const Live& live, const intent::Cancel& intent, Outgoing& out);
   // Everything ends, nothing is repeated any more.
   void endAll(Instant now, const Live& live, RequestEnd end, Outgoing& out);
   // What was asked of an address is asked of the device there once its PIN is known.

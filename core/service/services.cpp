@@ -126,18 +126,18 @@ void Services::complete(Instant now, const Live& live) {
   m_out.note(note::Locked{live.channel});
 }
 
-Refusal Services::apply(Instant now, const State& state, const Intent& intent) {
+Refusal Services::apply(Instant now, const State& state, const StampedIntent& intent) {
   const Refusal refusal = carryOut(now, liveOf(state), intent);
   m_status.refusal = refusal;
   if (refusal != Refusal::None) m_status.refusedSerial = intent.serial;
   return refusal;
 }
 
-Refusal Services::carryOut(Instant now, const Live& live, const Intent& intent) {
-  if (std::holds_alternative<wish::Lock>(intent.value))
+Refusal Services::carryOut(Instant now, const Live& live, const StampedIntent& intent) {
+  if (std::holds_alternative<intent::Lock>(intent.value))
     return endAll(now, live, EndReason::Locked), Refusal::None;
   if (m_status.isEnding) return Refusal::Busy;
-  if (std::holds_alternative<wish::Unlock>(intent.value)) return unlock(now, live);
+  if (std::holds_alternative<intent::Unlock>(intent.value)) return unlock(now, live);
   if (m_status.locked) return Refusal::Locked;
   if (!m_status.linkUp) return Refusal::NoLink;
   std::optional<Refusal> answer;

@@ -43,7 +43,7 @@ class Services {
   // Ends everything, because the link is about to be closed; complete when isLocked(). For good.
   void close(Instant now, const State& live);
   bool isLocked() const { return m_status.locked; }
-  Refusal apply(Instant now, const State& live, const Intent& intent);
+  Refusal apply(Instant now, const State& live, const StampedIntent& intent);
   // A frame that the State has taken already, with its own log time; our own echoes too. In order.
   void received(Instant at, const State& live, const Frame& frame);
   // Frames were lost before they could be read, behind those that were received(): the echoes of what is not
@@ -73,7 +73,7 @@ class Services {
   };
   bool isOpen() const { return !m_status.locked && m_status.linkUp; }
   Live liveOf(const State& state) const { return {state, m_settings.channel}; }
-  Refusal carryOut(Instant now, const Live& live, const Intent& intent);
+  Refusal carryOut(Instant now, const Live& live, const StampedIntent& intent);
   void begin(Instant now, const Live& live);
   Refusal unlock(Instant now, const Live& live);
   void endAll(Instant now, const Live& live, EndReason reason);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arbitrary frames, wishes, links that come and go and jumps of time into the services, whose own frames come
+// Arbitrary frames, intents, links that come and go and jumps of time into the services, whose own frames come
 // back as echoes, get lost or are refused. Whatever happens: no crash, nothing is sent while locked or
 // without a link, never two packets are in flight to one device, and in the end every ask has come to its
 // end.
@@ -25,8 +25,8 @@ class Console {
  public:
   Instant now;
 
-  void want(Wish wish) {
-    m_services.apply(now, m_state, {std::move(wish), now, 0});
+  void want(Intent intent) {
+    m_services.apply(now, m_state, {std::move(intent), now, 0});
     take();
   }
   void setLink(bool isUp) {
@@ -155,21 +155,22 @@ void wishFrom(Console& console, Input& in) {
     if ((bits >> static_cast<unsigned>(request) & 1u) != 0) requests.add(request);
   }
   switch (in.next() % 12) {
-    case 0: return console.want(wish::Lock{});
-    case 1: return console.want(wish::RequestNames{});
-    case 2: return console.want(wish::Cancel{device});
+    case 0: return console.want(intent::Lock{});
+    case 1: return console.want(intent::RequestNames{});
+    case 2: return console.want(intent::Cancel{device});
     case 3:
       return console.want(
-          wish::Repeat{device, requests, Duration(1s) * static_cast<std::int64_t>(in.next())});
+          intent::Repeat{device, requests, Duration(1s) * static_cast<std::int64_t>(in.next())});
     case 4:
-    case 5: return console.want(wish::SendRequests{device, requests});
-    case 6: return console.want(wish::PipeWrite{device, std::string(in.next(), 'x')});
+    case 5: return console.want(intent::SendRequests{device, requests});
+    case 6: return console.want(intent::PipeWrite{device, std::string(in.next(), 'x')});
     case 7:
       return console.want(
-          wish::PipeFile{device, "f", std::make_shared<const std::string>(in.next() * 4u, 'f')});
+          intent::PipeFile{device, "f", std::make_shared<const std::string>(in.next() * 4u, 'f')});
     case 8:
-    case 9: return console.want(wish::PipeAction{device, static_cast<wish::PipeAction::What>(in.next() % 6)});
-    default: return console.want(wish::Unlock{});
+    case 9:
+      return console.want(intent::PipeAction{device, static_cast<intent::PipeAction::What>(in.next() % 6)});
+    default: return console.want(intent::Unlock{});
   }
 }
 
@@ -179,7 +180,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto console = std::make_unique<Console>();  // its State is large
   Input in{{data, size}};
   console->setLink(true);
-  console->want(wish::Unlock{});
+  console->want(intent::Unlock{});
   console->passTime(2s);
   while (!in.rest.empty()) {
     switch (in.next() % 8) {
@@ -199,7 +200,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       default: wishFrom(*console, in);
     }
   }
-  console->want(wish::Repeat{{}, kPolls, Duration{0}});
+  console->want(intent::Repeat{{}, kPolls, Duration{0}});
   console->passTime(600s, 200'000);
   console->setLink(false);  // a command that is not on the bus ends with its link
   for (const DeviceServices& device : console->status().devices) {

@@ -82,20 +82,20 @@ class Pair {
   }
   Instant now() const { return m_now; }
 
-  template <typename Wish>
-  Refusal want(Console& console, Wish wish) {
+  template <typename Intent>
+  Refusal want(Console& console, Intent intent) {
     const Refusal refusal =
-        console.services.apply(m_now, console.state, {std::move(wish), m_now, ++console.serial});
+        console.services.apply(m_now, console.state, {std::move(intent), m_now, ++console.serial});
     pump();
     return refusal;
   }
-  template <typename Wish>
-  Refusal want(Wish wish) {
-    return want(console(), std::move(wish));
+  template <typename Intent>
+  Refusal want(Intent intent) {
+    return want(console(), std::move(intent));
   }
   // Unlocks and waits until the address is held.
   void unlock() {
-    want(wish::Unlock{});
+    want(intent::Unlock{});
     run(1s);
   }
   // From outside, to everyone.

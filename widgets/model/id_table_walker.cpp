@@ -40,7 +40,7 @@ void IdTableWalker::walk(std::uint64_t wanted, const Worker::Turn& turn) {
   }
   goToNearest(wanted);
   if (m_now.test) m_now.test->bind();
-  // A far way is left for a newer wish; what was walked of it is kept.
+  // A far way is left for a newer intent; what was walked of it is kept.
   while (m_now.table.frames() < wanted && !turn.isGivenUp()) {
     const std::uint64_t next = (m_now.table.frames() / kEvery + 1) * kEvery;
     m_now.table.walk(m_log->frames, std::min(wanted, next), m_now.test ? &*m_now.test : nullptr);

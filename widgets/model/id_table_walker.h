@@ -23,7 +23,7 @@ class IdTableWalker {
 
   explicit IdTableWalker(std::shared_ptr<const LogDocument> log, const TraceFilter& filter = {});
 
-  // The table behind so many frames is wanted; the newest wish wins.
+  // The table behind so many frames is wanted; the newest intent wins.
   void request(std::uint64_t frames);
   // The last table that was reached; never null.
   std::shared_ptr<const IdTable> latest() const { return m_worker.latest(); }

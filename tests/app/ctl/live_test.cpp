@@ -63,7 +63,7 @@ class Live : public testing::Test {
     process.closeWriteChannel();
     return end(process);
   }
-  void wish(std::size_t device, TwinFault fault) { m_twin.obey({device, TwinSwitch{fault, true}}); }
+  void intent(std::size_t device, TwinFault fault) { m_twin.obey({device, TwinSwitch{fault, true}}); }
   // A frame of the tool to this address, which has this type byte.
   bool wasSent(std::uint8_t to, std::uint8_t type) const {
     return std::ranges::any_of(m_witness.frames, [&](const Frame& frame) {
@@ -201,7 +201,7 @@ TEST_F(Live, PollWritesEveryAnswerWithTheKeysOfDecode) {
 }
 
 TEST_F(Live, PollOfEveryoneSaysWhoDidNotAnswer) {
-  wish(2, TwinFault::AnswersWrongSource);  // the one without a PIN
+  intent(2, TwinFault::AnswersWrongSource);  // the one without a PIN
   const Outcome r = run("poll --unlock --all --kinds fault");
   EXPECT_EQ(r.status, 1);
   int answers = 0;
@@ -220,14 +220,14 @@ TEST_F(Live, PollOfEveryoneSaysWhoDidNotAnswer) {
 }
 
 TEST_F(Live, AnAnswerThatComesTwiceIsOneLine) {
-  wish(0, TwinFault::AnswersTwice);
+  intent(0, TwinFault::AnswersTwice);
   const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault,firmware");
   EXPECT_EQ(r.status, 0);
   EXPECT_EQ(r.lines().size(), 2) << r.out.constData();
 }
 
 TEST_F(Live, AnswersOfAWrongLengthAreShownAndAreNone) {
-  wish(0, TwinFault::AnswersWrongLength);
+  intent(0, TwinFault::AnswersWrongLength);
   const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault");
   EXPECT_EQ(r.status, 1);
   ASSERT_EQ(r.lines().size(), 4);
@@ -250,7 +250,7 @@ TEST_F(Live, PollUntilStoppedEndsByCtrlC) {
 }
 
 TEST_F(Live, PollUntilStoppedIsNotWholeIfAnAnswerIsMissing) {
-  wish(0, TwinFault::AnswersWrongSource);
+  intent(0, TwinFault::AnswersWrongSource);
   QProcess process;
   start(process, "poll --unlock --pin 1032AE100801035 --kinds fault --every 5");
   ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0x02); }, kPatience));
@@ -263,7 +263,7 @@ TEST_F(Live, PollUntilStoppedIsNotWholeIfAnAnswerIsMissing) {
 }
 
 TEST_F(Live, CommandThatIsStoppedSaysThatItIsOnTheBus) {
-  wish(0, TwinFault::ResetNever);
+  intent(0, TwinFault::ResetNever);
   QProcess process;
   start(process, "command reset --unlock --yes --address 80");
   ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0x45); }, kPatience));
@@ -375,7 +375,7 @@ TEST_F(Live, ResetIsDoneOnceTheDeviceAnnouncesItselfAnew) {
 }
 
 TEST_F(Live, ResetOfADeviceThatNeverReturnsIsNotDone) {
-  wish(0, TwinFault::ResetNever);
+  intent(0, TwinFault::ResetNever);
   const Outcome r = run("command reset --unlock --yes --pin 1032AE100801035");
   EXPECT_EQ(r.status, 1) << r.err.constData();
   ASSERT_EQ(r.lines().size(), 1);
@@ -385,7 +385,7 @@ TEST_F(Live, ResetOfADeviceThatNeverReturnsIsNotDone) {
 }
 
 TEST_F(Live, CommandThatIsNotAcknowledgedIsNotDone) {
-  wish(0, TwinFault::AnswersWrongSource);
+  intent(0, TwinFault::AnswersWrongSource);
   const Outcome r = run("command setup-mode --unlock --yes --pin 1032AE100801035");
   EXPECT_EQ(r.status, 1);
   EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("no_answer"));
@@ -455,14 +455,14 @@ TEST_F(Live, PipeSendsAFileWhoseSumTheDeviceConfirms) {
 constexpr const char* kLong = "ECHO a line that takes more than ten packets on its way to the twin's shell\n";
 
 TEST_F(Live, PipeStopsAtAMissingAckAndSaysHowMuchWasAcknowledged) {
-  wish(0, TwinFault::AcksLost);
+  intent(0, TwinFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035", kLong);
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("no acknowledgement; 63 of 76 bytes were acknowledged")) << r.err.constData();
 }
 
 TEST_F(Live, PipeSkipsAPacketOnlyWhenToldTo) {
-  wish(0, TwinFault::AcksLost);
+  intent(0, TwinFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack skip", kLong);
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("going on with the next packet")) << r.err.constData();
@@ -470,14 +470,14 @@ TEST_F(Live, PipeSkipsAPacketOnlyWhenToldTo) {
 }
 
 TEST_F(Live, PipeSendsAgainOnlyWhenToldTo) {
-  wish(0, TwinFault::AcksLost);
+  intent(0, TwinFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack resend", kLong);
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.err.contains("it may arrive twice")) << r.err.constData();
 }
 
 TEST_F(Live, PipeEndsWhereTheDeviceRestartsInTheMiddle) {
-  wish(0, TwinFault::AcksLate);
+  intent(0, TwinFault::AcksLate);
   QTemporaryDir dir;
   QFile file(dir.filePath(QStringLiteral("content")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(70'000, 'x')) == 70'000);
@@ -512,7 +512,7 @@ TEST_F(Live, PipeEndsAFileByCtrlCAfterThePacketInFlight) {
   QFile file(dir.filePath(QStringLiteral("content")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(70'000, 'x')) == 70'000);
   file.close();
-  wish(0, TwinFault::AcksLate);  // so that one is in flight
+  intent(0, TwinFault::AcksLate);  // so that one is in flight
   QProcess process;
   start(
       process, "pipe --unlock --pin 1032AE100801035",

@@ -36,7 +36,7 @@ TEST(LiveBus, LocksWhereTheLogTakesNoMoreAndAnswersNothingFromThenOn) {
   const auto waitFor = [](auto condition) { return QTest::qWaitFor(condition, kPatience); };
   ASSERT_TRUE(waitFor([&] { return live.latest().link.state == LinkState::Up; }));
   ASSERT_TRUE(waitFor([&] { return peer.state() == LinkState::Up; }));
-  live.apply({wish::Unlock{}, bootTime(), 1});
+  live.apply({intent::Unlock{}, bootTime(), 1});
   ASSERT_FALSE(live.latest().services->locked);
   ASSERT_TRUE(waitFor([&] { return live.latest().storeFull; })) << "its own first frame finds no room";
   EXPECT_TRUE(live.latest().services->locked);
@@ -50,7 +50,7 @@ TEST(LiveBus, LocksWhereTheLogTakesNoMoreAndAnswersNothingFromThenOn) {
   ASSERT_TRUE(waitFor([&] { return ours() < static_cast<std::ptrdiff_t>(peer.frames.size()); }));
   EXPECT_EQ(live.latest().services->claim.progress, ClaimStatus::Progress::Off);
   EXPECT_EQ(ours(), before);
-  live.apply({wish::Unlock{}, bootTime(), 2});
+  live.apply({intent::Unlock{}, bootTime(), 2});
   EXPECT_TRUE(live.latest().services->locked) << "nothing is sent on a picture that stands still";
 }
 
@@ -91,22 +91,22 @@ TEST(LiveBus, AnAckThatCameWhileItsThreadStoodStillIsInTime) {
   CanLink peerLink(settings);
   peerLink.open(peer);
   const auto waitFor = [](auto condition) { return QTest::qWaitFor(condition, kPatience); };
-  const auto want = [live](Wish wish) {
+  const auto want = [live](Intent intent) {
     QMetaObject::invokeMethod(
         live,
-        [live, wish] {
-          live->apply({wish, bootTime(), 1});
+        [live, intent] {
+          live->apply({intent, bootTime(), 1});
         },
         Qt::QueuedConnection);
   };
   EXPECT_TRUE(waitFor([&] { return live->latest().link.state == LinkState::Up; }));
   EXPECT_TRUE(waitFor([&] { return peer.state() == LinkState::Up; }));
-  want(wish::Unlock{});
+  want(intent::Unlock{});
   EXPECT_TRUE(waitFor([&] { return live->latest().services->canRequest(); }));
   const DeviceKey monitor = DeviceKey::of(*Pin::parse("1032AE100801035"));
   peerLink.write(test::frame("18EFFF80", "FF83150206021A0B"));
   EXPECT_TRUE(waitFor([&] { return live->latest().services->find(monitor) != nullptr; }));
-  want(wish::PipeWrite{monitor, "abc"});
+  want(intent::PipeWrite{monitor, "abc"});
   EXPECT_TRUE(waitFor([&] {
     return std::ranges::any_of(
         peer.frames, [](const Frame& f) { return (f.id & 0x3FF'0000u) == 0xEF'0000u && f.data[0] == 0xFE; });

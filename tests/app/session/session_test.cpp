@@ -441,12 +441,12 @@ TEST_F(LinkThatHangs, WaitsUnseenWhileALogIsTriedThatCannotBeRead) {
 }
 
 TEST_F(LinkThatHangs, IsLockedWhileItIsConnectedAgain) {
-  m_session.want(wish::Unlock{});
+  m_session.want(intent::Unlock{});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().services->locked; }, kPatience));
   HeldBus held(m_session);
   m_session.reconnect();
   EXPECT_TRUE(m_session.snapshot().services->locked);
-  EXPECT_EQ(m_session.want(wish::Lock{}), 0u);
+  EXPECT_EQ(m_session.want(intent::Lock{}), 0u);
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::None) << "it is locked";
 }
 
@@ -494,7 +494,7 @@ class SendingDemo : public testing::Test {
     return sent;
   }
   bool unlock() {
-    m_session.want(wish::Unlock{});
+    m_session.want(intent::Unlock{});
     return waitFor([&] { return services().canRequest(); });
   }
   const DeviceKey m_monitor = DeviceKey::of(kMonitor);
@@ -503,7 +503,7 @@ class SendingDemo : public testing::Test {
 
 TEST_F(SendingDemo, SendsNothingWhileLocked) {
   EXPECT_TRUE(services().locked);
-  const std::uint64_t serial = m_session.want(wish::SendRequests{m_monitor, kPolls});
+  const std::uint64_t serial = m_session.want(intent::SendRequests{m_monitor, kPolls});
   ASSERT_TRUE(waitFor([&] { return services().refusedSerial == serial; }));
   EXPECT_EQ(services().refusal, Refusal::Locked);
   EXPECT_EQ(sentFrames(), 0u);
@@ -513,7 +513,7 @@ TEST_F(SendingDemo, UnlockedItClaimsAnAddressAndIsAnswered) {
   ASSERT_TRUE(unlock());
   EXPECT_EQ(state().channel(Channel{}).ownAddress, Address{0xF9});
   EXPECT_FALSE(state().isLocked());
-  m_session.want(wish::SendRequests{m_monitor, kPolls});
+  m_session.want(intent::SendRequests{m_monitor, kPolls});
   ASSERT_TRUE(waitFor([&] {
     const DeviceServices* device = services().find(m_monitor);
     return device != nullptr && device->of(Request::Vista).end == RequestEnd::Answered &&
@@ -525,48 +525,49 @@ TEST_F(SendingDemo, UnlockedItClaimsAnAddressAndIsAnswered) {
 
 TEST_F(SendingDemo, TalksOverThePipeAndLocksAgain) {
   ASSERT_TRUE(unlock());
-  m_session.want(wish::PipeWrite{m_monitor, "A?\r\n"});
+  m_session.want(intent::PipeWrite{m_monitor, "A?\r\n"});
   ASSERT_TRUE(waitFor([&] {
     const DeviceServices* device = services().find(m_monitor);
     return device != nullptr && device->pipe && device->pipe->sent == 4 && device->pipe->received > 0;
   }));
-  m_session.want(wish::Lock{});
+  m_session.want(intent::Lock{});
   ASSERT_TRUE(waitFor([&] { return state().isLocked(); }));
   EXPECT_EQ(state().channel(Channel{}).ownAddress, kNullAddress);
 }
 
 TEST_F(SendingDemo, OffTheLiveEdgeOnlyWhatStopsSomethingIsHeard) {
-  using What = wish::PipeAction::What;
+  using What = intent::PipeAction::What;
   ASSERT_TRUE(unlock());
-  const Wish starts[] = {wish::Unlock{},
-                         wish::RequestNames{},
-                         wish::SendRequests{m_monitor, kPolls},
-                         wish::Repeat{m_monitor, kPolls, 1s},
-                         wish::PipeWrite{m_monitor, "x"},
-                         wish::PipeFile{m_monitor, "x", std::make_shared<const std::string>("x")},
-                         wish::PipeAction{m_monitor, What::Resume},
-                         wish::PipeAction{m_monitor, What::Resend},
-                         wish::PipeAction{m_monitor, What::Skip}};
-  const Wish stops[] = {wish::Repeat{m_monitor, kPolls, 0s},      wish::Cancel{m_monitor},
-                        wish::PipeAction{m_monitor, What::Pause}, wish::PipeAction{m_monitor, What::Cancel},
-                        wish::PipeAction{m_monitor, What::Abort}, wish::Lock{}};
+  const Intent starts[] = {intent::Unlock{},
+                           intent::RequestNames{},
+                           intent::SendRequests{m_monitor, kPolls},
+                           intent::Repeat{m_monitor, kPolls, 1s},
+                           intent::PipeWrite{m_monitor, "x"},
+                           intent::PipeFile{m_monitor, "x", std::make_shared<const std::string>("x")},
+                           intent::PipeAction{m_monitor, What::Resume},
+                           intent::PipeAction{m_monitor, What::Resend},
+                           intent::PipeAction{m_monitor, What::Skip}};
+  const Intent stops[] = {
+      intent::Repeat{m_monitor, kPolls, 0s},      intent::Cancel{m_monitor},
+      intent::PipeAction{m_monitor, What::Pause}, intent::PipeAction{m_monitor, What::Cancel},
+      intent::PipeAction{m_monitor, What::Abort}, intent::Lock{}};
   m_session.pause();
-  for (const Wish& wish : starts) EXPECT_EQ(m_session.want(wish), 0u) << wish.index();
+  for (const Intent& intent : starts) EXPECT_EQ(m_session.want(intent), 0u) << intent.index();
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NotLive);
-  for (const Wish& wish : stops) EXPECT_NE(m_session.want(wish), 0u) << wish.index();
+  for (const Intent& intent : stops) EXPECT_NE(m_session.want(intent), 0u) << intent.index();
   EXPECT_TRUE(waitFor([&] { return services().locked; }));
 }
 
 TEST_F(SendingDemo, WhatIsRepeatedEndsOffTheLiveEdgeToo) {
   ASSERT_TRUE(unlock());
-  m_session.want(wish::Repeat{m_monitor, RequestSet{Request::Fault}, 500ms});
+  m_session.want(intent::Repeat{m_monitor, RequestSet{Request::Fault}, 500ms});
   const auto period = [&] {
     const DeviceServices* device = services().find(m_monitor);
     return device == nullptr ? Duration{0} : device->of(Request::Fault).period;
   };
   ASSERT_TRUE(waitFor([&] { return period() > 0s; }));
   m_session.pause();
-  m_session.want(wish::Repeat{m_monitor, RequestSet{Request::Fault}, 0s});
+  m_session.want(intent::Repeat{m_monitor, RequestSet{Request::Fault}, 0s});
   EXPECT_TRUE(waitFor([&] { return period() == 0s; }));
 }
 
@@ -574,13 +575,13 @@ TEST_F(SendingDemo, ThatNothingWasSentIsSaidUntilTheNextDeed) {
   ASSERT_TRUE(unlock());
   m_session.pause();
   QSignalSpy changed(&m_session, &Session::changed);
-  m_session.want(wish::SendRequests{m_monitor, kPolls});
+  m_session.want(intent::SendRequests{m_monitor, kPolls});
   EXPECT_EQ(changed.count(), 1);
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NotLive);
   m_session.goToEnd();
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::None);
   m_session.closeSource();
-  m_session.want(wish::SendRequests{m_monitor, kPolls});
+  m_session.want(intent::SendRequests{m_monitor, kPolls});
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NoLink);
 }
 

@@ -10,7 +10,7 @@ namespace deckpipe::test {
 namespace {
 
 using State = PipeStatus::Progress;
-using What = wish::PipeAction::What;
+using What = intent::PipeAction::What;
 
 constexpr std::array<const char*, kPipeStates> kStateNames{"Idle", "Sending", "Settling", "Paused",
                                                            "Stalled"};
@@ -30,11 +30,11 @@ class PipeTable : public ::testing::TestWithParam<std::tuple<std::size_t, std::s
   }
   State state() { return pair.console().pipe(pair.now(), monitor).progress; }
   void type() {
-    pair.want(wish::PipeWrite{monitor, "x"});
+    pair.want(intent::PipeWrite{monitor, "x"});
     pair.run(2 * Pair::kFlight);
   }
   void act(What what) {
-    pair.want(wish::PipeAction{monitor, what});
+    pair.want(intent::PipeAction{monitor, what});
     pair.run(2 * Pair::kFlight);
   }
   void ack() {

@@ -11,20 +11,20 @@
 namespace deckpipe::test {
 
 struct PipeRig : ::testing::Test {
-  using What = wish::PipeAction::What;
+  using What = intent::PipeAction::What;
   static constexpr std::uint8_t kPipe = 0xFE;
 
   PipeRig() { pair.unlock(); }
   TruckPair pair;
   const DeviceKey monitor = TruckPair::monitor();
 
-  Refusal type(std::string text) { return pair.want(wish::PipeWrite{monitor, std::move(text)}); }
+  Refusal type(std::string text) { return pair.want(intent::PipeWrite{monitor, std::move(text)}); }
   Refusal send(std::string content) {
     return pair.want(
-        wish::PipeFile{monitor, "menu.txt", std::make_shared<const std::string>(std::move(content))});
+        intent::PipeFile{monitor, "menu.txt", std::make_shared<const std::string>(std::move(content))});
   }
   Refusal act(What what, bool forTheRest = false) {
-    return pair.want(wish::PipeAction{monitor, what, forTheRest});
+    return pair.want(intent::PipeAction{monitor, what, forTheRest});
   }
   PipeStatus status() { return pair.console().pipe(pair.now(), monitor); }
   std::uint8_t address() { return pair.addressOf(monitor).value; }

@@ -27,15 +27,15 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
   std::string typed;
   for (int i = 0; i < 30; ++i) {
     switch (random.between(0, 9)) {
-      case 0: pair.want(wish::SendRequests{{}, kPolls}); break;
+      case 0: pair.want(intent::SendRequests{{}, kPolls}); break;
       case 1:
-        pair.want(wish::SendRequests{monitor, RequestSet{static_cast<Request>(random.between(0, 7))}});
+        pair.want(intent::SendRequests{monitor, RequestSet{static_cast<Request>(random.between(0, 7))}});
         break;
-      case 2: pair.want(wish::Repeat{monitor, kPolls, random.between(0, 3) * Duration(1s)}); break;
-      case 3: pair.want(wish::PipeWrite{monitor, "0123456789"}); break;
-      case 4: pair.want(wish::PipeFile{monitor, "f", std::make_shared<const std::string>(200, 'f')}); break;
+      case 2: pair.want(intent::Repeat{monitor, kPolls, random.between(0, 3) * Duration(1s)}); break;
+      case 3: pair.want(intent::PipeWrite{monitor, "0123456789"}); break;
+      case 4: pair.want(intent::PipeFile{monitor, "f", std::make_shared<const std::string>(200, 'f')}); break;
       case 5:
-        pair.want(wish::PipeAction{monitor, static_cast<wish::PipeAction::What>(random.between(0, 5))});
+        pair.want(intent::PipeAction{monitor, static_cast<intent::PipeAction::What>(random.between(0, 5))});
         break;
       case 6:
         pair.inject(frame(chance(50) ? "18EEFFF9" : "18EEFFFA",
@@ -46,20 +46,20 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
         pair.run(random.between(0, 500) * Duration(1ms));
         pair.setLink(pair.console(), true);
         break;
-      case 8: pair.want(wish::RequestNames{}); break;
+      case 8: pair.want(intent::RequestNames{}); break;
       default:
         if (chance(30)) {
-          pair.want(wish::Lock{});
+          pair.want(intent::Lock{});
           const Instant locked = pair.now();
           pair.run(2s);
           ASSERT_TRUE(pair.sentBy(&pair.console(), locked + 1ns).empty());
-          pair.want(wish::Unlock{});
+          pair.want(intent::Unlock{});
         }
     }
     pair.run(random.between(0, 3000) * Duration(1ms));
   }
   // Without repeats everything is over after the longest deadline there is.
-  pair.want(wish::Repeat{{}, kPolls, 0s});
+  pair.want(intent::Repeat{{}, kPolls, 0s});
   pair.run(30s);
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
     for (const RequestStatus& request : device.requests) {

@@ -39,10 +39,10 @@ struct RequestsOfDevice : test::Talk<RequestPanel> {
 
 TEST_F(RequestsOfDevice, AButtonAsksTheChosenDeviceAndNothingElse) {
   QTest::mouseClick(button(Request::Firmware), Qt::LeftButton);
-  ASSERT_EQ(wishes.size(), 1u);
-  const auto& wish = std::get<wish::SendRequests>(wishes[0]);
-  EXPECT_EQ(wish.device, kMonitor);
-  EXPECT_EQ(wish.requests, RequestSet{Request::Firmware});
+  ASSERT_EQ(intents.size(), 1u);
+  const auto& intent = std::get<intent::SendRequests>(intents[0]);
+  EXPECT_EQ(intent.device, kMonitor);
+  EXPECT_EQ(intent.requests, RequestSet{Request::Firmware});
 }
 
 TEST_F(RequestsOfDevice, OffersOnlyWhatTheTypeTakes) {
@@ -77,23 +77,23 @@ TEST_F(RequestsOfDevice, OffTheLiveEdgeWhatGoesOnCanBeEndedButNothingBegun) {
   EXPECT_EQ(period->currentIndex(), 3);
   period->setFocus();
   QTest::keyClick(period, Qt::Key_Down);
-  EXPECT_TRUE(wishes.empty()) << "another period would begin something";
+  EXPECT_TRUE(intents.empty()) << "another period would begin something";
   QTest::keyClick(period, Qt::Key_Home);
-  ASSERT_EQ(wishes.size(), 1u);
-  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).period, 0s);
+  ASSERT_EQ(intents.size(), 1u);
+  EXPECT_EQ(std::get<intent::Repeat>(intents[0]).period, 0s);
   QTest::mouseClick(button("askCancel"), Qt::LeftButton);
-  ASSERT_EQ(wishes.size(), 2u);
-  EXPECT_EQ(std::get<wish::Cancel>(wishes[1]).device, kMonitor);
+  ASSERT_EQ(intents.size(), 2u);
+  EXPECT_EQ(std::get<intent::Cancel>(intents[1]).device, kMonitor);
 }
 
 TEST_F(RequestsOfDevice, ACommandIsAskedOnceByTheDevicesName) {
   QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
-  EXPECT_TRUE(wishes.empty());
+  EXPECT_TRUE(intents.empty());
   ASSERT_NE(dialog(), nullptr);
   EXPECT_TRUE(test::child<QLabel>(*dialog(), "dangerTitle")->text().contains(QStringLiteral("Roof")));
   QTest::mouseClick(test::child<QPushButton>(*dialog(), "dangerVerb"), Qt::LeftButton);
-  ASSERT_EQ(wishes.size(), 1u);
-  EXPECT_EQ(std::get<wish::SendRequests>(wishes[0]).requests, RequestSet{Request::Reset});
+  ASSERT_EQ(intents.size(), 1u);
+  EXPECT_EQ(std::get<intent::SendRequests>(intents[0]).requests, RequestSet{Request::Reset});
 }
 
 TEST_F(RequestsOfDevice, EnterAndEscapeInTheQuestionLeaveThingsAsTheyAre) {
@@ -101,7 +101,7 @@ TEST_F(RequestsOfDevice, EnterAndEscapeInTheQuestionLeaveThingsAsTheyAre) {
     QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
     ASSERT_NE(dialog(), nullptr);
     QTest::keyClick(dialog(), key);
-    EXPECT_TRUE(wishes.empty()) << key;
+    EXPECT_TRUE(intents.empty()) << key;
     EXPECT_TRUE(QTest::qWaitFor([] { return dialog() == nullptr; }));
   }
 }
@@ -241,10 +241,10 @@ TEST_F(RequestsOfDevice, EveryDeviceIsAskedAsOftenAsChosen) {
   period->setFocus();
   QTest::keyClick(period, Qt::Key_Down);
   button("askEveryone")->click();
-  ASSERT_EQ(wishes.size(), 3u);
-  EXPECT_TRUE(std::get<wish::SendRequests>(wishes[0]).device.isNull());
-  EXPECT_TRUE(std::get<wish::Repeat>(wishes[2]).device.isNull());
-  EXPECT_EQ(std::get<wish::Repeat>(wishes[2]).period, 500ms);
+  ASSERT_EQ(intents.size(), 3u);
+  EXPECT_TRUE(std::get<intent::SendRequests>(intents[0]).device.isNull());
+  EXPECT_TRUE(std::get<intent::Repeat>(intents[2]).device.isNull());
+  EXPECT_EQ(std::get<intent::Repeat>(intents[2]).period, 500ms);
 }
 
 TEST_F(RequestsOfDevice, WhileOneWaitsItIsNotOfferedAgain) {
@@ -260,9 +260,9 @@ TEST_F(RequestsOfDevice, RepeatsAtTheChosenPeriodUntilOnce) {
   auto* period = child<QComboBox>("askRepeat");
   period->setFocus();
   QTest::keyClick(period, Qt::Key_Down);
-  ASSERT_EQ(wishes.size(), 1u);
-  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).period, 500ms);
-  EXPECT_EQ(std::get<wish::Repeat>(wishes[0]).requests, kPolls);
+  ASSERT_EQ(intents.size(), 1u);
+  EXPECT_EQ(std::get<intent::Repeat>(intents[0]).period, 500ms);
+  EXPECT_EQ(std::get<intent::Repeat>(intents[0]).requests, kPolls);
 }
 
 TEST_F(RequestsOfDevice, TheWheelBeginsNoRepeatedPoll) {
@@ -273,7 +273,7 @@ TEST_F(RequestsOfDevice, TheWheelBeginsNoRepeatedPoll) {
                     Qt::NoScrollPhase, false);
   QApplication::sendEvent(period, &wheel);
   EXPECT_EQ(period->currentIndex(), 0);
-  EXPECT_TRUE(wishes.empty());
+  EXPECT_TRUE(intents.empty());
   EXPECT_FALSE(wheel.isAccepted()) << "it scrolls the panel";
 }
 
@@ -294,10 +294,10 @@ TEST_F(RequestsOfDevice, EveryRepeatedPollIsSeenWhateverDeviceIsChosenAndEndedAt
   isLive = false;
   show();
   QTest::mouseClick(button("repeatEnd"), Qt::LeftButton);
-  ASSERT_EQ(wishes.size(), 1u);
-  const auto& wish = std::get<wish::Repeat>(wishes[0]);
-  EXPECT_TRUE(wish.device.isNull());
-  EXPECT_EQ(wish.period, 0s);
+  ASSERT_EQ(intents.size(), 1u);
+  const auto& intent = std::get<intent::Repeat>(intents[0]);
+  EXPECT_TRUE(intent.device.isNull());
+  EXPECT_EQ(intent.period, 0s);
 }
 
 TEST_F(RequestsOfDevice, ListsEarlierAnswersAndWhatChanged) {

@@ -29,7 +29,7 @@ struct Talk : ::testing::Test {
     DeviceServices& at = services.devices.emplace_back();
     at.device = kTalkedTo;
     at.address = Address{0x80};
-    QObject::connect(&panel, &Panel::wished, [this](const Wish& wish) { wishes.push_back(wish); });
+    QObject::connect(&panel, &Panel::intended, [this](const Intent& intent) { intents.push_back(intent); });
     add({frame("18EFFF80", "FF83150206021A0B", 0, 0)});
     panel.show();
   }
@@ -74,7 +74,7 @@ struct Talk : ::testing::Test {
   DeviceLabels labels;
   bool isLive = true;
   Panel panel;
-  std::vector<Wish> wishes;
+  std::vector<Intent> intents;
 };
 
 }  // namespace deckpipe::test

@@ -26,7 +26,7 @@ namespace deckpipe {
 namespace {
 
 using test::frame;
-using What = wish::PipeAction::What;
+using What = intent::PipeAction::What;
 
 const DeviceKey kTerminalMonitor = test::kTalkedTo;
 constexpr std::int64_t kMilli = 1'000'000;
@@ -41,8 +41,8 @@ struct Terminal : test::Talk<TerminalPanel> {
   QString hint() { return child<QLabel>("pipeHint")->text(); }
   std::vector<std::string> written() const {
     std::vector<std::string> out;
-    for (const Wish& wish : wishes) {
-      if (const auto* write = std::get_if<wish::PipeWrite>(&wish)) out.push_back(write->bytes);
+    for (const Intent& intent : intents) {
+      if (const auto* write = std::get_if<intent::PipeWrite>(&intent)) out.push_back(write->bytes);
     }
     return out;
   }
@@ -257,9 +257,9 @@ TEST_F(Terminal, AMissingAckOffersResendSkipAndAbort) {
   show();
   ASSERT_TRUE(child<QWidget>("pipeStall")->isVisible());
   for (const char* name : {"pipeResend", "pipeSkip", "pipeAbort"}) click(name);
-  ASSERT_EQ(wishes.size(), 3u);
+  ASSERT_EQ(intents.size(), 3u);
   const What expected[] = {What::Resend, What::Skip, What::Abort};
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).what, expected[i]);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<intent::PipeAction>(intents[i]).what, expected[i]);
 }
 
 TEST_F(Terminal, WhatIsDecidedMayBeForTheRestTooAndIsAskedAnewEachTime) {
@@ -282,10 +282,10 @@ TEST_F(Terminal, WhatIsDecidedMayBeForTheRestTooAndIsAskedAnewEachTime) {
   }
   EXPECT_EQ(child<QLabel>("pipeStallText")->text(), before);
   click("pipeSkip");
-  ASSERT_EQ(wishes.size(), 4u);
+  ASSERT_EQ(intents.size(), 4u);
   const bool expected[] = {true, true, false, false};
   for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).forTheRest, expected[i]) << i;
+    EXPECT_EQ(std::get<intent::PipeAction>(intents[i]).forTheRest, expected[i]) << i;
   rest->click();
   pipe().progress = PipeStatus::Progress::Sending;  // the ack came after all
   show();
@@ -381,7 +381,7 @@ TEST_F(Terminal, TheLinesOfATextFileGoWithTheChosenEndUnlessTheyAreToGoAsTheyAre
     }
     test::child<QAbstractButton>(*asked, "dangerVerb")->click();
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    return *std::get<wish::PipeFile>(wishes.back()).content;
+    return *std::get<intent::PipeFile>(intents.back()).content;
   };
   child<QComboBox>("pipeLineEnd")->setCurrentIndex(1);
   EXPECT_EQ(send("VER\r\nA?\r\n\nB", false), "VER\rA?\r\rB");
@@ -411,8 +411,8 @@ TEST_F(Terminal, AFileShowsItsProgressAndCanBePausedAndCancelled) {
   click("filePause");
   click("fileCancel");
   const What expected[] = {What::Pause, What::Resume, What::Cancel};
-  ASSERT_EQ(wishes.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<wish::PipeAction>(wishes[i]).what, expected[i]);
+  ASSERT_EQ(intents.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(std::get<intent::PipeAction>(intents[i]).what, expected[i]);
 }
 
 TEST_F(Terminal, AFileWithSkippedPacketsIsNotSaidToBeSent) {
@@ -448,9 +448,9 @@ TEST_F(Terminal, OffTheLiveEdgeAFileCanBePausedAndCancelledButDoesNotGoOn) {
   show();
   EXPECT_FALSE(child<QPushButton>("filePause")->isEnabled());
   click("fileCancel");
-  ASSERT_EQ(wishes.size(), 2u);
-  EXPECT_EQ(std::get<wish::PipeAction>(wishes[0]).what, What::Pause);
-  EXPECT_EQ(std::get<wish::PipeAction>(wishes[1]).what, What::Cancel);
+  ASSERT_EQ(intents.size(), 2u);
+  EXPECT_EQ(std::get<intent::PipeAction>(intents[0]).what, What::Pause);
+  EXPECT_EQ(std::get<intent::PipeAction>(intents[1]).what, What::Cancel);
 }
 
 TEST_F(Terminal, OffTheLiveEdgeAStallCanOnlyBeAborted) {
@@ -460,8 +460,8 @@ TEST_F(Terminal, OffTheLiveEdgeAStallCanOnlyBeAborted) {
   EXPECT_FALSE(child<QPushButton>("pipeResend")->isEnabled());
   EXPECT_FALSE(child<QPushButton>("pipeSkip")->isEnabled());
   click("pipeAbort");
-  ASSERT_EQ(wishes.size(), 1u);
-  EXPECT_EQ(std::get<wish::PipeAction>(wishes[0]).what, What::Abort);
+  ASSERT_EQ(intents.size(), 1u);
+  EXPECT_EQ(std::get<intent::PipeAction>(intents[0]).what, What::Abort);
 }
 
 TEST_F(Terminal, SearchesFromTheNewestBackAndSaysWhenThereIsNothing) {

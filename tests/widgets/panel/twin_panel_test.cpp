@@ -18,11 +18,11 @@ namespace {
 
 struct TwinPanelTest : testing::Test {
   TwinPanel panel;
-  std::vector<TwinWish> wishes;
+  std::vector<TwinIntent> intents;
 
   TwinPanelTest() {
-    QObject::connect(&panel, &TwinPanel::twinWished,
-                     [this](const TwinWish& wish) { wishes.push_back(wish); });
+    QObject::connect(&panel, &TwinPanel::twinIntended,
+                     [this](const TwinIntent& intent) { intents.push_back(intent); });
     panel.resize(320, 700);
     panel.show();
   }
@@ -59,7 +59,7 @@ TEST_F(TwinPanelTest, NamesTheDevicesAndTheirStates) {
   EXPECT_EQ(state(), QStringLiteral("Powered, without an address"));
 }
 
-TEST_F(TwinPanelTest, ButtonsWishForTheDeviceThatIsShown) {
+TEST_F(TwinPanelTest, ButtonsIntentForTheDeviceThatIsShown) {
   panel.setStatus(test::twinSample());
   click("twinPowerOff");
   click("twinReset");
@@ -67,21 +67,21 @@ TEST_F(TwinPanelTest, ButtonsWishForTheDeviceThatIsShown) {
   choose(1);
   click("twinPowerOn");
   click("twinPowerOff");
-  EXPECT_EQ(wishes, (std::vector<TwinWish>{
-                        {0, TwinButton::PowerOff}, {0, TwinButton::Reset}, {1, TwinButton::PowerOn}}));
+  EXPECT_EQ(intents, (std::vector<TwinIntent>{
+                         {0, TwinButton::PowerOff}, {0, TwinButton::Reset}, {1, TwinButton::PowerOn}}));
 }
 
-TEST_F(TwinPanelTest, ATickIsAWishAndShownOnceTheTwinSaysSo) {
+TEST_F(TwinPanelTest, ATickIsAIntentAndShownOnceTheTwinSaysSo) {
   panel.setStatus(test::twinSample());
   click("twinFault_silent");
-  EXPECT_EQ(wishes, (std::vector<TwinWish>{{0, TwinSwitch{TwinFault::Silent, true}}}));
+  EXPECT_EQ(intents, (std::vector<TwinIntent>{{0, TwinSwitch{TwinFault::Silent, true}}}));
   EXPECT_FALSE(child<QCheckBox>("twinFault_silent")->isChecked());
   panel.setStatus(test::twinSample({TwinFault::Silent, TwinFault::AnswersLate}));
   EXPECT_TRUE(child<QCheckBox>("twinFault_silent")->isChecked());
   QTest::keyClick(child<QCheckBox>("twinFault_answersLate"), Qt::Key_Space);
-  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinSwitch{TwinFault::AnswersLate, false}}));
+  EXPECT_EQ(intents.back(), (TwinIntent{0, TwinSwitch{TwinFault::AnswersLate, false}}));
   click("twinAllWell");
-  EXPECT_EQ(wishes.back(), (TwinWish{0, TwinAllWell{}}));
+  EXPECT_EQ(intents.back(), (TwinIntent{0, TwinAllWell{}}));
 }
 
 TEST_F(TwinPanelTest, SaysTheNumbersThatTheTwinGoesBy) {
@@ -91,14 +91,14 @@ TEST_F(TwinPanelTest, SaysTheNumbersThatTheTwinGoesBy) {
             QStringLiteral("No power after 50 packets, for 3 s"));
 }
 
-TEST_F(TwinPanelTest, ShowsWhatTheTwinSaysAndWishesNothingByItself) {
+TEST_F(TwinPanelTest, ShowsWhatTheTwinSaysAndIntentsNothingByItself) {
   panel.setStatus(test::twinSample({TwinFault::AcksLost}));
   EXPECT_TRUE(child<QCheckBox>("twinFault_acksLost")->isChecked());
   EXPECT_TRUE(child<QAbstractButton>("twinAllWell")->isEnabled());
   panel.setStatus(test::twinSample({}));
   EXPECT_FALSE(child<QCheckBox>("twinFault_acksLost")->isChecked());
   EXPECT_FALSE(child<QAbstractButton>("twinAllWell")->isEnabled());
-  EXPECT_TRUE(wishes.empty());
+  EXPECT_TRUE(intents.empty());
 }
 
 TEST_F(TwinPanelTest, OffersOnlyWhatADeviceCanDoWrong) {

@@ -180,13 +180,13 @@ QSpinBox* SettingsPage::addNumber(QSpinBox* box, const char* name, const QString
 }
 
 void SettingsPage::addAction(const char* name, const QString& text, const QString& story,
-                             void (SettingsPage::*wish)()) {
+                             void (SettingsPage::*intent)()) {
   auto* row = new QHBoxLayout;
   auto* made = new QPushButton(text, this);
   made->setObjectName(QLatin1String(name));
   made->setAccessibleName(text);
   made->setAccessibleDescription(story);
-  connect(made, &QPushButton::clicked, this, wish);
+  connect(made, &QPushButton::clicked, this, intent);
   row->addWidget(made);
   row->addWidget(makeStory(story), 1);
   m_column->addLayout(row);

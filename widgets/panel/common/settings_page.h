@@ -56,7 +56,7 @@ class SettingsPage : public QWidget {
   void takeAddress(int address);
   void sayIdentity();
   void sayUse();
-  void addAction(const char* name, const QString& text, const QString& story, void (SettingsPage::*wish)());
+  void addAction(const char* name, const QString& text, const QString& story, void (SettingsPage::*intent)());
 
   QVBoxLayout* m_column;
   QButtonGroup* m_themes;

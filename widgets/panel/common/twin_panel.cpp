@@ -153,10 +153,10 @@ QWidget* TwinPanel::makeControls() {
   m_allWell = makeButton("twinAllWell", tr("All is well again"), layout);
 
   connect(m_devices, &QComboBox::currentIndexChanged, this, &TwinPanel::showDevice);
-  connect(m_powerOff, &QPushButton::clicked, this, [this] { wish(TwinButton::PowerOff); });
-  connect(m_powerOn, &QPushButton::clicked, this, [this] { wish(TwinButton::PowerOn); });
-  connect(m_reset, &QPushButton::clicked, this, [this] { wish(TwinButton::Reset); });
-  connect(m_allWell, &QPushButton::clicked, this, [this] { wish(TwinAllWell{}); });
+  connect(m_powerOff, &QPushButton::clicked, this, [this] { intent(TwinButton::PowerOff); });
+  connect(m_powerOn, &QPushButton::clicked, this, [this] { intent(TwinButton::PowerOn); });
+  connect(m_reset, &QPushButton::clicked, this, [this] { intent(TwinButton::Reset); });
+  connect(m_allWell, &QPushButton::clicked, this, [this] { intent(TwinAllWell{}); });
   return page;
 }
 
@@ -181,7 +181,7 @@ QWidget* TwinPanel::makeFaults() {
     box->setObjectName(QStringLiteral("twinFault_") + QLatin1String(kFaults[fault].name));
     box->setAccessibleName(tr("%1: %2").arg(group, box->text()));
     connect(box, &TickBox::clicked, this, [this, fault](bool on) {
-      wish(TwinSwitch{fault, on});
+      intent(TwinSwitch{fault, on});
       showDevice();
     });
     layout->addWidget(box);
@@ -215,8 +215,8 @@ const TwinDevice* TwinPanel::device() const {
   return index < m_status.devices.size() ? &m_status.devices[index] : nullptr;
 }
 
-void TwinPanel::wish(decltype(TwinWish::what) what) {
-  if (device() != nullptr) Q_EMIT twinWished({static_cast<std::size_t>(m_devices->currentIndex()), what});
+void TwinPanel::intent(decltype(TwinIntent::what) what) {
+  if (device() != nullptr) Q_EMIT twinIntended({static_cast<std::size_t>(m_devices->currentIndex()), what});
 }
 
 void TwinPanel::setStatus(const TwinStatus& status) {

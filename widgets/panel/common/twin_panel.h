@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The demo's own panel: breaks the devices of the simulated truck while a person watches what the console
 // makes of it. The window has it in the demo only, gives it each TwinStatus that the twin publishes, and
-// passes its wishes on. What is ticked is what the twin says, so a wish that was not obeyed does not stay.
+// passes its intents on. What is ticked is what the twin says, so a intent that was not obeyed does not stay.
 #pragma once
 
 #include <QWidget>
@@ -34,14 +34,14 @@ class TwinPanel : public QWidget {
   void setStatus(const deckpipe::TwinStatus& status);
 
  Q_SIGNALS:
-  void twinWished(const deckpipe::TwinWish& wish);
+  void twinIntended(const deckpipe::TwinIntent& intent);
 
  private:
   QWidget* makeControls();
   QWidget* makeFaults();
   QPushButton* makeButton(const char* name, const QString& text, QVBoxLayout* layout);
   const TwinDevice* device() const;
-  void wish(decltype(TwinWish::what) what);
+  void intent(decltype(TwinIntent::what) what);
   static QString faultText(TwinFault fault);
   void listDevices();
   void showDevice();

@@ -83,7 +83,7 @@ void SendFileButton::confirm(const QString& path, const DeviceKey& device, const
                         .arg(m_input.lineEndName())
                   : QString()},
       [this, device, file = QFileInfo(path).fileName().toStdString(), content, lines](bool asLines) {
-        Q_EMIT wished(wish::PipeFile{device, file, shared(asLines ? lines : content)});
+        Q_EMIT intended(intent::PipeFile{device, file, shared(asLines ? lines : content)});
       });
 }
 

@@ -25,7 +25,7 @@ class SendFileButton : public QPushButton {
   void setDevice(const DeviceKey& device, const QString& name);
 
  Q_SIGNALS:
-  void wished(const deckpipe::Wish& wish);
+  void intended(const deckpipe::Intent& intent);
   // Empty: another try begins.
   void failed(const QString& why);
 

@@ -51,16 +51,16 @@ TerminalPanel::TerminalPanel(QWidget* parent)
   connect(m_text, &PipeView::searchLeft, m_input, [this] { m_input->setFocus(); });
   connect(m_text, &PipeView::failed, this, &TerminalPanel::say);
   connect(m_file, &FileSendBar::pauseRequested, this, [this](bool pause) {
-    act(pause ? wish::PipeAction::What::Pause : wish::PipeAction::What::Resume);
+    act(pause ? intent::PipeAction::What::Pause : intent::PipeAction::What::Resume);
   });
-  connect(m_file, &FileSendBar::cancelRequested, this, [this] { act(wish::PipeAction::What::Cancel); });
+  connect(m_file, &FileSendBar::cancelRequested, this, [this] { act(intent::PipeAction::What::Cancel); });
   connect(m_input, &PipeInput::typed, this, [this](const std::string& bytes) {
     say({});
-    Q_EMIT wished(wish::PipeWrite{m_view.device, bytes});
+    Q_EMIT intended(intent::PipeWrite{m_view.device, bytes});
   });
   connect(m_input, &PipeInput::refused, this, &TerminalPanel::say);
   connect(m_input, &PipeInput::findRequested, m_text, &PipeView::beginSearch);
-  connect(m_sendFile, &SendFileButton::wished, this, &TerminalPanel::wished);
+  connect(m_sendFile, &SendFileButton::intended, this, &TerminalPanel::intended);
   connect(m_sendFile, &SendFileButton::failed, this, &TerminalPanel::say);
   showState();
 }
@@ -121,7 +121,7 @@ QWidget* TerminalPanel::makeStallBar() {
   row->addLayout(words, 1);
   connect(m_forTheRest, &QCheckBox::toggled, this, &TerminalPanel::showState);
   const auto add = [&](const char* name, const QString& text, const QString& tip,
-                       wish::PipeAction::What what) {
+                       intent::PipeAction::What what) {
     QPushButton* button = makeButton(name, text);
     button->setToolTip(tip);
     row->addWidget(button);
@@ -130,10 +130,10 @@ QWidget* TerminalPanel::makeStallBar() {
   };
   m_resend =
       add("pipeResend", tr("Resend"), tr("The packet once more. If only its ack was lost, it arrives twice."),
-          wish::PipeAction::What::Resend);
-  m_skip =
-      add("pipeSkip", tr("Skip"), tr("Goes on as if the packet had arrived."), wish::PipeAction::What::Skip);
-  add("pipeAbort", tr("Abort"), tr("Sends nothing more of what waits."), wish::PipeAction::What::Abort);
+          intent::PipeAction::What::Resend);
+  m_skip = add("pipeSkip", tr("Skip"), tr("Goes on as if the packet had arrived."),
+               intent::PipeAction::What::Skip);
+  add("pipeAbort", tr("Abort"), tr("Sends nothing more of what waits."), intent::PipeAction::What::Abort);
   return m_stallBar;
 }
 
@@ -166,8 +166,8 @@ void TerminalPanel::setView(const PanelView& view) {
 }
 
 // What is said for the rest once is not said the next time.
-void TerminalPanel::decide(wish::PipeAction::What what) {
-  act(what, what != wish::PipeAction::What::Abort && m_forTheRest->isChecked());
+void TerminalPanel::decide(intent::PipeAction::What what) {
+  act(what, what != intent::PipeAction::What::Abort && m_forTheRest->isChecked());
   m_forTheRest->setChecked(false);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data-pipe terminal of the chosen device: what went both ways, what is typed, and files, paced by the
 // device's acks. The window gives it the view, what was said in the log, the services' status and the device;
-// it emits wishes and sends nothing. It puts together PipeView, PipeInput, SendFileButton and FileSendBar.
+// it emits intents and sends nothing. It puts together PipeView, PipeInput, SendFileButton and FileSendBar.
 //
 //   1. The device it talks to stands there always, whatever was typed.
 //   2. A missing ack is the person's to decide: the bar with resend, skip and abort stays until then. Whether
@@ -39,7 +39,7 @@ class TerminalPanel : public QWidget {
   QSize sizeHint() const override { return {900, 300}; }
 
  Q_SIGNALS:
-  void wished(const deckpipe::Wish& wish);
+  void intended(const deckpipe::Intent& intent);
   void unlockRequested();
 
  private:
@@ -53,10 +53,10 @@ class TerminalPanel : public QWidget {
   QString ownHint(const DeviceServices* device, const PipeStatus& pipe) const;
   QString restartHint(const PipeStatus& pipe) const;
   Instant now() const;
-  void act(wish::PipeAction::What what, bool forTheRest = false) {
-    Q_EMIT wished(wish::PipeAction{m_view.device, what, forTheRest});
+  void act(intent::PipeAction::What what, bool forTheRest = false) {
+    Q_EMIT intended(intent::PipeAction{m_view.device, what, forTheRest});
   }
-  void decide(wish::PipeAction::What what);
+  void decide(intent::PipeAction::What what);
   void say(const QString& trouble);
 
   const ServiceStatus& services() const { return *m_view.services; }

@@ -82,7 +82,7 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
   connect(m_hint, &SendHint::unlockRequested, this, &RequestPanel::unlockRequested);
   m_repeats = new RepeatBar(this);
   connect(m_repeats, &RepeatBar::endRequested, this, [this] {
-    Q_EMIT wished(wish::Repeat{{}, kPolls, Duration{0}});
+    Q_EMIT intended(intent::Repeat{{}, kPolls, Duration{0}});
   });
 
   m_historyView = new QTreeView(this);
@@ -165,14 +165,14 @@ QWidget* RequestPanel::makeRequests() {
   }
   column->addStretch(1);
   connect(m_askAll, &QPushButton::clicked, this, [this] {
-    Q_EMIT wished(wish::SendRequests{m_view.device, kPolls});
+    Q_EMIT intended(intent::SendRequests{m_view.device, kPolls});
   });
   connect(m_askEveryone, &QPushButton::clicked, this, [this] {
     const Duration period = kPeriods.at(static_cast<std::size_t>(std::max(0, m_repeat->currentIndex())));
-    Q_EMIT wished(period > 0ns ? Wish(wish::Repeat{{}, kPolls, period})
-                               : Wish(wish::SendRequests{{}, kPolls}));
+    Q_EMIT intended(period > 0ns ? Intent(intent::Repeat{{}, kPolls, period})
+                                 : Intent(intent::SendRequests{{}, kPolls}));
   });
-  connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT wished(wish::Cancel{m_view.device}); });
+  connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT intended(intent::Cancel{m_view.device}); });
   connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
 
   auto* area = new QScrollArea(this);
@@ -335,19 +335,19 @@ void RequestPanel::showCard(RequestCard& card, const DeviceServices* device) {
 }
 
 void RequestPanel::press(Request request) {
-  const wish::SendRequests wanted{m_view.device, RequestSet{request}};
+  const intent::SendRequests wanted{m_view.device, RequestSet{request}};
   if (!isCommand(request)) {
-    Q_EMIT wished(wanted);
+    Q_EMIT intended(wanted);
     return;
   }
   DangerDialog::request(this,
                         {tr("%1: %2?").arg(requestText(request), m_view.name),
                          tr(*kConsequences.find(request)), requestText(request)},
-                        [this, wanted] { Q_EMIT wished(wanted); });
+                        [this, wanted] { Q_EMIT intended(wanted); });
 }
 
 void RequestPanel::repeat(int index) {
-  Q_EMIT wished(wish::Repeat{m_view.device, kPolls, kPeriods.at(static_cast<std::size_t>(index))});
+  Q_EMIT intended(intent::Repeat{m_view.device, kPolls, kPeriods.at(static_cast<std::size_t>(index))});
 }
 
 }  // namespace deckpipe

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Asks the chosen device: polls, once or repeated, and the guarded commands, each with its last answer in
 // words and how the request went; below, earlier answers and what changed. The window gives it the view, what
-// was said in the log, the services' status and the chosen device; it emits wishes and sends nothing.
+// was said in the log, the services' status and the chosen device; it emits intents and sends nothing.
 #pragma once
 
 #include <QWidget>
@@ -35,7 +35,7 @@ class RequestPanel : public QWidget {
   QSize sizeHint() const override { return {360, 560}; }
 
  Q_SIGNALS:
-  void wished(const deckpipe::Wish& wish);
+  void intended(const deckpipe::Intent& intent);
   void unlockRequested();
   void frameRequested(std::uint64_t frame);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trace with everything around it: filter line, how time is said, follow, search, the menus of cells and
 // columns, and the same traffic by identifier. The console hands it each view of the log, listens for the
-// frame that is looked at (the decode panel shows it) and for the wish to put the cursor at one.
+// frame that is looked at (the decode panel shows it) and for the intent to put the cursor at one.
 //
 //   Ctrl+Shift+F   to the filter line    Ctrl+F        search; F3 and Shift+F3 on and back
 //   Escape   from the filter line back to the rows; gives a search up, then closes it

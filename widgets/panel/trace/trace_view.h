@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trace: rows of a log of any length, of which only those in sight are ever asked for. The console gives
 // it the model that it feeds on each tick, listens for the selected frame (the decode panel shows it) and for
-// the wish to put the cursor at a frame.
+// the intent to put the cursor at a frame.
 //
 //   1. Positions are 64-bit rows of the log (trace_scroll.h); the scroll bar only mirrors them.
 //   2. While it follows, the view stands at the log's end and goes with it. Scrolling up ends that, reaching
