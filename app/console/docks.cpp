@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 
 #include "panel/common/help_panel.h"
-#include "panel/common/twin_panel.h"
+#include "panel/common/simulator_panel.h"
 #include "panel/devices/device_list_panel.h"
 #include "panel/events/event_panel.h"
 #include "panel/page/device_page.h"
@@ -24,8 +24,8 @@ void connectPanel(P* panel, Workspace* workspace) {
     QObject::connect(panel, &P::intended, workspace, &Workspace::intended);
   if constexpr (requires { &P::unlockRequested; })
     QObject::connect(panel, &P::unlockRequested, workspace, &Workspace::unlockRequested);
-  if constexpr (requires { &P::twinIntended; })
-    QObject::connect(panel, &P::twinIntended, workspace, &Workspace::twinIntended);
+  if constexpr (requires { &P::simulatorIntended; })
+    QObject::connect(panel, &P::simulatorIntended, workspace, &Workspace::simulatorIntended);
   if constexpr (requires { &P::frameRequested; })
     QObject::connect(panel, &P::frameRequested, workspace, &Workspace::frameRequested);
   if constexpr (requires { &P::seekRequested; })
@@ -69,8 +69,8 @@ constexpr DockRow kRows[] = {
     // The page has the room until somebody wants to ask.
     {"requestsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Ask"), "Alt+6", kRight, Own, false, false,
      make<RequestPanel>},
-    {"twinDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Simulated truck"), "Alt+7", kRight, Tab, false,
-     true, make<TwinPanel>},
+    {"simulatorDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Simulated truck"), "Alt+7", kRight, Tab,
+     false, true, make<SimulatorPanel>},
     {"helpDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Explanation"), "Alt+8", kRight, Own, false, false,
      make<HelpPanel>},
 };

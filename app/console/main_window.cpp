@@ -137,8 +137,8 @@ void MainWindow::connectPanels() {
   connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
   connect(m_workspace, &Workspace::intended, m_sending, &SendingActions::intent);
   connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);
-  connect(m_workspace, &Workspace::twinIntended, &m_session, &Session::wantOfTwin);
-  connect(&m_session, &Session::twinChanged, m_workspace, &Workspace::setTwin);
+  connect(m_workspace, &Workspace::simulatorIntended, &m_session, &Session::wantOfSimulator);
+  connect(&m_session, &Session::simulatorChanged, m_workspace, &Workspace::setSimulator);
   connect(m_transport, &TransportBar::playRequested, &m_session, &Session::play);
   connect(m_transport, &TransportBar::pauseRequested, &m_session, &Session::pause);
   connect(m_transport, &TransportBar::seekRequested, &m_session, &Session::seek);

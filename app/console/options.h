@@ -12,7 +12,7 @@ namespace deckpipe {
 
 struct Options {
   QString logFile;                   // open this log
-  bool demo = false;                 // start with the bench twin
+  bool demo = false;                 // start with the simulator
   std::optional<LinkSettings> link;  // connect to this adapter
   QString theme;                     // light, dark or sunlight; empty = as last time
   QString density;                   // desk or field; empty = as last time

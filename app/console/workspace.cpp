@@ -13,7 +13,7 @@
 #include "model/device_rows.h"
 #include "pane_cycle.h"
 #include "panel/common/help_panel.h"
-#include "panel/common/twin_panel.h"
+#include "panel/common/simulator_panel.h"
 #include "panel/events/event_panel.h"
 #include "panel/page/device_page.h"
 #include "panel/trace/trace_panel.h"
@@ -162,7 +162,9 @@ QString Workspace::nameOf(const DeviceKey& key) const {
   return label.isEmpty() ? keyText(key) : tr("%1 (%2)").arg(label, keyText(key));
 }
 
-void Workspace::setTwin(const TwinStatus& status) { findChild<TwinPanel*>()->setStatus(status); }
+void Workspace::setSimulator(const SimulatorStatus& status) {
+  findChild<SimulatorPanel*>()->setStatus(status);
+}
 
 DeviceKey Workspace::firstMonitor(const LogView& log) const {
   for (const DeviceRow& row : deviceRows(*log.state)) {

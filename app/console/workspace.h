@@ -10,7 +10,7 @@
 
 #include "base/time.h"
 #include "control/intent.h"
-#include "control/twin_control.h"
+#include "control/simulator_control.h"
 #include "docks.h"
 #include "session/snapshot.h"
 
@@ -60,12 +60,12 @@ class Workspace : public QMainWindow {
   void seekRequested(deckpipe::Instant time);
   void intended(const deckpipe::Intent& intent);
   void unlockRequested();
-  void twinIntended(const deckpipe::TwinIntent& intent);
+  void simulatorIntended(const deckpipe::SimulatorIntent& intent);
   void labelsChanged(const deckpipe::DeviceLabels& labels);
 
  public Q_SLOTS:
   // Of the demo; its dock is there only while one runs.
-  void setTwin(const deckpipe::TwinStatus& status);
+  void setSimulator(const deckpipe::SimulatorStatus& status);
   // Panels ask for these.
   void selectDevice(const deckpipe::DeviceKey& key);
   void showPageOf(const deckpipe::DeviceKey& key);

@@ -8,9 +8,9 @@
 namespace deckpipe::ctl {
 namespace {
 
-using Button = simulator::Bench::Button;
+using Button = simulator::Simulator::Button;
 
-// In the order of the standard bench; more monitors follow them.
+// In the order of the standard simulator; more monitors follow them.
 constexpr const char* kDevices[] = {"monitor", "riser", "io", "joystick"};
 
 // Buttons rather than misbehaviours: they happen once.
@@ -104,18 +104,18 @@ bool MisbehavePlan::addWhat(Entry entry, const QString& what, const QString& val
   return true;
 }
 
-void MisbehavePlan::apply(simulator::StandardBench& bench) const {
+void MisbehavePlan::apply(simulator::StandardSimulator& simulator) const {
   std::vector<Entry> inOrder = m_entries;
   std::ranges::stable_sort(inOrder, {}, &Entry::at);
-  std::vector<simulator::Misbehaviour> now(bench.bench.size());
+  std::vector<simulator::Misbehaviour> now(simulator.simulator.size());
   for (const Entry& entry : inOrder) {
     const Instant when = Instant{} + entry.at;
     for (const std::size_t device : entry.devices) {
       if (entry.word == nullptr) {
-        bench.bench.press(when, device, entry.button);
+        simulator.simulator.press(when, device, entry.button);
       } else {
         entry.word->change(now[device], entry.value);
-        bench.bench.misbehave(when, device, now[device]);
+        simulator.simulator.misbehave(when, device, now[device]);
       }
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// --misbehave DEVICE:WHAT[=VALUE][@SECONDS]: what a device of the bench twin does wrong, or when it loses its
+// --misbehave DEVICE:WHAT[=VALUE][@SECONDS]: what a device of the simulator does wrong, or when it loses its
 // power or is reset, from when on. simulateCommand collects the options and applies them before it starts.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "misbehave_words.h"
-#include "simulator/standard_bench.h"
+#include "simulator/standard_simulator.h"
 
 namespace deckpipe::ctl {
 
@@ -22,7 +22,7 @@ class MisbehavePlan {
 
   // False where the text is not of the form, or names no device or no such thing.
   bool add(const QString& text);
-  void apply(simulator::StandardBench& bench) const;
+  void apply(simulator::StandardSimulator& simulator) const;
 
  private:
   struct Entry {
@@ -30,7 +30,7 @@ class MisbehavePlan {
     std::vector<std::size_t> devices;
     const MisbehaveWord* word = nullptr;  // null: a button
     WordValue value{};
-    simulator::Bench::Button button{};
+    simulator::Simulator::Button button{};
   };
   std::vector<std::size_t> devicesOf(const QString& name) const;
   bool addWhat(Entry entry, const QString& what, const QString& value);

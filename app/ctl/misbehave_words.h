@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // WHAT[=VALUE] of `--misbehave DEVICE:WHAT[=VALUE][@SECONDS]`: every word for what can go wrong on a device
-// of the bench twin, what its value is, and what it changes. MisbehavePlan asks for them.
+// of the simulator, what its value is, and what it changes. MisbehavePlan asks for them.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// deckpipectl simulate: the bench twin on an interface in real time, or into a log at once.
+// deckpipectl simulate: the simulator on an interface in real time, or into a log at once.
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QSaveFile>
@@ -16,7 +16,7 @@
 #include "misbehave_option.h"
 #include "moves_monitors.h"
 #include "output.h"
-#include "session/bench_runner.h"
+#include "session/simulator_runner.h"
 #include "signals.h"
 
 namespace deckpipe::ctl {
@@ -28,7 +28,7 @@ constexpr int kMostLoad = static_cast<int>(simulator::Background::kMost * 100);
 
 // Hands over pieces of the log; false from `write` ends it. So does a signal, after which the frames that were
 // made by then are the log.
-bool simulateInto(simulator::StandardBench& bench, double seconds, const LogFormat& format,
+bool simulateInto(simulator::StandardSimulator& simulator, double seconds, const LogFormat& format,
                   std::uint64_t& frames, const std::function<bool(const std::string&)>& write) {
   constexpr std::size_t kPiece = 1 << 20;
   const Instant end = Instant{} + Duration(std::llround(seconds * 1e9));
@@ -37,11 +37,11 @@ bool simulateInto(simulator::StandardBench& bench, double seconds, const LogForm
   std::vector<simulator::DueFrame> due;
   writer->begin(text);
   writer->channel("can0", text);
-  bench.bench.powerOn({});
-  while (bench.bench.nextTime() <= end && !wasStopped()) {
-    bench.bench.timeCame(bench.bench.nextTime());
+  simulator.simulator.powerOn({});
+  while (simulator.simulator.nextTime() <= end && !wasStopped()) {
+    simulator.simulator.timeCame(simulator.simulator.nextTime());
     due.clear();
-    bench.bench.takeFrames(due);
+    simulator.simulator.takeFrames(due);
     for (simulator::DueFrame& frame : due) {
       frame.frame.stamp = kLogStart + frame.time.ns;
       writer->frame(frame.frame, Instant{frame.frame.stamp}, text);
@@ -63,13 +63,13 @@ ExitStatus written(const QString& path, std::uint64_t frames) {
   return kNotWhole;
 }
 
-ExitStatus writeLog(simulator::StandardBench& bench, double seconds, const QString& path) {
+ExitStatus writeLog(simulator::StandardSimulator& simulator, double seconds, const QString& path) {
   const LogFormat& format = formatToWrite(path.toStdString());
   std::uint64_t frames = 0;
   noteStopSignals();
   if (path == QLatin1String("-")) {
     Output output;
-    const bool isWhole = simulateInto(bench, seconds, format, frames, [&](const std::string& text) {
+    const bool isWhole = simulateInto(simulator, seconds, format, frames, [&](const std::string& text) {
       output.text() += text;
       return output.flush();
     });
@@ -85,7 +85,7 @@ ExitStatus writeLog(simulator::StandardBench& bench, double seconds, const QStri
     return file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
   };
   const bool isWhole = file.open(QIODevice::WriteOnly) &&
-                       simulateInto(bench, seconds, format, frames, write) &&
+                       simulateInto(simulator, seconds, format, frames, write) &&
                        (replaces ? whole.commit() : asItStands.flush());
   if (isWhole) {
     // The sidecar of a log that was there before is of no other log.
@@ -96,9 +96,9 @@ ExitStatus writeLog(simulator::StandardBench& bench, double seconds, const QStri
   return kNotWhole;
 }
 
-ExitStatus runOnInterface(BenchRunner& runner, const LinkSettings& settings, bool movesMonitors) {
+ExitStatus runOnInterface(SimulatorRunner& runner, const LinkSettings& settings, bool movesMonitors) {
   ExitStatus status = kDone;
-  QObject::connect(&runner, &BenchRunner::busReady, [&](const QString& interfaceName) {
+  QObject::connect(&runner, &SimulatorRunner::busReady, [&](const QString& interfaceName) {
     std::fprintf(stderr,
                  "deckpipectl: the bench twin is on %s and drives every monitor there; Ctrl+C ends it\n",
                  qPrintable(interfaceName));
@@ -111,16 +111,16 @@ ExitStatus runOnInterface(BenchRunner& runner, const LinkSettings& settings, boo
     status = kNotWhole;
     QCoreApplication::quit();
   };
-  QObject::connect(&runner, &BenchRunner::failed, fail);
-  QObject::connect(&runner, &BenchRunner::lost, [&](const QString& reason) {
+  QObject::connect(&runner, &SimulatorRunner::failed, fail);
+  QObject::connect(&runner, &SimulatorRunner::lost, [&](const QString& reason) {
     if (!isSocketCan(settings.plugin)) return fail(reason);
     say(reason + QStringLiteral(" Waiting for it."));
   });
-  QObject::connect(&runner, &BenchRunner::wordMissing, [&] {
+  QObject::connect(&runner, &SimulatorRunner::wordMissing, [&] {
     status = badUsage(movesMonitorsMissing(QStringLiteral("simulate"), settings.interfaceName));
     QCoreApplication::quit();
   });
-  QObject::connect(&runner, &BenchRunner::strangersHeard, [&](const std::vector<Stranger>& strangers) {
+  QObject::connect(&runner, &SimulatorRunner::strangersHeard, [&](const std::vector<Stranger>& strangers) {
     fail(QStringLiteral("the twin stays off this bus: heard ") + strangersText(strangers));
   });
   onStopSignals([] { QCoreApplication::quit(); });
@@ -220,7 +220,7 @@ ExitStatus simulateCommand(const QStringList& arguments) {
       return badUsage(movesMonitorsMissing(QStringLiteral("simulate"), link.interfaceName));
   }
 
-  BenchRunner runner(seedValue, monitorCount);
+  SimulatorRunner runner(seedValue, monitorCount);
   MisbehavePlan plan(monitorCount);
   for (const QString& text : parser.values(misbehave)) {
     if (!plan.add(text))
@@ -228,9 +228,9 @@ ExitStatus simulateCommand(const QStringList& arguments) {
           QStringLiteral("simulate: --misbehave '%1' is not understood; '--misbehave help' lists what is")
               .arg(text));
   }
-  plan.apply(runner.bench());
-  runner.bench().bench.fill({}, percent / 100, rate > 0 ? rate : 250'000);
-  if (toLog) return writeLog(runner.bench(), secondsValue, parser.value(log));
+  plan.apply(runner.simulator());
+  runner.simulator().simulator.fill({}, percent / 100, rate > 0 ? rate : 250'000);
+  if (toLog) return writeLog(runner.simulator(), secondsValue, parser.value(log));
   return runOnInterface(runner, link, parser.isSet(moves));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A private bus on loopback for Qt's `virtualcan` plugin: the demo, its bench twin and the tests talk over
+// A private bus on loopback for Qt's `virtualcan` plugin: the demo, its simulator and the tests talk over
 // it, so that the whole real path runs without hardware. Whoever starts the demo makes one, and gives
 // interfaceName() to the links that are to meet on it.
 //

@@ -7,12 +7,12 @@
 #include <thread>
 #include <utility>
 
-#include "session/bench_runner.h"
 #include "session/bus_threads.h"
 #include "session/clocks.h"
 #include "session/live_bus.h"
 #include "session/log_opening.h"
 #include "session/recorder.h"
+#include "session/simulator_runner.h"
 #include "session/source_status.h"
 #include "session/state_walker.h"
 
@@ -42,13 +42,13 @@ Session::~Session() {
 
 void Session::closeSource() {
   m_candidate.reset();
-  const bool hadTwin = m_bench != nullptr;
+  const bool hadSimulator = m_simulator != nullptr;
   endSource();
-  if (hadTwin) Q_EMIT twinChanged({});
+  if (hadSimulator) Q_EMIT simulatorChanged({});
 }
 
 void Session::endBus() {
-  m_bench = nullptr;
+  m_simulator = nullptr;
   m_buses->end(std::exchange(m_live, nullptr), m_document);
 }
 
@@ -118,7 +118,7 @@ void Session::openLog(const QString& path, TimesOf times) {
   }
   Candidate log{path, times, std::make_shared<LogDocument>(), nullptr};
   log.opening = std::make_unique<LogOpening>(log.document, path, times == TimesOf::Differences);
-  const bool isWorthKeeping = m_board != nullptr || m_bench != nullptr || m_buses->isAwaited() ||
+  const bool isWorthKeeping = m_board != nullptr || m_simulator != nullptr || m_buses->isAwaited() ||
                               (m_document != nullptr && m_document->frames.count() > 0);
   if (!isWorthKeeping) return show(std::move(log));
   m_candidate = std::move(log);
@@ -198,26 +198,26 @@ void Session::openDemo() {
   m_snapshot.source.interfaceName = QStringLiteral("can0");
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;
   beginRecording();
-  m_bench = new BenchRunner;
-  // The twin is on the bus first: frames written before the other end listens reach nobody.
-  // A signal of a twin that was closed meanwhile may still be on its way: it is not for what is open now.
+  m_simulator = new SimulatorRunner;
+  // The simulator is on the bus first: frames written before the other end listens reach nobody.
+  // A signal of a simulator that was closed meanwhile may still be on its way: it is not for what is open now.
   const std::weak_ptr<LogDocument> own = m_document;
-  connect(m_bench, &BenchRunner::busReady, this, [this, own](const QString& interfaceName) {
+  connect(m_simulator, &SimulatorRunner::busReady, this, [this, own](const QString& interfaceName) {
     if (m_document == nullptr || own.lock() != m_document || m_live != nullptr) return;
     startLink({QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, {}},
               QStringLiteral("can0"));
   });
-  connect(m_bench, &BenchRunner::twinChanged, this, [this, own](const TwinStatus& status) {
-    if (m_document != nullptr && own.lock() == m_document) Q_EMIT twinChanged(status);
+  connect(m_simulator, &SimulatorRunner::simulatorChanged, this, [this, own](const SimulatorStatus& status) {
+    if (m_document != nullptr && own.lock() == m_document) Q_EMIT simulatorChanged(status);
   });
-  connect(m_bench, &BenchRunner::failed, this, [this, own](const QString& reason) {
+  connect(m_simulator, &SimulatorRunner::failed, this, [this, own](const QString& reason) {
     if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
     m_snapshot.source.error = LinkError{LinkFault::Other, reason.toStdString()};
     Q_EMIT changed();
   });
   m_buses->start(
-      m_bench, [bench = m_bench] { bench->startDemo(); }, [] {});
+      m_simulator, [simulator = m_simulator] { simulator->startDemo(); }, [] {});
   Q_EMIT changed();
 }
 
@@ -242,10 +242,10 @@ void Session::sayDrive(Address address, bool isDrive) {
       m_live, [live = m_live, address, isDrive] { live->sayDrive(address, isDrive); }, Qt::QueuedConnection);
 }
 
-void Session::wantOfTwin(const TwinIntent& intent) {
-  if (m_bench == nullptr) return;
+void Session::wantOfSimulator(const SimulatorIntent& intent) {
+  if (m_simulator == nullptr) return;
   QMetaObject::invokeMethod(
-      m_bench, [bench = m_bench, intent] { bench->obey(intent); }, Qt::QueuedConnection);
+      m_simulator, [simulator = m_simulator, intent] { simulator->obey(intent); }, Qt::QueuedConnection);
 }
 
 Cursor Session::endCursor() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one object that the window talks to: opens a source (log file, adapter, demo), moves the cursor, and
-// makes a snapshot on its tick. It composes store, bus thread, walker and bench; it lives on the window's
+// makes a snapshot on its tick. It composes store, bus thread, walker and simulator; it lives on the window's
 // thread. It waits for no bus, nor for a bus to end. A link that is opened next waits until the old bus has
 // ended.
 //
@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "control/intent.h"
-#include "control/twin_control.h"
+#include "control/simulator_control.h"
 #include "link/can_link.h"
 #include "service/claim_service.h"
 #include "session/live_bus.h"
@@ -25,7 +25,7 @@
 
 namespace deckpipe {
 
-class BenchRunner;
+class SimulatorRunner;
 class BusThreads;
 class LogOpening;
 class StateWalker;
@@ -42,7 +42,7 @@ class Session : public QObject {
   // Each closes what was open before; a log only when its first frames were read.
   void openLog(const QString& path, TimesOf times = TimesOf::Clock);
   void openLink(const LinkSettings& settings);
-  // The bench twin behind a virtual bus of its own, and a link to it.
+  // The simulator behind a virtual bus of its own, and a link to it.
   void openDemo();
   // The last link once more. Goes on in the same log, after a gap, if that takes more.
   void reconnect();
@@ -71,8 +71,8 @@ class Session : public QObject {
   std::uint64_t want(Intent intent);
   // What no frame tells: a Copley drive is at this address of the open link, or is none after all.
   void sayDrive(Address address, bool isDrive);
-  // To the demo's twin, where one runs.
-  void wantOfTwin(const TwinIntent& intent);
+  // To the demo's simulator, where one runs.
+  void wantOfSimulator(const SimulatorIntent& intent);
 
   // Plays on from the cursor; from the end it starts over where the log does not grow.
   void play();
@@ -89,8 +89,8 @@ class Session : public QObject {
   // The snapshot differs from the one before; at most once a tick, and at once on what a person asked for.
   void changed();
 
-  // The demo's twin, whenever something about it has changed; without devices where it ended.
-  void twinChanged(const deckpipe::TwinStatus& status);
+  // The demo's simulator, whenever something about it has changed; without devices where it ended.
+  void simulatorChanged(const deckpipe::SimulatorStatus& status);
 
  private:
   // A log that is being read and not shown yet.
@@ -131,7 +131,7 @@ class Session : public QObject {
   BusThreads* m_buses;
   LiveBus* m_live = nullptr;
   std::shared_ptr<const LiveBus::Board> m_board;  // of m_live, or of the one before while the next one waits
-  BenchRunner* m_bench = nullptr;
+  SimulatorRunner* m_simulator = nullptr;
   ClaimSettings m_claim;
   QString m_recordingFolder;
   Recorders m_recorders;

@@ -61,7 +61,7 @@ struct SourceStatus {
   QString interfaceName;
   bool isListenOnly = false;  // the driver says so
   ControllerState controller = ControllerState::Unknown;
-  bool simulated = false;  // behind it is the bench twin
+  bool simulated = false;  // behind it is the simulator
   // The reason why marks that a person made in a file are in memory alone; nothing if there are no such marks.
   std::optional<QString> unkeptMarks{};
   // Of a link: how it is written down. A recording without a path has no frame yet, or could not be begun.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From values to a frame, through the same catalogue that decodes. For services and the bench twin.
+// From values to a frame, through the same catalogue that decodes. For services and the simulator.
 #pragma once
 
 #include <initializer_list>

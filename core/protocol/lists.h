@@ -104,7 +104,7 @@ inline constexpr std::array<bool, 256> kSaidTypes = [] {
   return types;
 }();
 
-// Messages that have a twin of the same bytes: a request and its acknowledgement, told apart by direction.
+// Messages that have a simulator of the same bytes: a request and its acknowledgement, told apart by direction.
 inline constexpr EnumArray<MessageId, bool> kLooksAlikeBothWays = [] {
   EnumArray<MessageId, bool> alike;
   for (const Message& a : kCatalogue) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages of the hot path as plain structs: State and the bench twin use these. They name their bits through
+// Messages of the hot path as plain structs: State and the simulator use these. They name their bits through
 // the catalogue (fieldOf), so there is still only one place that says where a bit is.
 // Each `of` expects a frame that classified as the struct's message.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a device of the bench twin gets its address: SAE J1939-81 as the CAN Messaging manual's Appendix A uses
+// How a device of the simulator gets its address: SAE J1939-81 as the CAN Messaging manual's Appendix A uses
 // it. Owned by Device, which passes it every frame and the time, and announces itself on Event::Claimed.
 //
 // 1. An address may be used 250 ms after it was claimed, unless a numerically lower NAME claimed it too.

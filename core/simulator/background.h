@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What others say on the bench's bus all day: engine, transmission, body. Frames of the lowest priority at
+// What others say on the simulator's bus all day: engine, transmission, body. Frames of the lowest priority at
 // even distances that fill a given share of a bus, so that claims, polls and the pipe can be tried where
-// there is little room. Bench owns one; the four verbs of a service. Whose they are is made up: proprietary B
+// there is little room. Simulator owns one; the four verbs of a service. Whose they are is made up: proprietary B
 // messages of one foreign address without a NAME.
 #pragma once
 

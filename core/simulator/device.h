@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every device of the bench twin is and does on the bus, whatever it is for: powers up, claims an
+// What every device of the simulator is and does on the bus, whatever it is for: powers up, claims an
 // address, announces itself, answers polls 02-05, has an end of the data pipe, and misbehaves on request. The
-// four verbs of a service: received, timeCame, nextTime, takeFrames. No clock, no IO; Bench or a test passes
+// four verbs of a service: received, timeCame, nextTime, takeFrames. No clock, no IO; Simulator or a test passes
 // the time in. Sources: CAN Messaging manual, message types FF, 02, 03, 04, 05, FE and Appendix A.
 //
 // 1. Time never falls, and a frame is passed in after everything due before it was done (received does it).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who a device of the bench twin is: NAME, PIN and the versions it answers polls with (messages 60928, FF,
+// Who a device of the simulator is: NAME, PIN and the versions it answers polls with (messages 60928, FF,
 // 03, 04, 05 of the CAN Messaging manual).
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A foreign controller that claims one fixed address with a NAME lower than any of Akron's, and so takes it
-// from whoever has it: Bench puts one on the bus for Misbehaviour::addressTaken. It answers requests for its
+// from whoever has it: Simulator puts one on the bus for Misbehaviour::addressTaken. It answers requests for its
 // NAME and does nothing else: polls and the pipe are Akron's.
 #pragma once
 

@@ -4,7 +4,7 @@
 namespace deckpipe::simulator {
 namespace {
 
-// The manual names no 6039's numbers; these are the twin's own.
+// The manual names no 6039's numbers; these are the simulator's own.
 Identity ioModule(std::uint32_t identityNumber) {
   Identity result;
   result.name = akronName(identityNumber);

@@ -4,7 +4,7 @@
 namespace deckpipe::simulator {
 namespace {
 
-// The manual names no 6035's numbers; these are the twin's own.
+// The manual names no 6035's numbers; these are the simulator's own.
 constexpr PcodeVersion kJoystickPcode{6035, 1, 0x0103};
 constexpr ConfigVersion kJoystickConfig{60350001, 0x0100};
 

@@ -4,7 +4,7 @@
 namespace deckpipe::simulator {
 namespace {
 
-// The manual names no 6033's numbers; these are the twin's own.
+// The manual names no 6033's numbers; these are the simulator's own.
 constexpr PcodeVersion kRiserPcode{6033, 1, 0x0102};
 constexpr ConfigVersion kRiserConfig{60330001, 0x0100};
 

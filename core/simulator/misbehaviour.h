@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a device of the bench twin does wrong, on request: switched with Device::misbehave at any time, or for
-// later with Bench::misbehave. All off = a healthy device. What a device has no part for it leaves out (an
+// What a device of the simulator does wrong, on request: switched with Device::misbehave at any time, or for
+// later with Simulator::misbehave. All off = a healthy device. What a device has no part for it leaves out (an
 // I/O module has no position sensors). Words for all of it: misbehaviour_words.h.
 #pragma once
 
@@ -58,11 +58,11 @@ struct Misbehaviour {
   bool rotationSensorError = false;   // 6032
   bool elevationSensorError = false;  // 6032
   bool feedbackNotFitted = false;     // 6032: positions not fitted, no 81 and 82, no stow, oscillation or aim
-  bool addressTaken = false;     // a foreign controller with a lower NAME claims its address (done by Bench)
-  bool elsewhere = false;        // whenever it starts anew it claims another address than before
-  bool enableOff = false;        // 6032, 6033: the enable input is off; CAN goes on and nothing moves
-  Duration late{0};              // periodic frames come this much later
-  Duration jitter{0};            // … and up to this much later still, seeded
+  bool addressTaken = false;  // a foreign controller with a lower NAME claims its address (done by Simulator)
+  bool elsewhere = false;     // whenever it starts anew it claims another address than before
+  bool enableOff = false;     // 6032, 6033: the enable input is off; CAN goes on and nothing moves
+  Duration late{0};           // periodic frames come this much later
+  Duration jitter{0};         // … and up to this much later still, seeded
   Duration resetTakes{kReset};   // kForever: it never comes back
   std::uint32_t faultBits = 0;   // fault map of type 02, see faultBit(); a motor's fault also stops its axis
   std::uint16_t pcodeError = 0;  // instead of the code of what is really wrong

@@ -144,7 +144,7 @@ std::string Monitor6032::ownStatus() const {
          (m_setupMode ? "SETUP MODE\r\n" : "");
 }
 
-// One 21 and one 22. The manual gives no scales: the voltage and the positions are of the twin's own, a
+// One 21 and one 22. The manual gives no scales: the voltage and the positions are of the simulator's own, a
 // position counting from 0 at the left or low stop to FFFF at the other.
 void Monitor6032::answerVista(Instant now, Address to) {
   constexpr int kVolts = 552;

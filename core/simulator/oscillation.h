@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Oscillation between two ends of rotation. The manual names the switches (4 on | set, 7 pause | resume) and
-// the status bit of message 81, and no more; how the ends are set is this twin's own rule:
+// the status bit of message 81, and no more; how the ends are set is this simulator's own rule:
 // pressing 4 takes the sweep made by hand since the last start as the ends, where it was 5 degrees or wider,
 // and otherwise the ends it had; then it starts. Paused, the ends still count as the limits of message 81.
 // Positions as the controller reports them, in micro-degrees.

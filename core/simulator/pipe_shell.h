@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shell at the far end of the ASCII data pipe: characters in, characters out. PipeEnd owns one and does
-// the packets. The manual gives no command and no answer; those of kHelp are the twin's own.
+// the packets. The manual gives no command and no answer; those of kHelp are the simulator's own.
 //
 // 1. A line ends with CR, LF or CR LF. An empty line is not answered, everything else is.
 // 2. After FILE n the next n bytes are the file, whatever they are; the answers before it still go out

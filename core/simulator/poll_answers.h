@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What any Akron device of the bench twin answers to polls 02-05 (CAN Messaging manual, message types 02, 03,
+// What any Akron device of the simulator answers to polls 02-05 (CAN Messaging manual, message types 02, 03,
 // 04, 05). Device asks for it, and may then spoil the answer.
 #pragma once
 

@@ -17,7 +17,7 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EBull;
     return z ^ (z >> 31);
   }
-  // Both ends included; the bias of the remainder is far below what a bench twin could show.
+  // Both ends included; the bias of the remainder is far below what a simulator could show.
   constexpr int between(int low, int high) {
     return low + static_cast<int>(next() % (static_cast<std::uint64_t>(high - low) + 1));
   }

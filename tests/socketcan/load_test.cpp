@@ -3,7 +3,7 @@
 // are.
 #include <QRegularExpression>
 
-#include "guest_bench.h"
+#include "guest_simulator.h"
 #include "link/can_link.h"
 #include "support/recording_listener.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The link goes and comes back: set down, deleted, pulled out of its slot. It is known at once, the gap is a
 // note in the log, and nobody has to connect again.
-#include "guest_bench.h"
+#include "guest_simulator.h"
 #include "session/clocks.h"
 
 namespace deckpipe::guest {

@@ -2,7 +2,7 @@
 // Address claims against those who did not read our code: can-utils' j1939acd, the kernel's can-j1939, a
 // second console, and frames that nobody should send. We are on can0, they on can1. Our NAME begins with 80
 // hex: 1… is lower and wins, F… is higher and loses.
-#include "guest_bench.h"
+#include "guest_simulator.h"
 #include "kernel_peer.h"
 
 namespace deckpipe::guest {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bit rate that was asked for, or none: whatever we do, `ip` must never find an interface at Qt's own 500
 // kbit/s.
-#include "guest_bench.h"
+#include "guest_simulator.h"
 #include "link/can_interface.h"
 #include "link/can_link.h"
 

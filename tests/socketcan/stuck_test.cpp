@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Handed over is not on the bus: an adapter that keeps what it is given, one whose queue is full, one that
-// only listens. We are on can0, the twin on can1.
+// only listens. We are on can0, the simulator on can1.
 #include <algorithm>
 
-#include "guest_bench.h"
+#include "guest_simulator.h"
 
 namespace deckpipe::guest {
 namespace {
@@ -20,8 +20,8 @@ bool isQueueEmpty() { return shell(QStringLiteral("tc -s qdisc show dev can0 | g
 
 struct Stuck : ::testing::Test {
   Stuck()
-      : twin(programOfBuild(QStringLiteral("deckpipectl")) +
-             QStringLiteral(" simulate --moves-monitors --plugin socketcan --interface can1")) {}
+      : simulator(programOfBuild(QStringLiteral("deckpipectl")) +
+                  QStringLiteral(" simulate --moves-monitors --plugin socketcan --interface can1")) {}
   ~Stuck() override { shell(QStringLiteral("tc qdisc del dev can0 root 2>/dev/null")); }
 
   bool begin() {
@@ -35,7 +35,7 @@ struct Stuck : ::testing::Test {
     return device != nullptr ? device->of(Request::SetupMode) : RequestStatus{};
   }
   void request() { console.session.want(intent::SendRequests{monitor, RequestSet{Request::SetupMode}}); }
-  const Program twin;
+  const Program simulator;
   Console console{QStringLiteral("can0")};
   const DeviceKey monitor = DeviceKey::of(*Pin::parse(kMonitorPin));
 };

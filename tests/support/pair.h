@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The console's services and the bench twin back to back on one simulated bus, time jumping from deadline to
+// The console's services and the simulator back to back on one simulated bus, time jumping from deadline to
 // deadline. The wire in between may lose, delay and double frames, by a function that a test sets. What each
 // side sends the other hears after kFlight; the console's own frames come back to it as echoes. Its adapter
 // may refuse frames, keep them waiting, and lose or delay echoes, by functions of the console.
@@ -14,7 +14,7 @@
 
 #include "protocol/classify.h"
 #include "service/services.h"
-#include "simulator/standard_bench.h"
+#include "simulator/standard_simulator.h"
 #include "support/frames.h"
 
 namespace deckpipe::test {
@@ -64,11 +64,11 @@ class Pair {
   struct Seen {
     Instant time;
     Frame frame;
-    const Console* sender;  // null: the bench, or a frame of the test's own
+    const Console* sender;  // null: the simulator, or a frame of the test's own
     J1939Id id() const { return J1939Id::of(frame.identifier()); }
   };
 
-  simulator::Bench bench;
+  simulator::Simulator simulator;
   // What happens to a frame on its way to whoever is not its sender.
   std::function<Fate(const Frame&)> wire = [](const Frame&) { return Fate{}; };
   std::vector<Seen> log;      // as they went onto the bus
@@ -165,7 +165,7 @@ class Pair {
     Instant due;
     std::uint64_t order;
     Frame frame;
-    Console* to;  // null: the bench
+    Console* to;  // null: the simulator
   };
   struct Waiting {
     Instant due;
@@ -173,7 +173,7 @@ class Pair {
     Console* of;
   };
 
-  void post(Instant at, const Frame& frame, Console* sender, bool toBench) {
+  void post(Instant at, const Frame& frame, Console* sender, bool toSimulator) {
     log.push_back({at, frame, sender});
     const auto fly = [&](Console* to, const Frame& f, const Fate& fate) {
       for (int i = 0; i < fate.copies; ++i) {
@@ -191,11 +191,11 @@ class Pair {
         fly(console.get(), frame, fate);
       }
     }
-    if (toBench) fly(nullptr, frame, fate);
+    if (toSimulator) fly(nullptr, frame, fate);
   }
 
   Instant nextTime() const {
-    Instant next = bench.nextTime();
+    Instant next = simulator.nextTime();
     for (const Waiting& waiting : m_waiting) next = std::min(next, waiting.due);
     for (const InFlight& inFlight : m_inFlight) next = std::min(next, timeFor(inFlight.to, inFlight.due));
     for (const auto& console : m_consoles)
@@ -209,7 +209,7 @@ class Pair {
 
   // Frames before deadlines, as the contract of the services wants it.
   void step() {
-    bench.timeCame(m_now);
+    simulator.timeCame(m_now);
     pump();
     for (const Waiting& waiting : std::exchange(m_waiting, {})) {
       if (waiting.due <= m_now) {
@@ -227,7 +227,7 @@ class Pair {
     std::ranges::sort(due, {}, [](const InFlight& f) { return std::pair(f.due.ns, f.order); });
     for (const InFlight& inFlight : due) {
       if (inFlight.to == nullptr) {
-        bench.received(m_now, inFlight.frame);
+        simulator.received(m_now, inFlight.frame);
       } else {
         const Instant at = std::max(inFlight.due, inFlight.to->state.cursor().time);
         inFlight.to->state.apply(inFlight.frame, at);
@@ -257,7 +257,7 @@ class Pair {
   // What everyone wants sent now goes onto the bus.
   void pump() {
     m_due.clear();
-    bench.takeFrames(m_due);
+    simulator.takeFrames(m_due);
     for (const simulator::DueFrame& due : m_due) post(m_now, due.frame, nullptr, false);
     for (auto& console : m_consoles) {
       std::vector<OutFrame> frames;
@@ -287,10 +287,10 @@ class TruckPair : public Pair {
   static constexpr std::string_view kMonitor = "1032AE100801035", kRiser = "1033AE100802117";
 
   explicit TruckPair(std::uint64_t seed = 1) {
-    simulator::StandardBench truck = simulator::standardBench(seed);
-    bench = std::move(truck.bench);
+    simulator::StandardSimulator truck = simulator::standardSimulator(seed);
+    simulator = std::move(truck.simulator);
     addConsole();
-    bench.powerOn(now());
+    simulator.powerOn(now());
     run(4s);
   }
   static DeviceKey monitor() { return DeviceKey::of(*Pin::parse(kMonitor)); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subcommands on a live interface, against the bench twin on a virtual bus of this process.
+// The subcommands on a live interface, against the simulator on a virtual bus of this process.
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -9,7 +9,7 @@
 
 #include "bus/j1939.h"
 #include "run_ctl.h"
-#include "session/bench_runner.h"
+#include "session/simulator_runner.h"
 #include "simulator/crc32.h"
 #include "support/frames.h"
 #include "support/recording_listener.h"
@@ -28,16 +28,16 @@ QString text(const QJsonObject& object, const char* key) { return object[QLatin1
 class Live : public testing::Test {
  protected:
   void SetUp() override {
-    QObject::connect(&m_twin, &BenchRunner::busReady, &m_twin,
+    QObject::connect(&m_simulator, &SimulatorRunner::busReady, &m_simulator,
                      [this](const QString& name) { m_interface = name; });
-    QObject::connect(&m_twin, &BenchRunner::twinChanged, &m_twin,
-                     [this](const TwinStatus& status) { m_status = status; });
-    m_twin.startDemo();
+    QObject::connect(&m_simulator, &SimulatorRunner::simulatorChanged, &m_simulator,
+                     [this](const SimulatorStatus& status) { m_status = status; });
+    m_simulator.startDemo();
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
           return m_status.devices.size() == 4 &&
                  std::ranges::all_of(m_status.devices,
-                                     [](const TwinDevice& d) { return d.address != kNullAddress; });
+                                     [](const SimulatedDevice& d) { return d.address != kNullAddress; });
         },
         kPatience));
     m_witnessLink =
@@ -63,7 +63,9 @@ class Live : public testing::Test {
     process.closeWriteChannel();
     return end(process);
   }
-  void intent(std::size_t device, TwinFault fault) { m_twin.obey({device, TwinSwitch{fault, true}}); }
+  void intent(std::size_t device, SimulatedFault fault) {
+    m_simulator.obey({device, SimulatorSwitch{fault, true}});
+  }
   // A frame of the tool to this address, which has this type byte.
   bool wasSent(std::uint8_t to, std::uint8_t type) const {
     return std::ranges::any_of(m_witness.frames, [&](const Frame& frame) {
@@ -85,8 +87,8 @@ class Live : public testing::Test {
     });
   }
 
-  BenchRunner m_twin;
-  TwinStatus m_status;
+  SimulatorRunner m_simulator;
+  SimulatorStatus m_status;
   QString m_interface;
   RecordingListener m_witness;
   std::unique_ptr<CanLink> m_witnessLink;
@@ -201,7 +203,7 @@ TEST_F(Live, PollWritesEveryAnswerWithTheKeysOfDecode) {
 }
 
 TEST_F(Live, PollOfEveryoneSaysWhoDidNotAnswer) {
-  intent(2, TwinFault::AnswersWrongSource);  // the one without a PIN
+  intent(2, SimulatedFault::AnswersWrongSource);  // the one without a PIN
   const Outcome r = run("poll --unlock --all --kinds fault");
   EXPECT_EQ(r.status, 1);
   int answers = 0;
@@ -220,14 +222,14 @@ TEST_F(Live, PollOfEveryoneSaysWhoDidNotAnswer) {
 }
 
 TEST_F(Live, AnAnswerThatComesTwiceIsOneLine) {
-  intent(0, TwinFault::AnswersTwice);
+  intent(0, SimulatedFault::AnswersTwice);
   const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault,firmware");
   EXPECT_EQ(r.status, 0);
   EXPECT_EQ(r.lines().size(), 2) << r.out.constData();
 }
 
 TEST_F(Live, AnswersOfAWrongLengthAreShownAndAreNone) {
-  intent(0, TwinFault::AnswersWrongLength);
+  intent(0, SimulatedFault::AnswersWrongLength);
   const Outcome r = run("poll --unlock --pin 1032AE100801035 --kinds fault");
   EXPECT_EQ(r.status, 1);
   ASSERT_EQ(r.lines().size(), 4);
@@ -250,7 +252,7 @@ TEST_F(Live, PollUntilStoppedEndsByCtrlC) {
 }
 
 TEST_F(Live, PollUntilStoppedIsNotWholeIfAnAnswerIsMissing) {
-  intent(0, TwinFault::AnswersWrongSource);
+  intent(0, SimulatedFault::AnswersWrongSource);
   QProcess process;
   start(process, "poll --unlock --pin 1032AE100801035 --kinds fault --every 5");
   ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0x02); }, kPatience));
@@ -263,7 +265,7 @@ TEST_F(Live, PollUntilStoppedIsNotWholeIfAnAnswerIsMissing) {
 }
 
 TEST_F(Live, CommandThatIsStoppedSaysThatItIsOnTheBus) {
-  intent(0, TwinFault::ResetNever);
+  intent(0, SimulatedFault::ResetNever);
   QProcess process;
   start(process, "command reset --unlock --yes --address 80");
   ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0x45); }, kPatience));
@@ -291,7 +293,7 @@ TEST_F(Live, ADeviceThatIsNotThereIsSaid) {
   EXPECT_TRUE(r.err.contains("1032AE999999999 is not heard")) << r.err.constData();
 }
 
-// A foreign node with the lowest of all NAMEs, at an address of the twin's.
+// A foreign node with the lowest of all NAMEs, at an address of the simulator's.
 class AddressTaken : public Live {
  protected:
   void take(Address address) {
@@ -375,7 +377,7 @@ TEST_F(Live, ResetIsDoneOnceTheDeviceAnnouncesItselfAnew) {
 }
 
 TEST_F(Live, ResetOfADeviceThatNeverReturnsIsNotDone) {
-  intent(0, TwinFault::ResetNever);
+  intent(0, SimulatedFault::ResetNever);
   const Outcome r = run("command reset --unlock --yes --pin 1032AE100801035");
   EXPECT_EQ(r.status, 1) << r.err.constData();
   ASSERT_EQ(r.lines().size(), 1);
@@ -385,7 +387,7 @@ TEST_F(Live, ResetOfADeviceThatNeverReturnsIsNotDone) {
 }
 
 TEST_F(Live, CommandThatIsNotAcknowledgedIsNotDone) {
-  intent(0, TwinFault::AnswersWrongSource);
+  intent(0, SimulatedFault::AnswersWrongSource);
   const Outcome r = run("command setup-mode --unlock --yes --pin 1032AE100801035");
   EXPECT_EQ(r.status, 1);
   EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("no_answer"));
@@ -398,7 +400,7 @@ TEST_F(Live, PipeSendsStandardInputAndWritesWhatTheDeviceSays) {
   EXPECT_EQ(r.out, "over the pipe\r\n");
 }
 
-// With CR LF as the end of line too: the twin's shell would answer an empty line of its own to a second CR.
+// With CR LF as the end of line too: the simulator's shell would answer an empty line of its own to a second CR.
 TEST_F(Live, PipeMakesOneLineEndOfCrLf) {
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --line-end crlf", "ECHO one\r\nECHO two\r\n");
   EXPECT_EQ(r.status, 0) << r.err.constData();
@@ -451,18 +453,18 @@ TEST_F(Live, PipeSendsAFileWhoseSumTheDeviceConfirms) {
   EXPECT_TRUE(r.err.contains("acknowledgements")) << r.err.constData();
 }
 
-// More than ten packets, of which the tenth is not acknowledged; less than the twin's shell takes as a line.
+// More than ten packets, of which the tenth is not acknowledged; less than the simulator's shell takes as a line.
 constexpr const char* kLong = "ECHO a line that takes more than ten packets on its way to the twin's shell\n";
 
 TEST_F(Live, PipeStopsAtAMissingAckAndSaysHowMuchWasAcknowledged) {
-  intent(0, TwinFault::AcksLost);
+  intent(0, SimulatedFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035", kLong);
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("no acknowledgement; 63 of 76 bytes were acknowledged")) << r.err.constData();
 }
 
 TEST_F(Live, PipeSkipsAPacketOnlyWhenToldTo) {
-  intent(0, TwinFault::AcksLost);
+  intent(0, SimulatedFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack skip", kLong);
   EXPECT_EQ(r.status, 1);
   EXPECT_TRUE(r.err.contains("going on with the next packet")) << r.err.constData();
@@ -470,14 +472,14 @@ TEST_F(Live, PipeSkipsAPacketOnlyWhenToldTo) {
 }
 
 TEST_F(Live, PipeSendsAgainOnlyWhenToldTo) {
-  intent(0, TwinFault::AcksLost);
+  intent(0, SimulatedFault::AcksLost);
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack resend", kLong);
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.err.contains("it may arrive twice")) << r.err.constData();
 }
 
 TEST_F(Live, PipeEndsWhereTheDeviceRestartsInTheMiddle) {
-  intent(0, TwinFault::AcksLate);
+  intent(0, SimulatedFault::AcksLate);
   QTemporaryDir dir;
   QFile file(dir.filePath(QStringLiteral("content")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(70'000, 'x')) == 70'000);
@@ -488,7 +490,7 @@ TEST_F(Live, PipeEndsWhereTheDeviceRestartsInTheMiddle) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0xFE); }, kPatience));
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return process.readAllStandardError().contains(" bytes/s"); }, kPatience));
-  m_twin.obey({0, TwinButton::Reset});
+  m_simulator.obey({0, SimulatorButton::Reset});
   const Outcome r = end(process);
   EXPECT_EQ(r.status, 1);
   // Where the ack that is missing is noticed before the device is back, its silence is the reason.
@@ -512,7 +514,7 @@ TEST_F(Live, PipeEndsAFileByCtrlCAfterThePacketInFlight) {
   QFile file(dir.filePath(QStringLiteral("content")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(70'000, 'x')) == 70'000);
   file.close();
-  intent(0, TwinFault::AcksLate);  // so that one is in flight
+  intent(0, SimulatedFault::AcksLate);  // so that one is in flight
   QProcess process;
   start(
       process, "pipe --unlock --pin 1032AE100801035",
@@ -546,9 +548,9 @@ TEST_F(Live, WatchTellsDevicesValuesAndSilence) {
   EXPECT_TRUE(says("\"event\":\"own_address\""));
   EXPECT_TRUE(says("\"pin\":\"1032AE100801035\",\"address\":128,\"device_type\":1032"));
   EXPECT_TRUE(says("\"event\":\"value\",\"pin\":\"1032AE100801035\""));
-  m_twin.obey({0, TwinButton::PowerOff});
+  m_simulator.obey({0, SimulatorButton::PowerOff});
   EXPECT_TRUE(says("\"event\":\"stale\""));
-  m_twin.obey({0, TwinButton::PowerOn});
+  m_simulator.obey({0, SimulatorButton::PowerOn});
   EXPECT_TRUE(says("\"event\":\"fresh\""));
   ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
   EXPECT_EQ(end(process).status, 0);

@@ -80,7 +80,7 @@ TEST_F(LogSavingTest, LeavesNoFileWhereItIsCancelled) {
 
 // --- With what belongs to the frames.
 
-constexpr std::string_view kBench =
+constexpr std::string_view kSimulator =
     "(100.000000) can0 18EEFF80#0000C02800840000\n"  // the NAME of address 80
     "(100.100000) can0 18EFFF80#FF83150206021A0B\n"  // its PIN
     "(100.200000) can1 18EFFF81#FF83150206021A0C\n"
@@ -91,7 +91,7 @@ constexpr std::string_view kBench =
 struct SavedPartTest : testing::Test {
   QTemporaryDir dir;
   QString path = dir.filePath(QStringLiteral("part.log"));
-  std::shared_ptr<LogDocument> log = test::logOfText(kBench);
+  std::shared_ptr<LogDocument> log = test::logOfText(kSimulator);
   const Pin monitor = *announcedPin(log->frames[1]), other = *announcedPin(log->frames[2]);
 
   struct Outcome {
@@ -211,7 +211,7 @@ TEST_F(SavedPartTest, WhoComesLaterIsAddedThoughAFilterHoldsItBack) {
 }
 
 TEST_F(SavedPartTest, FramesThatTheFilesReaderSkippedAreNoted) {
-  const std::string text = std::string(kBench) + "(100.600000) can0 123##1001122\n";
+  const std::string text = std::string(kSimulator) + "(100.600000) can0 123##1001122\n";
   log = test::logOfText(text);
   ASSERT_EQ(log->skipped.content().skipped(), 1u);
   save({.begin = 3, .end = 5});

@@ -248,7 +248,7 @@ bool hasMovingMonitor(const Session& session) {
   return monitor != nullptr && monitor->position().isKnown() && monitor->address != kNullAddress;
 }
 
-TEST(Demo, BringsTheTwinsMonitorThroughTheWholeRealPath) {
+TEST(Demo, BringsTheSimulatorsMonitorThroughTheWholeRealPath) {
   Session session;
   session.openDemo();
   ASSERT_TRUE(QTest::qWaitFor([&] { return hasMovingMonitor(session); }, kPatience));
@@ -290,7 +290,7 @@ TEST(Demo, SaysNothingWhileItIsDestroyedButWritesDownThatTheLinkEnded) {
   const auto document = session->snapshot().view.document;
   int said = 0;
   QObject::connect(session.get(), &Session::changed, [&] { ++said; });
-  QObject::connect(session.get(), &Session::twinChanged, [&] { ++said; });
+  QObject::connect(session.get(), &Session::simulatorChanged, [&] { ++said; });
   session.reset();
   EXPECT_EQ(said, 0);
   const std::vector<Note> notes = document->notes.all();
@@ -298,14 +298,15 @@ TEST(Demo, SaysNothingWhileItIsDestroyedButWritesDownThatTheLinkEnded) {
   EXPECT_EQ(noteKey(notes.back().value), "link_down");
 }
 
-TEST(Demo, SaysThatTheTwinIsGoneWhenItIsClosed) {
+TEST(Demo, SaysThatTheSimulatorIsGoneWhenItIsClosed) {
   Session session;
-  TwinStatus twin;
-  QObject::connect(&session, &Session::twinChanged, [&](const TwinStatus& status) { twin = status; });
+  SimulatorStatus simulator;
+  QObject::connect(&session, &Session::simulatorChanged,
+                   [&](const SimulatorStatus& status) { simulator = status; });
   session.openDemo();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !twin.devices.empty(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !simulator.devices.empty(); }, kPatience));
   session.closeSource();
-  EXPECT_TRUE(twin.devices.empty());
+  EXPECT_TRUE(simulator.devices.empty());
 }
 
 TEST(Demo, RunsTwiceAtOnceWithoutMixing) {
@@ -470,7 +471,7 @@ TEST(Link, SaysWhyAnAdapterCannotBeOpened) {
   EXPECT_FALSE(error->detail.empty());
 }
 
-// What the console sends goes the whole way: intent, services, link, twin, and back into the log.
+// What the console sends goes the whole way: intent, services, link, simulator, and back into the log.
 class SendingDemo : public testing::Test {
  protected:
   void SetUp() override {

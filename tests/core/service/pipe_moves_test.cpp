@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of the data pipe walked whole: each state is reached, each event made from outside, on a device
-// of the bench. That two pipes join is made in pipe_test.cpp (Moved).
+// of the simulator. That two pipes join is made in pipe_test.cpp (Moved).
 #include <gtest/gtest.h>
 
 #include "service/pipe.h"

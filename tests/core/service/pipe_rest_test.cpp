@@ -27,8 +27,8 @@ struct PipeRest : PipeRig {
     return std::ranges::count(all, PipeEvent::Stalled);
   }
   void cyclePower() {
-    pair.bench.press(pair.now(), 0, simulator::Bench::Button::PowerOff);
-    pair.bench.press(pair.now() + 300ms, 0, simulator::Bench::Button::PowerOn);
+    pair.simulator.press(pair.now(), 0, simulator::Simulator::Button::PowerOff);
+    pair.simulator.press(pair.now() + 300ms, 0, simulator::Simulator::Button::PowerOn);
   }
 };
 

@@ -58,7 +58,7 @@ TEST_F(Pipe, AHundredKilobytesArriveWholeOnABusyBus) {
     c = static_cast<char>(random.next());
     crc.add(static_cast<std::uint8_t>(c));
   }
-  pair.bench.fill(pair.now(), 0.8);
+  pair.simulator.fill(pair.now(), 0.8);
   pair.wire = [&random](const Frame&) { return Pair::Fate{1, random.between(0, 1500) * Duration(1us)}; };
   type("FILE 100000\r");
   pair.run(1s);

@@ -425,9 +425,9 @@ TEST_F(RequestServiceTest, AnAnnouncementThatWasAskedForIsNoReset) {
 
 TEST_F(RequestServiceTest, WhatWasAskedOfAnAddressIsTheDevicesOnceItsPinIsKnown) {
   Pair blind;  // a console that comes later than the announcements
-  simulator::StandardBench truck = simulator::standardBench(1);
-  blind.bench = std::move(truck.bench);
-  blind.bench.powerOn(blind.now());
+  simulator::StandardSimulator truck = simulator::standardSimulator(1);
+  blind.simulator = std::move(truck.simulator);
+  blind.simulator.powerOn(blind.now());
   blind.run(4s);
   blind.addConsole();
   blind.wire = [](const Frame& f) { return Pair::Fate{f.data[0] == 0xFF ? 0 : 1, 0ns}; };
@@ -573,10 +573,10 @@ struct Crowd : ::testing::Test {
     for (int i = 0; i < 30; ++i) {
       const auto pin = Pin::make(1032, 'A', 'E', 100 + static_cast<unsigned>(i));
       simulator::MonitorSettings settings;
-      pair.bench.add<simulator::Monitor6032>(i * 37ms, pin->text(), settings,
-                                             static_cast<std::uint64_t>(i) + 1);
+      pair.simulator.add<simulator::Monitor6032>(i * 37ms, pin->text(), settings,
+                                                 static_cast<std::uint64_t>(i) + 1);
     }
-    pair.bench.powerOn(pair.now());
+    pair.simulator.powerOn(pair.now());
     pair.run(10s);
     pair.unlock();
   }
@@ -639,7 +639,7 @@ TEST_F(Crowd, OnABusyBusPollingEveryoneEndsAndLeavesTheBusToOthers) {
   const double own = loadOf(5s);
   ASSERT_GT(own, 0.3);
   for (const double load : {0.8, 0.95}) {
-    pair.bench.fill(pair.now(), load - own);
+    pair.simulator.fill(pair.now(), load - own);
     EXPECT_NEAR(loadOf(5s), load, 0.01);
     const Instant from = pair.now();
     pair.want(intent::SendRequests{{}, kPolls});

@@ -122,8 +122,8 @@ class Power : public ::testing::Test {
 };
 
 TEST_F(Power, OffMeansSilenceAndStandstillAndOnANewClaim) {
-  rig.bench.press(rig.now() + 1s, 0, Bench::Button::PowerOff);
-  rig.bench.press(rig.now() + 4s, 0, Bench::Button::PowerOn);
+  rig.simulator.press(rig.now() + 1s, 0, Simulator::Button::PowerOff);
+  rig.simulator.press(rig.now() + 4s, 0, Simulator::Button::PowerOn);
   rig.hold(stick(0x33, 1000, 0), 1s);
   const Instant off = rig.now();
   rig.run(1ms);
@@ -142,7 +142,7 @@ TEST_F(Power, OffMeansSilenceAndStandstillAndOnANewClaim) {
 
 TEST_F(Power, OnWhereItIsOnDoesNothing) {
   const Instant from = rig.now();
-  rig.bench.press(rig.now(), 0, Bench::Button::PowerOn);
+  rig.simulator.press(rig.now(), 0, Simulator::Button::PowerOn);
   rig.run(5s);
   EXPECT_TRUE(rig.all(MessageId::Name, from).empty());
 }
@@ -150,8 +150,8 @@ TEST_F(Power, OnWhereItIsOnDoesNothing) {
 TEST_F(Power, ComesBackAtAnotherAddressWhereAsked) {
   rig.monitor.misbehave({.elsewhere = true});
   for (const unsigned address : {0x81u, 0x82u}) {
-    rig.bench.press(rig.now(), 0, Bench::Button::PowerOff);
-    rig.bench.press(rig.now() + 1s, 0, Bench::Button::PowerOn);
+    rig.simulator.press(rig.now(), 0, Simulator::Button::PowerOff);
+    rig.simulator.press(rig.now() + 1s, 0, Simulator::Button::PowerOn);
     rig.run(3s);
     EXPECT_EQ(rig.monitor.address(), Address{static_cast<std::uint8_t>(address)});
     EXPECT_EQ(rig.all(MessageId::AddressAnnouncement).back().source(), rig.monitor.address());
@@ -160,7 +160,7 @@ TEST_F(Power, ComesBackAtAnotherAddressWhereAsked) {
 
 TEST_F(Power, TheResetButtonIsMessage45) {
   const Instant at = rig.now();
-  rig.bench.press(at, 0, Bench::Button::Reset);
+  rig.simulator.press(at, 0, Simulator::Button::Reset);
   rig.run(3s);
   ASSERT_EQ(rig.all(MessageId::Name, at).size(), 1u);
   EXPECT_EQ(rig.all(MessageId::Name, at)[0].time - at, Misbehaviour::kReset);
@@ -181,8 +181,8 @@ TEST_F(Power, AResetMayNeverComeBackUntilThePowerIsSwitched) {
   rig.send("18EF8005", "45");
   rig.run(1h);
   EXPECT_EQ(framesSince(at), 0u);
-  rig.bench.press(rig.now(), 0, Bench::Button::PowerOff);
-  rig.bench.press(rig.now(), 0, Bench::Button::PowerOn);
+  rig.simulator.press(rig.now(), 0, Simulator::Button::PowerOff);
+  rig.simulator.press(rig.now(), 0, Simulator::Button::PowerOn);
   rig.run(1s);
   EXPECT_EQ(rig.monitor.address(), Address{0x80});
 }

@@ -10,7 +10,7 @@ namespace {
 TEST(Status, ComesEveryHundredMilliseconds) {
   struct Row {
     const char* name;
-    std::size_t device;  // of the standard bench
+    std::size_t device;  // of the standard simulator
     MessageId message;
   };
   const Row rows[] = {{"position", 0, MessageId::PositionLimitStatus},
@@ -20,11 +20,11 @@ TEST(Status, ComesEveryHundredMilliseconds) {
                       {"mini_outputs", 1, MessageId::MiniDigitalOutputs},
                       {"inputs", 2, MessageId::DigitalInputs}};
   Rig rig;
-  rig.bench = standardBench(7).bench;
-  rig.bench.powerOn(rig.now());
+  rig.simulator = standardSimulator(7).simulator;
+  rig.simulator.powerOn(rig.now());
   rig.run(12500ms);
   for (const Row& row : rows) {
-    const Address source = rig.bench.device(row.device).address();
+    const Address source = rig.simulator.device(row.device).address();
     const auto seen = rig.all(row.message, source, Instant{} + 2500ms);
     ASSERT_GE(seen.size(), 99u) << row.name;
     for (std::size_t i = 1; i < seen.size(); ++i) {
@@ -37,8 +37,8 @@ TEST(Status, ComesEveryHundredMilliseconds) {
 
 TEST(Status, FramesOfOneDeviceAreSpreadByHalfAMillisecondAndInOrder) {
   Rig rig;
-  rig.bench = standardBench(7).bench;
-  rig.bench.powerOn(rig.now());
+  rig.simulator = standardSimulator(7).simulator;
+  rig.simulator.powerOn(rig.now());
   rig.run(5s);
   std::map<unsigned, Instant> last;
   Instant before = kNotYet;
@@ -53,10 +53,10 @@ TEST(Status, FramesOfOneDeviceAreSpreadByHalfAMillisecondAndInOrder) {
   }
 }
 
-TEST(Status, EveryFrameOfTheStandardBenchIsInTheCatalogue) {
+TEST(Status, EveryFrameOfTheStandardSimulatorIsInTheCatalogue) {
   Rig rig;
-  rig.bench = standardBench(3).bench;
-  rig.bench.powerOn(rig.now());
+  rig.simulator = standardSimulator(3).simulator;
+  rig.simulator.powerOn(rig.now());
   rig.run(60s);
   for (const Seen& seen : rig.log) ASSERT_TRUE(seen.what.isDecoded()) << std::hex << seen.frame.id;
 }
@@ -84,13 +84,13 @@ TEST(Poll, EveryAnswerDecodesToItsFields) {
   };
   for (const Row& row : rows) {
     Rig rig;
-    StandardBench standard = standardBench(1);
+    StandardSimulator standard = standardSimulator(1);
     standard.joystick->release();
-    rig.bench = std::move(standard.bench);
-    rig.bench.powerOn(rig.now());
+    rig.simulator = std::move(standard.simulator);
+    rig.simulator.powerOn(rig.now());
     rig.run(3s);
     const Instant before = rig.now();
-    const Address to = rig.bench.device(row.device).address();
+    const Address to = rig.simulator.device(row.device).address();
     Frame poll = frame("18EF00F9", row.poll);
     poll.id |= static_cast<std::uint32_t>(to.value) << 8;
     rig.send(poll);
@@ -209,8 +209,8 @@ TEST(Setup, IsAcknowledgedAndLeftByAReset) {
 
 TEST(Riser, TakesSixSecondsBetweenItsEnds) {
   Rig rig;
-  auto& riser = rig.bench.add<MiniUniversal6033>(100ms, "1033AE100802117", 1u);
-  rig.bench.powerOn(rig.now());
+  auto& riser = rig.simulator.add<MiniUniversal6033>(100ms, "1033AE100802117", 1u);
+  rig.simulator.powerOn(rig.now());
   rig.run(1s);
   EXPECT_EQ(rig.last(MessageId::MiniDigitalOutputs),
             "riser_retracted=on; riser_extended=off; device_faulted=off; device_active=on");
@@ -229,8 +229,8 @@ TEST(Riser, TakesSixSecondsBetweenItsEnds) {
 
 TEST(IoModule, SaysItsInputs) {
   Rig rig;
-  auto& module = rig.bench.add<IoModule6039>(100ms, 4711u, 1u);
-  rig.bench.powerOn(rig.now());
+  auto& module = rig.simulator.add<IoModule6039>(100ms, 4711u, 1u);
+  rig.simulator.powerOn(rig.now());
   rig.run(120s);
   bool seenOff = false, seenOn = false;
   for (const Seen& seen : rig.all(MessageId::DigitalInputs))
@@ -243,8 +243,8 @@ TEST(IoModule, SaysItsInputs) {
 
 TEST(Joystick, SendsEveryTwentyMillisecondsFromItsFixedSource) {
   Rig rig;
-  rig.bench.add<Joystick6035>(100ms, "1035AE100804442", Address{0x35}, 1u);
-  rig.bench.powerOn(rig.now());
+  rig.simulator.add<Joystick6035>(100ms, "1035AE100804442", Address{0x35}, 1u);
+  rig.simulator.powerOn(rig.now());
   rig.run(300s);
   const auto sent = rig.all(MessageId::BasicJoystick);
   ASSERT_GT(sent.size(), 14'900u);
@@ -267,8 +267,8 @@ TEST(Joystick, SendsEveryTwentyMillisecondsFromItsFixedSource) {
 
 TEST(Joystick, ReleasedItGoesOnSendingNeutral) {
   Rig rig;
-  auto& joystick = rig.bench.add<Joystick6035>(100ms, "1035AE100804442", Address{0x33}, 1u);
-  rig.bench.powerOn(rig.now());
+  auto& joystick = rig.simulator.add<Joystick6035>(100ms, "1035AE100804442", Address{0x33}, 1u);
+  rig.simulator.powerOn(rig.now());
   rig.run(30s);
   joystick.release();
   rig.run(1s);

@@ -26,8 +26,8 @@ TEST(Claim, NameIsTheManualsExample) {
 
 TEST(Claim, StartsAtEightyAndAnnouncesItselfAfterTheContentionTime) {
   Rig rig;
-  Device& device = rig.bench.add<Monitor6032>(500ms, MonitorRig::kPin, MonitorSettings{}, 1u);
-  rig.bench.powerOn(rig.now());
+  Device& device = rig.simulator.add<Monitor6032>(500ms, MonitorRig::kPin, MonitorSettings{}, 1u);
+  rig.simulator.powerOn(rig.now());
   rig.run(749ms);
   ASSERT_EQ(rig.log.size(), 1u) << "nothing but the claim before 250 ms have passed";
   EXPECT_EQ(rig.log[0].time, Instant{} + 500ms);
@@ -81,9 +81,9 @@ TEST(Claim, PassesOverAddressesItHeardClaimed) {
 
 TEST(Claim, LowerNameKeepsTheAddressThatBothWant) {
   Rig rig;
-  Device& high = rig.bench.add<Monitor6032>(500ms, "1032AE100801099", MonitorSettings{}, 1u);
-  Device& low = rig.bench.add<Monitor6032>(600ms, "1032AE100801035", MonitorSettings{}, 2u);
-  rig.bench.powerOn(rig.now());
+  Device& high = rig.simulator.add<Monitor6032>(500ms, "1032AE100801099", MonitorSettings{}, 1u);
+  Device& low = rig.simulator.add<Monitor6032>(600ms, "1032AE100801035", MonitorSettings{}, 2u);
+  rig.simulator.powerOn(rig.now());
   rig.run(2s);
   EXPECT_EQ(low.address(), Address{0x80});
   EXPECT_EQ(high.address(), Address{0x81});
@@ -201,8 +201,8 @@ TEST(Claim, AnswersARequestForItsNameAndAnnouncesItself) {
 
 TEST(Claim, IoModuleHasANameAndMakesNoAnnouncement) {
   Rig rig;
-  rig.bench.add<IoModule6039>(100ms, 4711u, 1u);
-  rig.bench.powerOn(rig.now());
+  rig.simulator.add<IoModule6039>(100ms, 4711u, 1u);
+  rig.simulator.powerOn(rig.now());
   rig.run(1s);
   rig.send("18EAFFF9", "00EE00");
   rig.run(1s);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "simulator/standard_bench.h"
+#include "simulator/standard_simulator.h"
 #include "state/advance.h"
 #include "state/event_walk.h"
 #include "support/event_lines.h"
@@ -20,16 +20,16 @@ constexpr char kMonitor[] = "1032AE100801035";
 
 // A minute of the truck, with nobody at its joystick. A tester asks every device for its faults each second. What
 // goes wrong begins half a second after the twentieth poll.
-std::vector<Event> eventsOfTruck(const std::function<void(StandardBench&, Instant)>& goWrong) {
-  StandardBench truck = standardBench(1);
+std::vector<Event> eventsOfTruck(const std::function<void(StandardSimulator&, Instant)>& goWrong) {
+  StandardSimulator truck = standardSimulator(1);
   truck.joystick->release();
-  truck.bench.powerOn({});
+  truck.simulator.powerOn({});
   goWrong(truck, Instant{20'500'000'000});
   FrameStore frames;
   std::vector<DueFrame> due;
   const auto keep = [&] {
     due.clear();
-    truck.bench.takeFrames(due);
+    truck.simulator.takeFrames(due);
     for (const DueFrame& f : due) {
       Frame copy = f.frame;
       copy.stamp = f.time.ns;
@@ -38,15 +38,15 @@ std::vector<Event> eventsOfTruck(const std::function<void(StandardBench&, Instan
   };
   for (Instant second = Instant{} + Duration(1s); second <= Instant{} + Duration(60s);
        second = second + Duration(1s)) {
-    while (truck.bench.nextTime() < second) {
-      truck.bench.timeCame(truck.bench.nextTime());
+    while (truck.simulator.nextTime() < second) {
+      truck.simulator.timeCame(truck.simulator.nextTime());
       keep();
     }
     for (const char* poll : {"18EF80F9", "18EF81F9", "18EF82F9", "18EF83F9"}) {
       Frame f = frame(poll, "02");
       f.stamp = second.ns;
       if (!frames.append({&f, 1})) std::abort();
-      truck.bench.received(second, f);
+      truck.simulator.received(second, f);
       keep();
     }
   }
@@ -66,7 +66,7 @@ std::vector<std::string> keysOfMonitor(const std::vector<Event>& events) {
 }
 
 TEST(EventsOfATruck, AreNoneWhileItIsWell) {
-  const auto events = eventsOfTruck([](StandardBench&, Instant) {});
+  const auto events = eventsOfTruck([](StandardSimulator&, Instant) {});
   EXPECT_EQ(deckpipe::test::linesOf(events), std::vector<std::string>{});
 }
 
@@ -78,9 +78,9 @@ struct WrongCase {
 class EventsOfABrokenMonitor : public testing::TestWithParam<WrongCase> {};
 
 TEST_P(EventsOfABrokenMonitor, SayWhatIsWrong) {
-  const auto events = eventsOfTruck([](StandardBench& truck, Instant when) {
-    truck.bench.misbehave(when, 0, GetParam().how);
-    truck.bench.misbehave(when + Duration(20s), 0, {});
+  const auto events = eventsOfTruck([](StandardSimulator& truck, Instant when) {
+    truck.simulator.misbehave(when, 0, GetParam().how);
+    truck.simulator.misbehave(when + Duration(20s), 0, {});
   });
   EXPECT_EQ(keysOfMonitor(events), GetParam().keys);
 }
@@ -99,16 +99,18 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(EventsOfATruck, SayThatADeviceWasReset) {
-  const auto events = eventsOfTruck(
-      [](StandardBench& truck, Instant when) { truck.bench.press(when, 0, Bench::Button::Reset); });
+  const auto events = eventsOfTruck([](StandardSimulator& truck, Instant when) {
+    truck.simulator.press(when, 0, Simulator::Button::Reset);
+  });
   const auto keys = keysOfMonitor(events);
   EXPECT_NE(std::ranges::find(keys, "restarted"), keys.end())
       << testing::PrintToString(deckpipe::test::linesOf(events));
 }
 
 TEST(EventsOfATruck, SayThatAnAddressWasTaken) {
-  const auto events = eventsOfTruck(
-      [](StandardBench& truck, Instant when) { truck.bench.misbehave(when, 0, {.addressTaken = true}); });
+  const auto events = eventsOfTruck([](StandardSimulator& truck, Instant when) {
+    truck.simulator.misbehave(when, 0, {.addressTaken = true});
+  });
   const auto keys = keysOfMonitor(events);
   EXPECT_NE(std::ranges::find(keys, "address_lost"), keys.end())
       << testing::PrintToString(deckpipe::test::linesOf(events));

@@ -97,26 +97,26 @@ TEST_F(Pipe, ALineThatIsTooLongIsAnErrorAndTheNextIsNot) {
 
 TEST_F(Pipe, EveryAkronDeviceHasOne) {
   Rig bus;
-  bus.bench = standardBench(1).bench;
-  bus.bench.powerOn(bus.now());
+  bus.simulator = standardSimulator(1).simulator;
+  bus.simulator.powerOn(bus.now());
   bus.run(4s);
   const char* banners[] = {kBanner, "6033 Mini Universal 1033AE100802117 v2.6\r\n",
                            "6039 CAN I/O Module v2.6\r\n", "6035 Joystick 1035AE100804442 v2.6\r\n"};
   std::vector<Terminal> terminals;
-  for (std::size_t i = 0; i < bus.bench.size(); ++i) terminals.emplace_back(bus, bus.bench.device(i));
+  for (std::size_t i = 0; i < bus.simulator.size(); ++i) terminals.emplace_back(bus, bus.simulator.device(i));
   for (std::size_t i = 0; i < terminals.size(); ++i) EXPECT_EQ(terminals[i].request("A?\r"), banners[i]);
 }
 
 TEST(PipesOfOneBus, RunAtTheSameTime) {
   Rig bus;
-  StandardBench standard = standardBench(1);
+  StandardSimulator standard = standardSimulator(1);
   standard.joystick->release();
-  bus.bench = std::move(standard.bench);
-  bus.bench.powerOn(bus.now());
+  bus.simulator = std::move(standard.simulator);
+  bus.simulator.powerOn(bus.now());
   bus.run(4s);
   std::vector<Terminal> terminals;
-  for (std::size_t i = 0; i < bus.bench.size(); ++i) {
-    terminals.emplace_back(bus, bus.bench.device(i));
+  for (std::size_t i = 0; i < bus.simulator.size(); ++i) {
+    terminals.emplace_back(bus, bus.simulator.device(i));
     terminals.back().type("SEND 700\r");
   }
   for (int i = 0; i < 3000; ++i) {

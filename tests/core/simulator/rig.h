@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bench whose time jumps from deadline to deadline, everything it sent, and what that means through the
+// A simulator whose time jumps from deadline to deadline, everything it sent, and what that means through the
 // catalogue. The rig owns the time; nothing sleeps.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "protocol/decode.h"
 #include "protocol/role_walk.h"
-#include "simulator/standard_bench.h"
+#include "simulator/standard_simulator.h"
 #include "support/frames.h"
 
 namespace deckpipe::simulator::test {
@@ -29,23 +29,23 @@ struct Seen {
 
 class Rig {
  public:
-  Bench bench;
-  std::vector<Seen> log;  // sent by the bench and by us, in order
+  Simulator simulator;
+  std::vector<Seen> log;  // sent by the simulator and by us, in order
 
   Instant now() const { return m_now; }
 
   void run(Duration d) { runTo(m_now + d); }
   void runTo(Instant end) {
-    while (bench.nextTime() <= end) {
-      m_now = bench.nextTime();
-      bench.timeCame(m_now);
+    while (simulator.nextTime() <= end) {
+      m_now = simulator.nextTime();
+      simulator.timeCame(m_now);
       collect();
     }
     m_now = end;
   }
   void send(const Frame& frame) {
     observe({m_now, frame});
-    bench.received(m_now, frame);
+    simulator.received(m_now, frame);
     collect();
   }
   void send(std::string_view id, std::string_view data) { send(frame(id, data)); }
@@ -87,7 +87,7 @@ class Rig {
  private:
   void collect() {
     std::vector<DueFrame> frames;
-    bench.takeFrames(frames);
+    simulator.takeFrames(frames);
     for (const DueFrame& f : frames) observe(f);
   }
   void observe(const DueFrame& f) {
@@ -105,8 +105,8 @@ class MonitorRig : public Rig {
   static constexpr std::string_view kPin = "1032AE100801035";
 
   explicit MonitorRig(MonitorSettings settings = ahead())
-      : monitor(bench.add<Monitor6032>(500ms, kPin, settings, 1u)) {
-    bench.powerOn(now());
+      : monitor(simulator.add<Monitor6032>(500ms, kPin, settings, 1u)) {
+    simulator.powerOn(now());
     run(1s);
   }
   static MonitorSettings ahead() {

@@ -12,7 +12,7 @@
 #include "protocol/role_walk.h"
 #include "protocol/typed.h"
 #include "report/decode_lines.h"
-#include "simulator/standard_bench.h"
+#include "simulator/standard_simulator.h"
 #include "state/events.h"
 #include "state/keyframes.h"
 #include "state/role_index.h"
@@ -30,13 +30,13 @@ struct Log {
   RoleIndex roles{frames, notes};
 
   Log() {
-    simulator::StandardBench bench = simulator::standardBench(1);
+    simulator::StandardSimulator simulator = simulator::standardSimulator(1);
     std::vector<simulator::DueFrame> due;
-    bench.bench.powerOn({});
+    simulator.simulator.powerOn({});
     const Instant end{900'000'000'000};
-    while (bench.bench.nextTime() < end) {
-      bench.bench.timeCame(bench.bench.nextTime());
-      bench.bench.takeFrames(due);
+    while (simulator.simulator.nextTime() < end) {
+      simulator.simulator.timeCame(simulator.simulator.nextTime());
+      simulator.simulator.takeFrames(due);
     }
     std::vector<Frame> batch;
     for (std::uint64_t n = 0, round = 0; n < kFrames; ++round) {

@@ -13,14 +13,14 @@
 #include <cstdio>
 
 #include "paint/app_style.h"
-#include "panel/common/twin_panel.h"
+#include "panel/common/simulator_panel.h"
 #include "panel/play/transport_bar.h"
 #include "panel/trace/decode_panel.h"
 #include "panel/trace/id_view.h"
 #include "panel/trace/trace_panel.h"
 #include "support/child.h"
 #include "widgets/panel/panel_samples.h"
-#include "widgets/panel/twin_samples.h"
+#include "widgets/panel/simulator_samples.h"
 
 namespace deckpipe {
 namespace {
@@ -119,8 +119,8 @@ struct Gallery {
     save(bar, {kWidth, bar.sizeHint().height()}, name);
   }
 
-  void twin(const char* name, const TwinStatus& status, QSize size) {
-    TwinPanel panel;
+  void simulator(const char* name, const SimulatorStatus& status, QSize size) {
+    SimulatorPanel panel;
     panel.setStatus(status);
     save(panel, size, name);
   }
@@ -161,10 +161,12 @@ struct Gallery {
     transport("transport_file", test::viewOf(busy, count / 3), {});
     transport("transport_playing", test::viewOf(busy, count / 2), {.isPlaying = true, .speed = 4});
     transport("transport_live", test::viewOf(busy), {.isPlaying = true, .speed = 1});
-    twin("twin", test::twinSample({TwinFault::RotationSensorError, TwinFault::AnswersLate}), {320, 620});
-    twin("twin_high", test::twinSample(), {320, 1120});
-    twin("twin_small", test::twinSample(), {280, 360});
-    twin("twin_none", {}, {320, 300});
+    simulator("simulator",
+              test::simulatorSample({SimulatedFault::RotationSensorError, SimulatedFault::AnswersLate}),
+              {320, 620});
+    simulator("simulator_high", test::simulatorSample(), {320, 1120});
+    simulator("simulator_small", test::simulatorSample(), {280, 360});
+    simulator("simulator_none", {}, {320, 300});
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulator/bench.h"
+#include "simulator/simulator.h"
 
 #include <algorithm>
 
@@ -8,33 +8,35 @@
 namespace deckpipe::simulator {
 
 template <typename F>
-void Bench::forEach(F&& f) const {
+void Simulator::forEach(F&& f) const {
   for (const Member& member : m_members) {
     f(*member.device);
     if (member.intruder) f(*member.intruder);
   }
 }
 
-std::size_t Bench::add(std::unique_ptr<Device> device, Duration boot) {
+std::size_t Simulator::add(std::unique_ptr<Device> device, Duration boot) {
   m_members.push_back({std::move(device), boot, nullptr});
   return m_members.size() - 1;
 }
 
-void Bench::powerOn(Instant now) {
+void Simulator::powerOn(Instant now) {
   for (const Member& member : m_members) member.device->powerOn(now, member.boot);
 }
 
-void Bench::misbehave(Instant when, std::size_t index, const Misbehaviour& how) { plan({when, index, how}); }
+void Simulator::misbehave(Instant when, std::size_t index, const Misbehaviour& how) {
+  plan({when, index, how});
+}
 
-void Bench::press(Instant when, std::size_t index, Button button) { plan({when, index, button}); }
+void Simulator::press(Instant when, std::size_t index, Button button) { plan({when, index, button}); }
 
-void Bench::plan(Planned what) {
+void Simulator::plan(Planned what) {
   const auto later = std::upper_bound(m_plan.begin(), m_plan.end(), what.when,
                                       [](Instant t, const Planned& planned) { return t < planned.when; });
   m_plan.insert(later, std::move(what));
 }
 
-void Bench::apply(Instant now, const Planned& planned) {
+void Simulator::apply(Instant now, const Planned& planned) {
   Member& member = m_members[planned.index];
   if (const auto* how = std::get_if<Misbehaviour>(&planned.what)) {
     member.device->misbehave(*how);
@@ -51,29 +53,29 @@ void Bench::apply(Instant now, const Planned& planned) {
   }
 }
 
-Instant Bench::nextTime() const {
+Instant Simulator::nextTime() const {
   Instant next = m_plan.empty() ? kNever : m_plan.front().when;
   next = std::min(next, m_background.nextTime());
   forEach([&](const Device& device) { next = std::min(next, device.nextTime()); });
   return next;
 }
 
-void Bench::timeCame(Instant now) {
+void Simulator::timeCame(Instant now) {
   for (Instant t = nextTime(); t <= now && t != kNever; t = nextTime()) step(t);
 }
 
-void Bench::received(Instant now, const Frame& frame) {
+void Simulator::received(Instant now, const Frame& frame) {
   timeCame(now);
   forEach([&](Device& device) { device.received(now, frame); });
   exchange(now);
 }
 
-void Bench::takeFrames(std::vector<DueFrame>& out) {
+void Simulator::takeFrames(std::vector<DueFrame>& out) {
   out.insert(out.end(), m_out.begin(), m_out.end());
   m_out.clear();
 }
 
-void Bench::step(Instant now) {
+void Simulator::step(Instant now) {
   while (!m_plan.empty() && m_plan.front().when <= now) {
     const Planned due = std::move(m_plan.front());
     m_plan.erase(m_plan.begin());
@@ -85,7 +87,7 @@ void Bench::step(Instant now) {
   exchange(now);
 }
 
-void Bench::placeIntruder(Instant now, Member& member) {
+void Simulator::placeIntruder(Instant now, Member& member) {
   const bool wanted = member.device->misbehaviour().addressTaken;
   if (!wanted) {
     member.intruder.reset();
@@ -96,7 +98,7 @@ void Bench::placeIntruder(Instant now, Member& member) {
 }
 
 // Passes on what was sent until nobody has sent anything more at this instant.
-void Bench::exchange(Instant now) {
+void Simulator::exchange(Instant now) {
   for (;;) {
     m_onBus.clear();
     forEach([&](Device& device) {

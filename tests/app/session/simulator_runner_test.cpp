@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wishes for the twin while it runs on its virtual bus, and what it says of its devices.
-#include "session/bench_runner.h"
+// Wishes for the simulator while it runs on its virtual bus, and what it says of its devices.
+#include "session/simulator_runner.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <QUrl>
 #include <memory>
 
-#include "session/twin_faults.h"
+#include "session/simulator_faults.h"
 #include "support/frames.h"
 #include "support/patience.h"
 #include "support/recording_listener.h"
@@ -18,12 +18,12 @@
 namespace deckpipe {
 namespace {
 
-class RunningTwin : public testing::Test {
+class RunningSimulator : public testing::Test {
  protected:
   void SetUp() override {
-    QObject::connect(&m_twin, &BenchRunner::twinChanged, &m_twin,
-                     [this](const TwinStatus& status) { m_status = status; });
-    m_twin.startDemo();
+    QObject::connect(&m_simulator, &SimulatorRunner::simulatorChanged, &m_simulator,
+                     [this](const SimulatorStatus& status) { m_status = status; });
+    m_simulator.startDemo();
     ASSERT_TRUE(waitFor([&] { return m_status.devices.size() == 4 && has(0) && has(1); }));
   }
   template <typename F>
@@ -32,67 +32,68 @@ class RunningTwin : public testing::Test {
   }
   bool has(std::size_t device) const { return m_status.devices[device].address != kNullAddress; }
 
-  TwinStatus m_status;
-  BenchRunner m_twin;
+  SimulatorStatus m_status;
+  SimulatorRunner m_simulator;
 };
 
-TEST_F(RunningTwin, SaysWhoItsDevicesAre) {
+TEST_F(RunningSimulator, SaysWhoItsDevicesAre) {
   EXPECT_EQ(m_status.devices[0].pin.text(), "1032AE100801035");
   const unsigned models[] = {6032, 6033, 6039, 6035};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(m_status.devices[i].model, models[i]);
   EXPECT_TRUE(m_status.devices[2].pin.isNull());
-  EXPECT_TRUE(m_status.devices[0].possible.has(TwinFault::NotFitted));
-  EXPECT_FALSE(m_status.devices[1].possible.has(TwinFault::NotFitted));
+  EXPECT_TRUE(m_status.devices[0].possible.has(SimulatedFault::NotFitted));
+  EXPECT_FALSE(m_status.devices[1].possible.has(SimulatedFault::NotFitted));
 }
 
-TEST_F(RunningTwin, SwitchesTheirPower) {
-  m_twin.obey({1, TwinButton::PowerOff});
+TEST_F(RunningSimulator, SwitchesTheirPower) {
+  m_simulator.obey({1, SimulatorButton::PowerOff});
   EXPECT_FALSE(m_status.devices[1].isPowered);
   EXPECT_FALSE(has(1));
-  m_twin.obey({1, TwinButton::PowerOn});
+  m_simulator.obey({1, SimulatorButton::PowerOn});
   EXPECT_TRUE(m_status.devices[1].isPowered);
   EXPECT_TRUE(waitFor([&] { return has(1); }));
 }
 
-TEST_F(RunningTwin, LetsThemGoWrongAndRightAgain) {
-  m_twin.obey({0, TwinSwitch{TwinFault::Silent, true}});
-  m_twin.obey({0, TwinSwitch{TwinFault::AcksLost, true}});
-  m_twin.obey({0, TwinSwitch{TwinFault::AcksLate, true}});
-  m_twin.obey({0, TwinSwitch{TwinFault::AcksLate, false}});
-  EXPECT_EQ(m_status.devices[0].faults, (TwinFaults{TwinFault::Silent, TwinFault::AcksLost}));
-  EXPECT_TRUE(m_twin.bench().bench.device(0).misbehaviour().silent);
+TEST_F(RunningSimulator, LetsThemGoWrongAndRightAgain) {
+  m_simulator.obey({0, SimulatorSwitch{SimulatedFault::Silent, true}});
+  m_simulator.obey({0, SimulatorSwitch{SimulatedFault::AcksLost, true}});
+  m_simulator.obey({0, SimulatorSwitch{SimulatedFault::AcksLate, true}});
+  m_simulator.obey({0, SimulatorSwitch{SimulatedFault::AcksLate, false}});
+  EXPECT_EQ(m_status.devices[0].faults, (SimulatedFaults{SimulatedFault::Silent, SimulatedFault::AcksLost}));
+  EXPECT_TRUE(m_simulator.simulator().simulator.device(0).misbehaviour().silent);
   EXPECT_TRUE(m_status.devices[1].faults.isNone());
-  m_twin.obey({0, TwinAllWell{}});
+  m_simulator.obey({0, SimulatorAllWell{}});
   EXPECT_TRUE(m_status.devices[0].faults.isNone());
-  EXPECT_EQ(m_twin.bench().bench.device(0).misbehaviour(), simulator::Misbehaviour{});
+  EXPECT_EQ(m_simulator.simulator().simulator.device(0).misbehaviour(), simulator::Misbehaviour{});
 }
 
-TEST_F(RunningTwin, ResetsThemAndMovesThemElsewhere) {
+TEST_F(RunningSimulator, ResetsThemAndMovesThemElsewhere) {
   const Address before = m_status.devices[0].address;
-  m_twin.obey({0, TwinSwitch{TwinFault::ReturnsElsewhere, true}});
-  m_twin.obey({0, TwinButton::Reset});
+  m_simulator.obey({0, SimulatorSwitch{SimulatedFault::ReturnsElsewhere, true}});
+  m_simulator.obey({0, SimulatorButton::Reset});
   EXPECT_FALSE(has(0));
   ASSERT_TRUE(waitFor([&] { return has(0); }));
   EXPECT_NE(m_status.devices[0].address, before);
 }
 
-TEST_F(RunningTwin, IgnoresADeviceItDoesNotHave) {
-  const TwinStatus before = m_status;
-  m_twin.obey({4, TwinButton::PowerOff});
+TEST_F(RunningSimulator, IgnoresADeviceItDoesNotHave) {
+  const SimulatorStatus before = m_status;
+  m_simulator.obey({4, SimulatorButton::PowerOff});
   EXPECT_EQ(m_status, before);
 }
 
-// A virtual bus that the twin takes for one with real monitors.
-class Rule20Twin : public testing::Test {
+// A virtual bus that the simulator takes for one with real monitors.
+class Rule20Simulator : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(m_bus.start());
     m_other = std::make_unique<CanLink>(link());
     m_other->open(m_heard);
     ASSERT_TRUE(waitFor([&] { return m_heard.state() == LinkState::Up; }));
-    QObject::connect(&m_twin, &BenchRunner::busReady, &m_twin, [this] { m_isReady = true; });
-    QObject::connect(&m_twin, &BenchRunner::wordMissing, &m_twin, [this] { m_isWordMissing = true; });
-    QObject::connect(&m_twin, &BenchRunner::strangersHeard, &m_twin,
+    QObject::connect(&m_simulator, &SimulatorRunner::busReady, &m_simulator, [this] { m_isReady = true; });
+    QObject::connect(&m_simulator, &SimulatorRunner::wordMissing, &m_simulator,
+                     [this] { m_isWordMissing = true; });
+    QObject::connect(&m_simulator, &SimulatorRunner::strangersHeard, &m_simulator,
                      [this](const std::vector<Stranger>& strangers) { m_strangers = strangers; });
   }
   template <typename F>
@@ -104,27 +105,27 @@ class Rule20Twin : public testing::Test {
   VirtualBus m_bus;
   RecordingListener m_heard;
   std::unique_ptr<CanLink> m_other;
-  BenchRunner m_twin{1, 1, [](auto&&...) { return false; }};
+  SimulatorRunner m_simulator{1, 1, [](auto&&...) { return false; }};
   bool m_isReady = false, m_isWordMissing = false;
   std::vector<Stranger> m_strangers;
 };
 
-TEST_F(Rule20Twin, WithoutTheWordSendsNothing) {
-  m_twin.start(link());
+TEST_F(Rule20Simulator, WithoutTheWordSendsNothing) {
+  m_simulator.start(link());
   ASSERT_TRUE(waitFor([&] { return m_isWordMissing; }));
   EXPECT_FALSE(m_isReady);
   EXPECT_TRUE(m_heard.frames.empty());
 }
 
-TEST_F(Rule20Twin, WithTheWordSendsOnceItHasListened) {
-  m_twin.start(link(), true);
+TEST_F(Rule20Simulator, WithTheWordSendsOnceItHasListened) {
+  m_simulator.start(link(), true);
   ASSERT_TRUE(waitFor([&] { return m_isReady; }));
   EXPECT_TRUE(m_heard.frames.empty());
   EXPECT_TRUE(waitFor([&] { return !m_heard.frames.empty(); }));
 }
 
-TEST_F(Rule20Twin, WithTheWordStaysOffABusWithAJoystick) {
-  m_twin.start(link(), true);
+TEST_F(Rule20Simulator, WithTheWordStaysOffABusWithAJoystick) {
+  m_simulator.start(link(), true);
   ASSERT_TRUE(waitFor([&] { return m_bus.clients(0) == 2; }));
   QTimer hand;
   QObject::connect(&hand, &QTimer::timeout, &hand,
@@ -138,32 +139,33 @@ TEST_F(Rule20Twin, WithTheWordStaysOffABusWithAJoystick) {
   })) << "it sent something";
 }
 
-// A frame that the link has taken, but not handed over yet, changes what the twin would say.
-TEST(BenchRunner, SaysNothingWhileItIsDestroyed) {
-  auto twin = std::make_unique<BenchRunner>();
+// A frame that the link has taken, but not handed over yet, changes what the simulator would say.
+TEST(SimulatorRunner, SaysNothingWhileItIsDestroyed) {
+  auto simulator = std::make_unique<SimulatorRunner>();
   QUrl where;
   int said = 0;
-  QObject::connect(twin.get(), &BenchRunner::busReady, [&](const QString& name) { where = QUrl(name); });
-  QObject::connect(twin.get(), &BenchRunner::twinChanged, [&] { ++said; });
-  twin->startDemo();
+  QObject::connect(simulator.get(), &SimulatorRunner::busReady,
+                   [&](const QString& name) { where = QUrl(name); });
+  QObject::connect(simulator.get(), &SimulatorRunner::simulatorChanged, [&] { ++said; });
+  simulator->startDemo();
   ASSERT_TRUE(QTest::qWaitFor([&] { return where.isValid() && !where.isEmpty(); }, kPatience));
-  // Another end of the bus, without a link's own queue: what it has read has just been read by the twin too.
+  // Another end of the bus, without a link's own queue: what it has read has just been read by the simulator too.
   QTcpSocket peer;
   peer.connectToHost(where.host(), static_cast<quint16>(where.port()));
   peer.write("connect:can0\n");
   ASSERT_TRUE(QTest::qWaitFor([&] { return peer.bytesAvailable() > 0; }, kPatience));
   for (const qint64 before = peer.bytesAvailable(); peer.bytesAvailable() == before;)
     QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-  simulator::Bench& bench = twin->bench().bench;
-  bench.press(bench.nextTime(), 1, simulator::Bench::Button::PowerOff);
+  simulator::Simulator& devices = simulator->simulator().simulator;
+  devices.press(devices.nextTime(), 1, simulator::Simulator::Button::PowerOff);
   said = 0;
-  twin.reset();
+  simulator.reset();
   EXPECT_EQ(said, 0);
 }
 
-TEST(TwinFaultsOfTheBench, EachChangesSomethingOfItsOwn) {
+TEST(SimulatorFaultsOfTheSimulator, EachChangesSomethingOfItsOwn) {
   std::vector<simulator::Misbehaviour> all{{}};
-  for (const TwinFault fault : kAllOf<TwinFault>) {
+  for (const SimulatedFault fault : kAllOf<SimulatedFault>) {
     const simulator::Misbehaviour one = misbehaviourOf({fault});
     for (const simulator::Misbehaviour& other : all) EXPECT_FALSE(one == other) << static_cast<int>(fault);
     all.push_back(one);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bench twin on a real port: runs core/simulator's bench in real time, on its thread's event loop and
+// The simulator simulator on a real port: runs core/simulator's simulator in real time, on its thread's event loop and
 // over a link. The demo starts one behind a virtual bus; `deckpipectl simulate` puts one on any interface, on
-// a real one only with a word for it and where no stranger is heard (stranger_watch.h). Time for the bench is
+// a real one only with a word for it and where no stranger is heard (stranger_watch.h). Time for the simulator is
 // CLOCK_MONOTONIC, which stands still while the machine sleeps: no burst on waking.
 #pragma once
 
@@ -11,36 +11,36 @@
 #include <optional>
 
 #include "bus/port.h"
-#include "control/twin_control.h"
+#include "control/simulator_control.h"
 #include "link/can_link.h"
 #include "link/virtual_bus.h"
 #include "session/stranger_watch.h"
-#include "simulator/standard_bench.h"
+#include "simulator/standard_simulator.h"
 
 class QTimer;
 
 namespace deckpipe {
 
-class BenchRunner : public QObject, private PortListener {
+class SimulatorRunner : public QObject, private PortListener {
   Q_OBJECT
  public:
   // isSimulatedBus(), or a test's own answer.
   using IsSimulated = std::function<bool(const LinkSettings&, const std::optional<CanInterface>&)>;
 
-  explicit BenchRunner(std::uint64_t seed = 1, unsigned monitors = 1,
-                       IsSimulated isSimulated = isSimulatedBus);
-  ~BenchRunner() override;
+  explicit SimulatorRunner(std::uint64_t seed = 1, unsigned monitors = 1,
+                           IsSimulated isSimulated = isSimulatedBus);
+  ~SimulatorRunner() override;
 
   // For setting up before it starts: what misbehaves, and when (relative to power-on, time 0).
-  simulator::StandardBench& bench() { return m_bench; }
+  simulator::StandardSimulator& simulator() { return m_simulator; }
 
  public Q_SLOTS:
-  // On a virtual bus of its own. busReady() tells where, once the twin is on it.
+  // On a virtual bus of its own. busReady() tells where, once the simulator is on it.
   void startDemo();
   // On an interface that is there. `movesMonitors`: a person said that it may be one with real monitors.
   void start(const deckpipe::LinkSettings& settings, bool movesMonitors = false);
   // At once. Nothing while it is not on a bus yet, or where it has no such device.
-  void obey(const deckpipe::TwinIntent& intent);
+  void obey(const deckpipe::SimulatorIntent& intent);
 
  Q_SIGNALS:
   void busReady(const QString& interfaceName);
@@ -53,7 +53,7 @@ class BenchRunner : public QObject, private PortListener {
   // … or these were heard.
   void strangersHeard(const std::vector<deckpipe::Stranger>& strangers);
   // How its devices are, whenever that has changed: power, addresses, what was wished for.
-  void twinChanged(const deckpipe::TwinStatus& status);
+  void simulatorChanged(const deckpipe::SimulatorStatus& status);
 
  private:
   void framesReceived(std::span<const Frame> frames) override;
@@ -68,7 +68,7 @@ class BenchRunner : public QObject, private PortListener {
   void send();
   void publish();
 
-  simulator::StandardBench m_bench;
+  simulator::StandardSimulator m_simulator;
   std::unique_ptr<VirtualBus> m_bus;
   std::unique_ptr<CanLink> m_link;
   QTimer* m_timer = nullptr;
@@ -78,11 +78,11 @@ class BenchRunner : public QObject, private PortListener {
   Instant m_powerOn;
   bool m_movesMonitors = false;
   bool m_powered = false;
-  // Whether what the bench sends goes out. The bench itself goes on without.
+  // Whether what the simulator sends goes out. The simulator itself goes on without.
   enum class Sending : std::uint8_t { NoBus, Listening, Allowed, Refused } m_sending = Sending::NoBus;
   std::vector<simulator::DueFrame> m_due;
-  std::vector<TwinFaults> m_wished;  // of each device
-  TwinStatus m_published;
+  std::vector<SimulatedFaults> m_wished;  // of each device
+  SimulatorStatus m_published;
 };
 
 }  // namespace deckpipe

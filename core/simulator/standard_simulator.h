@@ -5,17 +5,17 @@
 // kbit/s is full with forty.
 #pragma once
 
-#include "simulator/bench.h"
 #include "simulator/io_module_6039.h"
 #include "simulator/joystick_6035.h"
 #include "simulator/mini_universal_6033.h"
 #include "simulator/monitor_6032.h"
+#include "simulator/simulator.h"
 
 namespace deckpipe::simulator {
 
-// The devices belong to the bench; index them in Bench::misbehave in this order.
-struct StandardBench {
-  Bench bench;
+// The devices belong to the simulator; index them in Simulator::misbehave in this order.
+struct StandardSimulator {
+  Simulator simulator;
   Monitor6032* monitor = nullptr;
   MiniUniversal6033* riser = nullptr;
   IoModule6039* ioModule = nullptr;
@@ -24,6 +24,7 @@ struct StandardBench {
 };
 
 inline constexpr unsigned kMostMonitors = 60;
-StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings = {}, unsigned monitors = 1);
+StandardSimulator standardSimulator(std::uint64_t seed, const MonitorSettings& settings = {},
+                                    unsigned monitors = 1);
 
 }  // namespace deckpipe::simulator

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bench as a whole: misbehaviours, determinism, totality, speed.
+// The simulator as a whole: misbehaviours, determinism, totality, speed.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,23 +11,24 @@ namespace deckpipe::simulator::test {
 namespace {
 
 std::vector<DueFrame> standardRun(std::uint64_t seed, Duration d) {
-  StandardBench s = standardBench(seed);
-  s.bench.powerOn({});
+  StandardSimulator s = standardSimulator(seed);
+  s.simulator.powerOn({});
   std::vector<DueFrame> frames;
-  for (Instant t = s.bench.nextTime(); t <= Instant{} + d; t = s.bench.nextTime()) s.bench.timeCame(t);
-  s.bench.takeFrames(frames);
+  for (Instant t = s.simulator.nextTime(); t <= Instant{} + d; t = s.simulator.nextTime())
+    s.simulator.timeCame(t);
+  s.simulator.takeFrames(frames);
   return frames;
 }
 
 TEST(OtherTraffic, FillsItsShareOfTheBusInOrderAndChangesNothingElse) {
   const std::vector<DueFrame> quiet = standardRun(1, 10s);
   for (const double share : {0.1, 0.8, 2.0}) {
-    StandardBench s = standardBench(1);
-    s.bench.powerOn({});
-    s.bench.fill({}, share);
-    s.bench.timeCame(Instant{} + 10s);
+    StandardSimulator s = standardSimulator(1);
+    s.simulator.powerOn({});
+    s.simulator.fill({}, share);
+    s.simulator.timeCame(Instant{} + 10s);
     std::vector<DueFrame> all;
-    s.bench.takeFrames(all);
+    s.simulator.takeFrames(all);
     EXPECT_TRUE(std::ranges::is_sorted(all, {}, [](const DueFrame& f) { return f.time.ns; }));
     double bits = 0;
     std::erase_if(all, [&](const DueFrame& f) {
@@ -200,8 +201,8 @@ TEST(Misbehaviour, FaultBitsAreAnsweredAndAFaultyMotorStands) {
 
 TEST(Misbehaviour, IsPlannedForLater) {
   MonitorRig rig;
-  rig.bench.misbehave(rig.now() + 3s, 0, {});
-  rig.bench.misbehave(rig.now() + 1s, 0, {.silent = true});
+  rig.simulator.misbehave(rig.now() + 3s, 0, {});
+  rig.simulator.misbehave(rig.now() + 1s, 0, {.silent = true});
   const Instant from = rig.now();
   rig.run(5s);
   for (const Seen& seen : rig.log) {
@@ -211,11 +212,11 @@ TEST(Misbehaviour, IsPlannedForLater) {
   EXPECT_GE(rig.all(MessageId::PositionLimitStatus, from + 3s).size(), 19u);
 }
 
-TEST(Bench, PowersUpAsATruckDoes) {
+TEST(Simulator, PowersUpAsATruckDoes) {
   Rig rig;
-  StandardBench standard = standardBench(42);
-  rig.bench = std::move(standard.bench);
-  rig.bench.powerOn(rig.now());
+  StandardSimulator standard = standardSimulator(42);
+  rig.simulator = std::move(standard.simulator);
+  rig.simulator.powerOn(rig.now());
   rig.run(3s);
   std::vector<std::string> pins;
   for (const Seen& seen : rig.all(MessageId::AddressAnnouncement))
@@ -224,7 +225,8 @@ TEST(Bench, PowersUpAsATruckDoes) {
   EXPECT_EQ(pins, (std::vector<std::string>{"1032AE100801035", "1033AE100802117", "1035AE100804442"}));
   EXPECT_EQ(rig.all(MessageId::Name).front().source(), Address{0x80});
   std::vector<unsigned> addresses;
-  for (std::size_t i = 0; i < rig.bench.size(); ++i) addresses.push_back(rig.bench.device(i).address().value);
+  for (std::size_t i = 0; i < rig.simulator.size(); ++i)
+    addresses.push_back(rig.simulator.device(i).address().value);
   std::sort(addresses.begin(), addresses.end());
   EXPECT_EQ(addresses, (std::vector<unsigned>{0x80, 0x81, 0x82, 0x83}));
   EXPECT_TRUE(DigitalOutputs::of(rig.all(MessageId::DigitalOutputs).back().frame).stowed);
@@ -233,37 +235,37 @@ TEST(Bench, PowersUpAsATruckDoes) {
   EXPECT_TRUE(standard.riser->isExtended());
 }
 
-TEST(Bench, TheSameSeedGivesTheSameFramesAndAnotherGivesOthers) {
+TEST(Simulator, TheSameSeedGivesTheSameFramesAndAnotherGivesOthers) {
   const auto first = standardRun(1, 60s);
   EXPECT_GT(first.size(), 5000u);
   EXPECT_EQ(first, standardRun(1, 60s));
   EXPECT_NE(first, standardRun(2, 60s));
 }
 
-TEST(Bench, HowOftenTimeComesMakesNoDifference) {
+TEST(Simulator, HowOftenTimeComesMakesNoDifference) {
   const auto stepped = standardRun(5, 30s);
   std::vector<DueFrame> fine, coarse;
-  StandardBench often = standardBench(5), rarely = standardBench(5);
-  often.bench.powerOn({});
-  rarely.bench.powerOn({});
+  StandardSimulator often = standardSimulator(5), rarely = standardSimulator(5);
+  often.simulator.powerOn({});
+  rarely.simulator.powerOn({});
   for (Instant t{}; t <= Instant{} + 30s; t = t + 1ms) {
-    often.bench.timeCame(t);
-    often.bench.takeFrames(fine);
+    often.simulator.timeCame(t);
+    often.simulator.takeFrames(fine);
   }
-  rarely.bench.timeCame(Instant{} + 30s);
-  rarely.bench.takeFrames(coarse);
+  rarely.simulator.timeCame(Instant{} + 30s);
+  rarely.simulator.takeFrames(coarse);
   EXPECT_EQ(fine, stepped);
   EXPECT_EQ(coarse, stepped);
 }
 
 // Anything on the bus: no crash, and the monitor moves only where a joystick could have asked for it.
-TEST(Bench, AnyFramesInNeitherCrashItNorMoveItBeyondItsRange) {
+TEST(Simulator, AnyFramesInNeitherCrashItNorMoveItBeyondItsRange) {
   std::mt19937 engine(1);
   const auto random = [&] { return static_cast<std::uint32_t>(engine()); };
   Rig rig;
-  StandardBench standard = standardBench(9);
-  rig.bench = std::move(standard.bench);
-  rig.bench.powerOn(rig.now());
+  StandardSimulator standard = standardSimulator(9);
+  rig.simulator = std::move(standard.simulator);
+  rig.simulator.powerOn(rig.now());
   std::vector<DueFrame> frames;
   Instant now{};
   constexpr std::uint32_t kIds[] = {0x18EF8000, 0x18EEFF00, 0x18EAFF00, 0x0CFDD600, 0x0CFDD700, 0x18EF8100};
@@ -275,8 +277,8 @@ TEST(Bench, AnyFramesInNeitherCrashItNorMoveItBeyondItsRange) {
     f.length = static_cast<std::uint8_t>(random() % (likely ? 9 : 256));
     for (auto& byte : f.data) byte = static_cast<std::uint8_t>(random());
     now = now + Duration(random() % 5'000'000);
-    rig.bench.received(now, f);
-    if (i % 1000 == 0) rig.bench.takeFrames(frames);
+    rig.simulator.received(now, f);
+    if (i % 1000 == 0) rig.simulator.takeFrames(frames);
     const auto& axes = standard.monitor->control().axes();
     ASSERT_GE(axes[0].position(), MonitorControl::kHardLeft * 100'000);
     ASSERT_LE(axes[0].position(), MonitorControl::kHardRight * 100'000);
@@ -287,7 +289,7 @@ TEST(Bench, AnyFramesInNeitherCrashItNorMoveItBeyondItsRange) {
   }
 }
 
-TEST(Bench, RandomFramesThatAreNoJoysticksMoveNothing) {
+TEST(Simulator, RandomFramesThatAreNoJoysticksMoveNothing) {
   std::mt19937 engine(2);
   const auto random = [&] { return static_cast<std::uint32_t>(engine()); };
   MonitorRig rig;
@@ -300,14 +302,14 @@ TEST(Bench, RandomFramesThatAreNoJoysticksMoveNothing) {
     f.length = static_cast<std::uint8_t>(random() % 9);
     for (auto& byte : f.data) byte = static_cast<std::uint8_t>(random());
     now = now + Duration(random() % 3'000'000);
-    rig.bench.received(now, f);
+    rig.simulator.received(now, f);
   }
   for (const Axis& axis : rig.monitor.control().axes()) EXPECT_EQ(axis.speed(), 0);
   EXPECT_EQ(rig.rotation(), 0);
   EXPECT_EQ(rig.elevation(), 0);
 }
 
-TEST(Bench, AFloodOfPollsIsBoundedAndItsLossIsAFault) {
+TEST(Simulator, AFloodOfPollsIsBoundedAndItsLossIsAFault) {
   MonitorRig rig;
   for (int i = 0; i < 10'000; ++i) rig.send("18EF8005", "21");
   EXPECT_LT(rig.log.size(), 10'300u);
@@ -317,17 +319,18 @@ TEST(Bench, AFloodOfPollsIsBoundedAndItsLossIsAFault) {
   EXPECT_EQ(rig.last(MessageId::FaultResponse), "faults=can_output_overrun; reserved_bits=; pcode_error=0");
 }
 
-TEST(Bench, SixtyMonitorsHaveTheirAddressesAndShareTheBusEvenly) {
+TEST(Simulator, SixtyMonitorsHaveTheirAddressesAndShareTheBusEvenly) {
   Rig rig;
-  rig.bench = standardBench(1, {}, 60).bench;
-  ASSERT_EQ(rig.bench.size(), 63u);
-  rig.bench.powerOn(rig.now());
+  rig.simulator = standardSimulator(1, {}, 60).simulator;
+  ASSERT_EQ(rig.simulator.size(), 63u);
+  rig.simulator.powerOn(rig.now());
   rig.run(10s);
   std::set<std::string> pins;
   std::set<unsigned> addresses;
   for (const Seen& seen : rig.all(MessageId::AddressAnnouncement))
     pins.emplace(announcedPin(seen.frame)->text());
-  for (std::size_t i = 0; i < rig.bench.size(); ++i) addresses.insert(rig.bench.device(i).address().value);
+  for (std::size_t i = 0; i < rig.simulator.size(); ++i)
+    addresses.insert(rig.simulator.device(i).address().value);
   EXPECT_EQ(pins.size(), 62u);
   EXPECT_EQ(addresses.size(), 63u);
   EXPECT_EQ(addresses.count(kNullAddress.value), 0u);
@@ -339,13 +342,13 @@ TEST(Bench, SixtyMonitorsHaveTheirAddressesAndShareTheBusEvenly) {
   for (const auto& [at, count] : frames) EXPECT_LE(count, 30) << "a tenth of 4 x 60 and some";
 }
 
-TEST(Bench, SixtyMonitorsAreSteadyWhenAnotherTimeComesOften) {
+TEST(Simulator, SixtyMonitorsAreSteadyWhenAnotherTimeComesOften) {
   const auto run = [](Duration every) {
-    StandardBench s = standardBench(1, {}, 60);
-    s.bench.powerOn({});
+    StandardSimulator s = standardSimulator(1, {}, 60);
+    s.simulator.powerOn({});
     std::vector<DueFrame> frames;
-    for (Instant t{}; t <= Instant{} + 6s; t = t + every) s.bench.timeCame(t);
-    s.bench.takeFrames(frames);
+    for (Instant t{}; t <= Instant{} + 6s; t = t + every) s.simulator.timeCame(t);
+    s.simulator.takeFrames(frames);
     return frames;
   };
   EXPECT_EQ(run(1ms), run(100ms));

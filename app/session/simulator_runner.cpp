@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/bench_runner.h"
+#include "session/simulator_runner.h"
 
 #include <QTimer>
 #include <algorithm>
 #include <utility>
 
 #include "session/clocks.h"
-#include "session/twin_faults.h"
+#include "session/simulator_faults.h"
 
 namespace deckpipe {
 
-BenchRunner::BenchRunner(std::uint64_t seed, unsigned monitors, IsSimulated isSimulated)
-    : m_bench(simulator::standardBench(seed, {}, monitors)),
+SimulatorRunner::SimulatorRunner(std::uint64_t seed, unsigned monitors, IsSimulated isSimulated)
+    : m_simulator(simulator::standardSimulator(seed, {}, monitors)),
       m_isSimulated(std::move(isSimulated)),
-      m_wished(m_bench.bench.size()) {}
+      m_wished(m_simulator.simulator.size()) {}
 // The link goes first, without a word: it tells its listener nothing from its destructor.
-BenchRunner::~BenchRunner() = default;
+SimulatorRunner::~SimulatorRunner() = default;
 
-void BenchRunner::startDemo() {
+void SimulatorRunner::startDemo() {
   m_bus = std::make_unique<VirtualBus>();
   if (!m_bus->start()) {
     Q_EMIT failed(m_bus->errorString());
@@ -29,24 +29,24 @@ void BenchRunner::startDemo() {
   start(settings);
 }
 
-void BenchRunner::start(const LinkSettings& settings, bool movesMonitors) {
+void SimulatorRunner::start(const LinkSettings& settings, bool movesMonitors) {
   m_movesMonitors = movesMonitors;
   m_timer = new QTimer(this);
   m_timer->setTimerType(Qt::PreciseTimer);
   m_timer->setSingleShot(true);
-  connect(m_timer, &QTimer::timeout, this, &BenchRunner::run);
+  connect(m_timer, &QTimer::timeout, this, &SimulatorRunner::run);
   m_listening = new QTimer(this);
   m_listening->setTimerType(Qt::PreciseTimer);
   m_listening->setSingleShot(true);
-  connect(m_listening, &QTimer::timeout, this, &BenchRunner::listened);
+  connect(m_listening, &QTimer::timeout, this, &SimulatorRunner::listened);
   m_link = std::make_unique<CanLink>(settings);
   m_link->open(*this);
 }
 
-// Bench time starts at 0 with power-on.
-Instant BenchRunner::now() const { return Instant{} + (monotonicTime() - m_powerOn); }
+// Simulator time starts at 0 with power-on.
+Instant SimulatorRunner::now() const { return Instant{} + (monotonicTime() - m_powerOn); }
 
-void BenchRunner::linkChanged(LinkState state, const std::string& reason) {
+void SimulatorRunner::linkChanged(LinkState state, const std::string& reason) {
   if (state == LinkState::Up) {
     // Also said of a link that stays up, when the adapter reports a fault.
     if (m_sending == Sending::NoBus) busCame();
@@ -63,7 +63,7 @@ void BenchRunner::linkChanged(LinkState state, const std::string& reason) {
 }
 
 // The interface may be another one each time it comes.
-void BenchRunner::busCame() {
+void SimulatorRunner::busCame() {
   if (m_isSimulated(m_link->settings(), m_link->status().hardware)) return begin();
   if (!m_movesMonitors) {
     m_sending = Sending::Refused;
@@ -75,7 +75,7 @@ void BenchRunner::busCame() {
   m_listening->start(std::chrono::duration_cast<std::chrono::milliseconds>(StrangerWatch::kListen));
 }
 
-void BenchRunner::listened() {
+void SimulatorRunner::listened() {
   const std::vector<Stranger> strangers = m_watch->strangers();
   m_watch.reset();
   if (strangers.empty()) return begin();
@@ -83,74 +83,74 @@ void BenchRunner::listened() {
   Q_EMIT strangersHeard(strangers);
 }
 
-void BenchRunner::begin() {
+void SimulatorRunner::begin() {
   m_sending = Sending::Allowed;
   if (!std::exchange(m_powered, true)) {
     m_powerOn = monotonicTime();
-    m_bench.bench.powerOn(now());
+    m_simulator.simulator.powerOn(now());
     Q_EMIT busReady(m_link->settings().interfaceName);
   }
   run();
 }
 
 // What it sends from; before power, what that will be where nobody else is.
-std::vector<Address> BenchRunner::ownAddresses() const {
-  std::vector<Address> own{m_bench.joystick->source()};
-  if (m_bench.bench.isFilled()) own.push_back(simulator::Background::kSource);
-  for (std::size_t i = 0; i < m_bench.bench.size(); ++i) {
-    const Address held = m_bench.bench.device(i).address();
+std::vector<Address> SimulatorRunner::ownAddresses() const {
+  std::vector<Address> own{m_simulator.joystick->source()};
+  if (m_simulator.simulator.isFilled()) own.push_back(simulator::Background::kSource);
+  for (std::size_t i = 0; i < m_simulator.simulator.size(); ++i) {
+    const Address held = m_simulator.simulator.device(i).address();
     own.push_back(held != kNullAddress ? held : Address{static_cast<std::uint8_t>(kFirstDynamic.value + i)});
   }
   return own;
 }
 
-void BenchRunner::framesReceived(std::span<const Frame> frames) {
+void SimulatorRunner::framesReceived(std::span<const Frame> frames) {
   for (const Frame& frame : frames) {
     if (m_watch) m_watch->received(frame, monotonicTime());
-    if (m_powered && (frame.flags & Frame::kSent) == 0) m_bench.bench.received(now(), frame);
+    if (m_powered && (frame.flags & Frame::kSent) == 0) m_simulator.simulator.received(now(), frame);
   }
   run();
 }
 
-void BenchRunner::run() {
+void SimulatorRunner::run() {
   if (m_link == nullptr || !m_powered) return;
-  m_bench.bench.timeCame(now());
+  m_simulator.simulator.timeCame(now());
   send();
   publish();
-  const Instant next = m_bench.bench.nextTime();
+  const Instant next = m_simulator.simulator.nextTime();
   if (next == kNever) return;
   const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - now());
   m_timer->start(std::max(wait, std::chrono::milliseconds{0}));
 }
 
-void BenchRunner::obey(const TwinIntent& intent) {
+void SimulatorRunner::obey(const SimulatorIntent& intent) {
   if (m_link == nullptr || !m_powered || intent.device >= m_wished.size()) return;
-  if (const auto* button = std::get_if<TwinButton>(&intent.what)) {
-    m_bench.bench.press(now(), intent.device, buttonOf(*button));
+  if (const auto* button = std::get_if<SimulatorButton>(&intent.what)) {
+    m_simulator.simulator.press(now(), intent.device, buttonOf(*button));
   } else {
-    TwinFaults& faults = m_wished[intent.device];
-    if (const auto* one = std::get_if<TwinSwitch>(&intent.what)) {
+    SimulatedFaults& faults = m_wished[intent.device];
+    if (const auto* one = std::get_if<SimulatorSwitch>(&intent.what)) {
       faults.set(one->fault, one->on);
     } else {
       faults = {};
     }
-    m_bench.bench.misbehave(now(), intent.device, misbehaviourOf(faults));
+    m_simulator.simulator.misbehave(now(), intent.device, misbehaviourOf(faults));
   }
   run();
 }
 
 // Only the demo's panel listens.
-void BenchRunner::publish() {
+void SimulatorRunner::publish() {
   if (m_bus == nullptr) return;
-  TwinStatus status = twinStatus(m_bench, m_wished);
+  SimulatorStatus status = simulatorStatus(m_simulator, m_wished);
   if (status == m_published) return;
   m_published = std::move(status);
-  Q_EMIT twinChanged(m_published);
+  Q_EMIT simulatorChanged(m_published);
 }
 
-void BenchRunner::send() {
+void SimulatorRunner::send() {
   m_due.clear();
-  m_bench.bench.takeFrames(m_due);
+  m_simulator.simulator.takeFrames(m_due);
   // A frame that finds no room is lost, as on a controller whose mailbox is full: the next one is fresher.
   if (m_sending != Sending::Allowed) return;
   for (const simulator::DueFrame& due : m_due) m_link->write(due.frame);

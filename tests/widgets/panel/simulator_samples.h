@@ -3,16 +3,16 @@
 // no address yet, a joystick.
 #pragma once
 
-#include "control/twin_control.h"
+#include "control/simulator_control.h"
 
 namespace deckpipe::test {
 
-inline TwinStatus twinSample(const TwinFaults& ofMonitor = {TwinFault::AnswersLate}) {
-  TwinFaults ofOthers = TwinFaults::all();
-  for (const TwinFault own :
-       {TwinFault::EnableOff, TwinFault::RotationSensorError, TwinFault::NotFitted, TwinFault::MotorAxis1})
+inline SimulatorStatus simulatorSample(const SimulatedFaults& ofMonitor = {SimulatedFault::AnswersLate}) {
+  SimulatedFaults ofOthers = SimulatedFaults::all();
+  for (const SimulatedFault own : {SimulatedFault::EnableOff, SimulatedFault::RotationSensorError,
+                                   SimulatedFault::NotFitted, SimulatedFault::MotorAxis1})
     ofOthers.set(own, false);
-  return {{{*Pin::parse("1032AE100801035"), 6032, {0x80}, true, ofMonitor, TwinFaults::all()},
+  return {{{*Pin::parse("1032AE100801035"), 6032, {0x80}, true, ofMonitor, SimulatedFaults::all()},
            {*Pin::parse("1033AE100802117"), 6033, kNullAddress, false, {}, ofOthers},
            {{}, 6039, kNullAddress, true, {}, ofOthers},
            {*Pin::parse("1035AE100804442"), 6035, {0x83}, true, {}, ofOthers}}};

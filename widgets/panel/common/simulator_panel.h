@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The demo's own panel: breaks the devices of the simulated truck while a person watches what the console
-// makes of it. The window has it in the demo only, gives it each TwinStatus that the twin publishes, and
-// passes its intents on. What is ticked is what the twin says, so a intent that was not obeyed does not stay.
+// makes of it. The window has it in the demo only, gives it each SimulatorStatus that the simulator publishes, and
+// passes its intents on. What is ticked is what the simulator says, so a intent that was not obeyed does not stay.
 #pragma once
 
 #include <QWidget>
 #include <array>
 
-#include "control/twin_control.h"
+#include "control/simulator_control.h"
 
 class QAbstractButton;
 class QComboBox;
@@ -22,32 +22,32 @@ namespace deckpipe {
 class GlyphLabel;
 class TickBox;
 
-class TwinPanel : public QWidget {
+class SimulatorPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit TwinPanel(QWidget* parent = nullptr);
+  explicit SimulatorPanel(QWidget* parent = nullptr);
 
   QSize sizeHint() const override { return {320, 560}; }
 
  public Q_SLOTS:
-  void setStatus(const deckpipe::TwinStatus& status);
+  void setStatus(const deckpipe::SimulatorStatus& status);
 
  Q_SIGNALS:
-  void twinIntended(const deckpipe::TwinIntent& intent);
+  void simulatorIntended(const deckpipe::SimulatorIntent& intent);
 
  private:
   QWidget* makeControls();
   QWidget* makeFaults();
   QPushButton* makeButton(const char* name, const QString& text, QVBoxLayout* layout);
-  const TwinDevice* device() const;
-  void intent(decltype(TwinIntent::what) what);
-  static QString faultText(TwinFault fault);
+  const SimulatedDevice* device() const;
+  void intent(decltype(SimulatorIntent::what) what);
+  static QString faultText(SimulatedFault fault);
   void listDevices();
   void showDevice();
-  void showState(const TwinDevice& device);
+  void showState(const SimulatedDevice& device);
 
-  TwinStatus m_status;
+  SimulatorStatus m_status;
   QStackedLayout* m_pages;
   QLabel* m_empty;
   QLabel* m_remark = nullptr;
@@ -59,7 +59,7 @@ class TwinPanel : public QWidget {
   QPushButton* m_reset = nullptr;
   QPushButton* m_allWell = nullptr;
   QScrollArea* m_scroll = nullptr;
-  EnumArray<TwinFault, TickBox*> m_faults;
+  EnumArray<SimulatedFault, TickBox*> m_faults;
 };
 
 }  // namespace deckpipe

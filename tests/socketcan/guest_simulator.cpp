@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "guest_bench.h"
+#include "guest_simulator.h"
 
 #include <net/if.h>
 #include <sys/ioctl.h>

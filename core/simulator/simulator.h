@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bench twin: simulated devices on one bus. The demo and the tests of services use it as the other end of
+// The simulator simulator: simulated devices on one bus. The demo and the tests of services use it as the other end of
 // the wire; it has no clock, no IO and no thread of its own.
 //
-//   bench.powerOn(now);
-//   loop: wait until bench.nextTime() or a frame of others
-//         bench.received(now, frame) | bench.timeCame(now)
-//         bench.takeFrames(frames): put them on the bus
+//   simulator.powerOn(now);
+//   loop: wait until simulator.nextTime() or a frame of others
+//         simulator.received(now, frame) | simulator.timeCame(now)
+//         simulator.takeFrames(frames): put them on the bus
 //
 // 1. Frames come out in order, each with the instant at which it was due, never later than the time passed
 // in.
@@ -26,7 +26,7 @@
 
 namespace deckpipe::simulator {
 
-class Bench {
+class Simulator {
  public:
   // Devices in the order they are added; `boot` is the time from power to the first claim.
   std::size_t add(std::unique_ptr<Device> device, Duration boot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulator/standard_bench.h"
+#include "simulator/standard_simulator.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,17 +17,18 @@ Duration bootOf(unsigned n, unsigned count) {
 
 }  // namespace
 
-StandardBench standardBench(std::uint64_t seed, const MonitorSettings& settings, unsigned monitors) {
+StandardSimulator standardSimulator(std::uint64_t seed, const MonitorSettings& settings, unsigned monitors) {
   Random random(seed);
   const auto boot = [&] { return random.between(300, 1500) * Duration(1ms); };
-  StandardBench s;
-  s.monitor = &s.bench.add<Monitor6032>(boot(), "1032AE100801035", settings, random.next());
-  s.riser = &s.bench.add<MiniUniversal6033>(boot(), "1033AE100802117", random.next());
-  s.ioModule = &s.bench.add<IoModule6039>(boot(), 0x0F3A21u, random.next());
-  s.joystick = &s.bench.add<Joystick6035>(boot(), "1035AE100804442", Address{0x33}, random.next());
+  StandardSimulator s;
+  s.monitor = &s.simulator.add<Monitor6032>(boot(), "1032AE100801035", settings, random.next());
+  s.riser = &s.simulator.add<MiniUniversal6033>(boot(), "1033AE100802117", random.next());
+  s.ioModule = &s.simulator.add<IoModule6039>(boot(), 0x0F3A21u, random.next());
+  s.joystick = &s.simulator.add<Joystick6035>(boot(), "1035AE100804442", Address{0x33}, random.next());
   for (unsigned n = 1; n < std::min(monitors, kMostMonitors); ++n) {
     const Pin pin = *Pin::make(1032, 'A', 'E', 100'801'100 + n);
-    s.others.push_back(&s.bench.add<Monitor6032>(bootOf(n, monitors), pin.text(), settings, random.next()));
+    s.others.push_back(
+        &s.simulator.add<Monitor6032>(bootOf(n, monitors), pin.text(), settings, random.next()));
   }
   return s;
 }

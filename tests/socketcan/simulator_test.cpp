@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bench twin on can1, the console's session on can0, candump beside it: what we recorded is what was on
+// The simulator simulator on can1, the console's session on can0, candump beside it: what we recorded is what was on
 // the bus.
-#include "guest_bench.h"
+#include "guest_simulator.h"
 #include "link/can_link.h"
 #include "support/raw_frames.h"
 #include "support/recording_listener.h"
@@ -13,8 +13,8 @@ const Pin kMonitor = *Pin::parse("1032AE100801035");
 const Pin kRiser = *Pin::parse("1033AE100802117");
 const Pin kJoystick = *Pin::parse("1035AE100804442");
 
-struct Twin : ::testing::Test {
-  QString twinOn(const QString& interfaceName) const {
+struct Simulator : ::testing::Test {
+  QString simulatorOn(const QString& interfaceName) const {
     return programOfBuild(QStringLiteral("deckpipectl")) +
            QStringLiteral(" simulate --moves-monitors --plugin socketcan --interface ") + interfaceName;
   }
@@ -38,13 +38,13 @@ struct Twin : ::testing::Test {
   }
 };
 
-TEST_F(Twin, DevicesAppearPositionsMoveAndOurLogIsCandumps) {
+TEST_F(Simulator, DevicesAppearPositionsMoveAndOurLogIsCandumps) {
   Console console(QStringLiteral("can0"));
   ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Running));
   Witness witness(QStringLiteral("can0"), QStringLiteral("can1"));
   ASSERT_TRUE(witness.isRunning());
   {
-    const Program twin(twinOn(QStringLiteral("can1")));
+    const Program simulator(simulatorOn(QStringLiteral("can1")));
     const auto device = [&](const Pin& pin) {
       return console.session.snapshot().view.state->devices().byPin(pin);
     };
@@ -71,7 +71,7 @@ TEST_F(Twin, DevicesAppearPositionsMoveAndOurLogIsCandumps) {
 }
 
 // The emulated cards are a real bus to it, the vcan is none, and their names do not matter.
-TEST_F(Twin, Rule20OnlyAVcanNeedsNoWordForMovingMonitors) {
+TEST_F(Simulator, Rule20OnlyAVcanNeedsNoWordForMovingMonitors) {
   const auto statusOf = [](const QString& arguments) {
     return shell(QStringLiteral("timeout -s HUP 20 %1 simulate --plugin socketcan --interface %2")
                      .arg(programOfBuild(QStringLiteral("deckpipectl")), arguments));
@@ -90,24 +90,24 @@ TEST_F(Twin, Rule20OnlyAVcanNeedsNoWordForMovingMonitors) {
   ASSERT_TRUE(ip(QStringLiteral("set vcan9 down")) && ip(QStringLiteral("set vcan9 name can1 up")));
 }
 
-TEST_F(Twin, Rule20StaysOffABusOnWhichAnotherTwinIsHeard) {
+TEST_F(Simulator, Rule20StaysOffABusOnWhichAnotherSimulatorIsHeard) {
   Console console(QStringLiteral("can0"));
   ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Running));
-  const Program first(twinOn(QStringLiteral("can1")));
+  const Program first(simulatorOn(QStringLiteral("can1")));
   ASSERT_TRUE(console.waitUntil(
       [&] { return console.session.snapshot().view.state->devices().byPin(kMonitor) != nullptr; }));
-  EXPECT_EQ(shell(twinOn(QStringLiteral("can1"))), 1);
+  EXPECT_EQ(shell(simulatorOn(QStringLiteral("can1"))), 1);
 }
 
 // On the sender's own interface: the frames of another program are not ours, though they never were on a wire
 // to us.
-TEST_F(Twin, OnItsOwnInterfaceTheTwinIsHeardAndNotTakenForUs) {
+TEST_F(Simulator, OnItsOwnInterfaceTheSimulatorIsHeardAndNotTakenForUs) {
   Console console(QStringLiteral("can1"));
   ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Running));
   Witness witness(QStringLiteral("can1"), QStringLiteral("can0"));
   ASSERT_TRUE(witness.isRunning());
   {
-    const Program twin(twinOn(QStringLiteral("can1")));
+    const Program simulator(simulatorOn(QStringLiteral("can1")));
     ASSERT_TRUE(console.waitUntil(
         [&] { return console.session.snapshot().view.state->devices().byPin(kMonitor) != nullptr; }));
     QTest::qWait(1'000);
@@ -119,7 +119,7 @@ TEST_F(Twin, OnItsOwnInterfaceTheTwinIsHeardAndNotTakenForUs) {
 
 // What we send stands in our log once, where and when candump on the same interface has it, and marked as
 // ours.
-TEST_F(Twin, OurOwnFramesAreLoggedOnceWhereCandumpHasThem) {
+TEST_F(Simulator, OurOwnFramesAreLoggedOnceWhereCandumpHasThem) {
   Witness witness(QStringLiteral("can0"), QStringLiteral("can1"));
   ASSERT_TRUE(witness.isRunning());
   RecordingListener heard;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between what the simulator panel says (core/control) and what the simulator simulator understands (core/simulator), which
+// know nothing of each other. SimulatorRunner uses these.
+#pragma once
+
+#include "control/simulator_control.h"
+#include "simulator/standard_simulator.h"
+
+namespace deckpipe {
+
+simulator::Misbehaviour misbehaviourOf(const SimulatedFaults& faults);
+simulator::Simulator::Button buttonOf(SimulatorButton button);
+// `wished` has the faults of each device of the simulator.
+SimulatorStatus simulatorStatus(const simulator::StandardSimulator& simulator,
+                                const std::vector<SimulatedFaults>& intended);
+
+}  // namespace deckpipe
