@@ -25,9 +25,9 @@ void MainWindow::connectRecordings() {
   connect(page, &RecordingsPage::saveRequested, this, &MainWindow::saveRecordingByHand);
   connect(page, &RecordingsPage::deleteRequested, this, &MainWindow::deleteRecordingByHand);
   const RecordingLimits limits = recordingLimits();
-  m_settings->setRecordingLimits(static_cast<int>(limits.mostBytes >> 20), limits.mostDays);
+  m_settings->setRecordingLimits(static_cast<int>(limits.maxBytes >> 20), limits.maxDays);
   connect(m_settings, &SettingsPage::recordingLimitsChosen, this, [](int megabytes, int days) {
-    keepRecordingLimits({.mostBytes = static_cast<std::uint64_t>(megabytes) << 20, .mostDays = days});
+    keepRecordingLimits({.maxBytes = static_cast<std::uint64_t>(megabytes) << 20, .maxDays = days});
   });
   if (m_session.recordingFolder().isEmpty()) return;
   // The notice is for the start alone: the status strip says what is recorded from now on.

@@ -18,7 +18,7 @@ void rememberLog(const QString& path) {
   QStringList logs = recentLogs();
   logs.removeAll(whole);
   logs.prepend(whole);
-  QSettings().setValue(kKey, logs.mid(0, kMostRecentLogs));
+  QSettings().setValue(kKey, logs.mid(0, kMaxRecentLogs));
 }
 
 void forgetLogs() { QSettings().remove(kKey); }

@@ -6,7 +6,7 @@
 
 namespace deckpipe {
 
-inline constexpr int kMostRecentLogs = 10;
+inline constexpr int kMaxRecentLogs = 10;
 
 QStringList recentLogs();
 void rememberLog(const QString& path);

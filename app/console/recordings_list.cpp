@@ -94,16 +94,16 @@ QString copyFile(const QString& path, const QString& as) {
 RecordingLimits recordingLimits() {
   const QSettings settings;
   RecordingLimits limits;
-  const auto megabytes = settings.value(kMegabytesKey, qulonglong{limits.mostBytes >> 20});
-  limits.mostBytes = std::uint64_t{megabytes.toULongLong()} << 20;
-  limits.mostDays = settings.value(kDaysKey, limits.mostDays).toInt();
+  const auto megabytes = settings.value(kMegabytesKey, qulonglong{limits.maxBytes >> 20});
+  limits.maxBytes = std::uint64_t{megabytes.toULongLong()} << 20;
+  limits.maxDays = settings.value(kDaysKey, limits.maxDays).toInt();
   return limits;
 }
 
 void keepRecordingLimits(const RecordingLimits& limits) {
   QSettings settings;
-  settings.setValue(kMegabytesKey, qulonglong{limits.mostBytes >> 20});
-  settings.setValue(kDaysKey, limits.mostDays);
+  settings.setValue(kMegabytesKey, qulonglong{limits.maxBytes >> 20});
+  settings.setValue(kDaysKey, limits.maxDays);
 }
 
 Notice unsavedNotice(const std::vector<Recording>& recordings) {

@@ -16,7 +16,7 @@ namespace deckpipe {
 
 class RecordingsPage;
 
-// Settings "recordings/mostMegabytes" and "recordings/mostDays".
+// Settings "recordings/maxMegabytes" and "recordings/maxDays".
 RecordingLimits recordingLimits();
 void keepRecordingLimits(const RecordingLimits& limits);
 // The notice about recordings that nobody saved; it has no text if there is none.

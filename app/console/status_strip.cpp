@@ -15,7 +15,7 @@ namespace {
 
 // Figures that change more often cannot be read.
 constexpr Duration kCalm = 250ms;
-constexpr int kLeastSource = 220;  // "can0 · 250 kbit/s"
+constexpr int kMinSource = 220;  // "can0 · 250 kbit/s"
 constexpr int kMargins = 24;
 
 bool tell(StatusCell* cell, const StatusFact& fact) {
@@ -105,7 +105,7 @@ bool StatusStrip::tellRecording(const Snapshot& snapshot) {
 
 // Where the window is narrow, numbers go before what link, lock, losses and frames that wait say.
 void StatusStrip::fit() {
-  int room = width() - kLeastSource - m_lock->sizeHint().width() -
+  int room = width() - kMinSource - m_lock->sizeHint().width() -
              (m_lockButton->isHidden() ? 0 : m_lockButton->sizeHint().width()) -
              (m_sent->isHidden() ? 0 : m_sent->sizeHint().width() + layout()->spacing()) - kMargins;
   bool hasRoom = m_hasFacts;

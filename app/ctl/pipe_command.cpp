@@ -64,7 +64,7 @@ ExitStatus pipeCommand(const QStringList& arguments) {
       QStringLiteral("on-missing-ack"),
       QStringLiteral("stop (default); skip the packet; or resend it, which may deliver it twice. After %1 in "
                      "a row it stops anyway.")
-          .arg(kMostMissingAcks),
+          .arg(kMaxMissingAcks),
       QStringLiteral("WHAT"), QStringLiteral("stop"));
   parser.addOptions({file, before, lineEnd, idle, missing});
   if (const auto status = parse(parser, arguments)) return *status;

@@ -21,7 +21,7 @@ using Progress = PipeStatus::Progress;
 using What = intent::PipeAction::What;
 
 // Enough to keep the pipe busy between two ticks many times over; the rest waits where it came from.
-constexpr std::uint64_t kMostAhead = 1'024;
+constexpr std::uint64_t kMaxAhead = 1'024;
 constexpr qint64 kTellEvery = 1'000;  // ms
 
 double milliseconds(Duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
@@ -96,7 +96,7 @@ void PipeTalk::talk(const PipeStatus& pipe) {
           return fail(QStringLiteral("not sent to its end"), pipe);
         sayEnd(pipe);
       } else {
-        if (m_input != nullptr) m_input->setEnabled(m_handed - pipe.sent < kMostAhead);
+        if (m_input != nullptr) m_input->setEnabled(m_handed - pipe.sent < kMaxAhead);
         if (!m_inputEnded || !isIdle) return;
       }
       m_phase = Phase::Listening;
@@ -191,7 +191,7 @@ void PipeTalk::ackMissing(const PipeStatus& pipe) {
   const bool wasSent = pipe.stall != PipeStatus::Stall::NotTaken;
   const QString why = wasSent ? QStringLiteral("no acknowledgement")
                               : QStringLiteral("the adapter did not take the packet: it was not sent");
-  if (m_isStopping || m_plan.missingAck == PipePlan::MissingAck::Stop || m_inARow >= kMostMissingAcks)
+  if (m_isStopping || m_plan.missingAck == PipePlan::MissingAck::Stop || m_inARow >= kMaxMissingAcks)
     return fail(why, pipe);
   if (m_decided == m_stalls) return;  // what was decided is on its way
   m_decided = m_stalls;

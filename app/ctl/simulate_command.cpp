@@ -24,7 +24,7 @@ namespace {
 
 // Logs start at a fixed wall-clock time, so that the same seed gives the same bytes.
 constexpr std::int64_t kLogStart = 1'700'000'000'000'000'000;
-constexpr int kMostLoad = static_cast<int>(simulator::Background::kMost * 100);
+constexpr int kMaxLoad = static_cast<int>(simulator::Background::kMax * 100);
 
 // Hands over pieces of the log; false from `write` ends it. So does a signal, after which the frames that were
 // made by then are the log.
@@ -165,12 +165,12 @@ ExitStatus simulateCommand(const QStringList& arguments) {
       QStringLiteral("monitors"),
       QStringLiteral(
           "So many 6032 monitors instead of one, up to %1; about 40 fill a real bus of 250 kbit/s.")
-          .arg(simulator::kMostMonitors),
+          .arg(simulator::kMaxMonitors),
       QStringLiteral("N"), QStringLiteral("1"));
   const QCommandLineOption load(
       QStringLiteral("load"),
       QStringLiteral("Other traffic that fills so much of the bus, up to %1 per cent; none by default.")
-          .arg(kMostLoad),
+          .arg(kMaxLoad),
       QStringLiteral("PERCENT"), QStringLiteral("0"));
   const QCommandLineOption moves = movesMonitorsOption();
   parser.addOptions({plugin, interfaceName, bitRate, moves, log, seconds, seed, monitors, load, misbehave});
@@ -189,15 +189,15 @@ ExitStatus simulateCommand(const QStringList& arguments) {
   if (!secondsOk || !(secondsValue > 0) || secondsValue > 1e6) {
     return badUsage(QStringLiteral("simulate: --seconds wants a number above 0, at most 1000000"));
   }
-  if (!monitorsOk || monitorCount < 1 || monitorCount > simulator::kMostMonitors) {
+  if (!monitorsOk || monitorCount < 1 || monitorCount > simulator::kMaxMonitors) {
     return badUsage(
-        QStringLiteral("simulate: --monitors wants a number from 1 to %1").arg(simulator::kMostMonitors));
+        QStringLiteral("simulate: --monitors wants a number from 1 to %1").arg(simulator::kMaxMonitors));
   }
   if (!rateOk || rate < 0) return badUsage(QStringLiteral("simulate: --bitrate wants bits a second"));
   bool loadOk = false;
   const double percent = parser.value(load).toDouble(&loadOk);
-  if (!loadOk || !(percent >= 0) || percent > kMostLoad)
-    return badUsage(QStringLiteral("simulate: --load wants per cent, 0 to %1").arg(kMostLoad));
+  if (!loadOk || !(percent >= 0) || percent > kMaxLoad)
+    return badUsage(QStringLiteral("simulate: --load wants per cent, 0 to %1").arg(kMaxLoad));
   const bool toLog = parser.isSet(log);
   if (toLog == (parser.isSet(plugin) || parser.isSet(interfaceName))) {
     return badUsage(QStringLiteral("simulate: either --log, or --plugin and --interface"));

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kReceiveBufferBytes = 4 * 1'024 * 1'024;  // some 5,000 frames, more than 0.1 s of a full bus
 // Limit for plugins that queue inside: a longer queue would be sent long after it was meant.
-constexpr qint64 kMostQueued = 32;
+constexpr qint64 kMaxQueued = 32;
 
 bool isAnyOf(const QString& text, std::initializer_list<int> errors) {
   return std::any_of(errors.begin(), errors.end(), [&](int e) { return text == qt_error_string(e); });
@@ -169,7 +169,7 @@ WriteResult LinkDevice::write(const Frame& frame, QString& reason) {
     reason = tr("No frame to send.");
     return WriteResult::Failed;
   }
-  if (m_device->framesToWrite() >= kMostQueued) {
+  if (m_device->framesToWrite() >= kMaxQueued) {
     reason = tr("Queue full.");
     return WriteResult::QueueFull;
   }

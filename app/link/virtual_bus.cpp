@@ -15,8 +15,8 @@ namespace deckpipe {
 namespace {
 
 constexpr char kLocalEcho = 'L';
-constexpr qsizetype kLongestLine = 256;            // a CAN FD frame is 155
-constexpr qint64 kMostUnread = 8 * 1'024 * 1'024;  // a client that does not read is let go
+constexpr qsizetype kLongestLine = 256;           // a CAN FD frame is 155
+constexpr qint64 kMaxUnread = 8 * 1'024 * 1'024;  // a client that does not read is let go
 
 // Its number after `prefix`, -1 where it is no channel of ours.
 int channelOf(QByteArrayView text) {
@@ -101,7 +101,7 @@ void VirtualBus::read(Client& client) {
     client.socket->disconnectFromHost();
   }
   const auto full = std::find_if(m_clients.begin(), m_clients.end(),
-                                 [](const auto& c) { return c->socket->bytesToWrite() > kMostUnread; });
+                                 [](const auto& c) { return c->socket->bytesToWrite() > kMaxUnread; });
   if (full != m_clients.end()) (*full)->socket->abort();
 }
 

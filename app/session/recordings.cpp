@@ -135,9 +135,9 @@ QStringList recordingsToDelete(std::vector<Recording> recordings, const Recordin
   for (const Recording& recording : recordings) bytes += recording.bytes;
   QStringList paths;
   for (const Recording& recording : recordings) {
-    const bool isOld = recording.begin.daysTo(now) > limits.mostDays;
+    const bool isOld = recording.begin.daysTo(now) > limits.maxDays;
     const bool mayGo = (recording.isSaved || recording.isSimulated) && !recording.isGrowing;
-    if (!mayGo || (!isOld && bytes <= limits.mostBytes)) continue;
+    if (!mayGo || (!isOld && bytes <= limits.maxBytes)) continue;
     paths += recording.path;
     bytes -= recording.bytes;
   }

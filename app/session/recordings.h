@@ -47,8 +47,8 @@ Recording readRecording(const QString& path, std::uint64_t readWhole = kReadWhol
 std::vector<Recording> recordingsIn(const QString& folder);
 
 struct RecordingLimits {
-  std::uint64_t mostBytes = std::uint64_t{2} << 30;  // of all recordings
-  int mostDays = 30;
+  std::uint64_t maxBytes = std::uint64_t{2} << 30;  // of all recordings
+  int maxDays = 30;
 };
 // Those that are beyond a limit and may go: saved ones, and those of the simulated truck. The oldest go first.
 QStringList recordingsToDelete(std::vector<Recording> recordings, const RecordingLimits& limits,

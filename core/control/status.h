@@ -81,7 +81,7 @@ struct RequestStatus {
 
 // Of a data pipe: after so many missing acks in a row, each answered as the person had said for all, nobody
 // listens, and nothing goes on by itself.
-inline constexpr unsigned kMostMissingAcks = 5;
+inline constexpr unsigned kMaxMissingAcks = 5;
 
 inline constexpr std::size_t kPipePacket = 7;  // characters, at most
 
@@ -116,7 +116,7 @@ struct PipeStatus {
   Stall stall = Stall::None;
   Refusal refusal = Refusal::None;  // of the last packet, by the rules for sending to a device
   // As the person said for the rest of a file or text. It ends with that, with the next that is typed, after
-  // kMostMissingAcks, at any stall that is not for a missing ack, at a lock, and when the device restarts.
+  // kMaxMissingAcks, at any stall that is not for a missing ack, at a lock, and when the device restarts.
   Rest rest = Rest::Ask;
   std::uint32_t waiting = 0;  // characters typed and not yet sent
   std::uint64_t sent = 0;     // characters acknowledged or skipped

@@ -8,7 +8,7 @@ namespace deckpipe {
 
 bool hasDeltaTimes(const FrameStore& frames) {
   constexpr std::int64_t kLongestPause = 24 * 3600 * std::int64_t{1'000'000'000};
-  const std::uint64_t count = std::min(frames.count(), kMostDeltas);
+  const std::uint64_t count = std::min(frames.count(), kMaxDeltas);
   std::int64_t before = 0, longest = 0, rises = 0, falls = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::int64_t stamp = frames[i].stamp;

@@ -9,8 +9,8 @@ namespace deckpipe {
 
 // Whether the stamps of a log, read as they stand, are differences: the first is 0, none is negative or longer
 // than a day, and from the second on they fall about as much as they rise, where times hardly ever fall. By the
-// first kMostDeltas frames; fewer than kFewestDeltas tell nothing.
-inline constexpr std::uint64_t kFewestDeltas = 4, kMostDeltas = 1'000;
+// first kMaxDeltas frames; fewer than kFewestDeltas tell nothing.
+inline constexpr std::uint64_t kFewestDeltas = 4, kMaxDeltas = 1'000;
 bool hasDeltaTimes(const FrameStore& frames);
 
 }  // namespace deckpipe

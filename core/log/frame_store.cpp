@@ -61,7 +61,7 @@ FrameStore::Appended FrameStore::appendEach(std::span<const Frame> frames, TakeF
         break;
       }
       if (i % kBlock == 0) timeBefore[i % kChunkFrames / kBlock] = before;
-      if (taken.isJump && m_jumps.size() < kMostJumps) m_jumps.append(i);
+      if (taken.isJump && m_jumps.size() < kMaxJumps) m_jumps.append(i);
       constexpr unsigned kOurs = Frame::kTimeJump | Frame::kLate;
       unsigned flags = frames[k].flags & ~kOurs;
       if (taken.isJump) flags |= Frame::kTimeJump;

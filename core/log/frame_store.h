@@ -53,7 +53,7 @@ class FrameStore {
  public:
   static constexpr std::uint64_t kChunkFrames = 65'536;
   // Of a log that jumps more often the others are found by their flag alone.
-  static constexpr std::size_t kMostJumps = 10'000;
+  static constexpr std::size_t kMaxJumps = 10'000;
   // Names beyond the 255th share this index, so that no log has too many channels.
   static constexpr std::uint8_t kOtherChannels = 255;
   static constexpr std::string_view kOtherChannelsName = "other";
@@ -90,7 +90,7 @@ class FrameStore {
   // The first frame at `t` or later, the first one later than `t`; count() where there is none.
   std::uint64_t firstAtOrAfter(Instant t) const;
   std::uint64_t firstAfter(Instant t) const;
-  // The first kMostJumps frames with Frame::kTimeJump, some of them perhaps beyond count().
+  // The first kMaxJumps frames with Frame::kTimeJump, some of them perhaps beyond count().
   const StableList<std::uint64_t>& jumps() const { return m_jumps; }
   // The offsets that were set on a channel, some of them perhaps beyond count(). Null if there never was one.
   const StableList<ClockOffset>* offsets(std::uint8_t channel) const {

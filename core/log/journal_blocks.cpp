@@ -25,14 +25,14 @@ std::uint32_t crcOfBoth(std::uint32_t first, std::uint32_t second, std::size_t s
 std::size_t sizeOf(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kJournalBlockHead) return 0;
   const std::uint32_t length = journalBlockHead(bytes).length;
-  return length <= kMostJournalContent ? kJournalBlockHead + length : 0;
+  return length <= kMaxJournalContent ? kJournalBlockHead + length : 0;
 }
 
 // Whether a block that this version writes may begin here.
 bool mayBegin(std::span<const std::uint8_t> bytes) {
   const JournalBlockHead head = journalBlockHead(bytes);
   return head.type >= 1 && head.type <= static_cast<std::uint16_t>(JournalBlock::End) && head.version == 0 &&
-         head.length <= kMostJournalContent;
+         head.length <= kMaxJournalContent;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr std::size_t kCrcBytes = 4;
 constexpr std::size_t kClockBytes = 25;
 constexpr std::size_t kFirstBytes = 8;
 constexpr std::uint32_t kSimulated = 1, kSaved = 2;
-static_assert(kFirstBytes + kMostJournalFrames * sizeof(Frame) <= kMostJournalContent);
+static_assert(kFirstBytes + kMaxJournalFrames * sizeof(Frame) <= kMaxJournalContent);
 
 std::uint32_t crcOf(std::span<const std::uint8_t> bytes, std::uint32_t before = 0) {
   return static_cast<std::uint32_t>(crc32(before, bytes.data(), static_cast<uInt>(bytes.size())));
@@ -104,7 +104,7 @@ void appendChannelBlock(JournalBytes& out, std::uint8_t index, std::string_view 
 void appendClockBlocks(JournalBytes& out, std::span<const ChannelOffset> offsets) {
   while (!offsets.empty()) {
     OpenBlock block(out, JournalBlock::Clock);
-    const std::size_t n = std::min(offsets.size(), kMostJournalContent / kClockBytes);
+    const std::size_t n = std::min(offsets.size(), kMaxJournalContent / kClockBytes);
     for (const auto& [channel, offset] : offsets.first(n)) {
       out.push_back(channel);
       put(out, offset.frame);
@@ -117,10 +117,10 @@ void appendClockBlocks(JournalBytes& out, std::span<const ChannelOffset> offsets
 }
 
 void appendNoteBlocks(JournalBytes& out, std::span<const Note> notes) {
-  constexpr std::size_t kMostOfOne = 2 + 0xFFFF;
+  constexpr std::size_t kMaxOfOne = 2 + 0xFFFF;
   while (!notes.empty()) {
     OpenBlock block(out, JournalBlock::Notes);
-    for (; !notes.empty() && block.size() + kMostOfOne <= kMostJournalContent; notes = notes.subspan(1))
+    for (; !notes.empty() && block.size() + kMaxOfOne <= kMaxJournalContent; notes = notes.subspan(1))
       appendNote(out, notes.front());
     block.close();
   }

@@ -67,8 +67,8 @@ enum class JournalBlock : std::uint16_t { Channel = 1, Clock = 2, Notes = 3, Fra
 
 inline constexpr std::size_t kJournalBlockHead = 12;
 // Longer content is no content.
-inline constexpr std::size_t kMostJournalContent = std::size_t{1} << 20;
-inline constexpr std::size_t kMostJournalFrames = 8'192;  // of one block
+inline constexpr std::size_t kMaxJournalContent = std::size_t{1} << 20;
+inline constexpr std::size_t kMaxJournalFrames = 8'192;  // of one block
 
 // Each appends a whole block, or several if one does not suffice; nothing if there is nothing to write.
 void appendChannelBlock(JournalBytes& out, std::uint8_t index, std::string_view name);
@@ -78,7 +78,7 @@ struct ChannelOffset {
 };
 void appendClockBlocks(JournalBytes& out, std::span<const ChannelOffset> offsets);
 void appendNoteBlocks(JournalBytes& out, std::span<const Note> notes);
-// At most kMostJournalFrames.
+// At most kMaxJournalFrames.
 void appendFrameBlock(JournalBytes& out, std::uint64_t first, std::span<const Frame> frames);
 void appendEndBlock(JournalBytes& out);
 

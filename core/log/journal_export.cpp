@@ -12,7 +12,7 @@ namespace {
 
 // So many are lost by one wrong bit.
 constexpr std::size_t kFramesOfBlock = 256;
-static_assert(kFramesOfBlock <= kMostJournalFrames);
+static_assert(kFramesOfBlock <= kMaxJournalFrames);
 
 // Of the log only frames and their log times are known: an offset is written wherever a frame's time does not
 // follow from its stamp and the offset before (FrameStore says how it does).

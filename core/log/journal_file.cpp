@@ -98,8 +98,8 @@ class PosixJournalFile final : public JournalFile {
 }  // namespace
 
 MadeJournalFile createJournalFile(const std::string& path) {
-  constexpr int kMostOfOneName = 1'000;
-  for (int number = 1; number <= kMostOfOneName; ++number) {
+  constexpr int kMaxOfOneName = 1'000;
+  for (int number = 1; number <= kMaxOfOneName; ++number) {
     const std::string name = path + (number == 1 ? "" : "-" + std::to_string(number)) + ".deckpipe";
     const int file = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (file < 0 && errno == EEXIST) continue;

@@ -21,7 +21,7 @@ using Bytes = std::span<const std::uint8_t>;
 constexpr std::uint64_t kPiece = 64 * 1024;
 // A channel of which neither the clock nor the silence before it is known, as its blocks may be lost, goes on
 // where its stamps do so within this time; otherwise at the time of the frame before.
-constexpr std::int64_t kMostUnsure = 3'600'000'000'000;
+constexpr std::int64_t kMaxUnsure = 3'600'000'000'000;
 
 // Puts what is in the blocks of a journal into a log, one block after another. Frames, notes and clock offsets
 // name a frame by its place in the whole recording; where blocks are lost the log's own places are lower.
@@ -210,7 +210,7 @@ class JournalContent {
       if (m_unsure.test(frame.channel)) {
         m_unsure.reset(frame.channel);
         const std::int64_t away = saturatedMinus(saturatedPlus(frame.stamp, offset), time);
-        if (away > kMostUnsure || away < -kMostUnsure) offset = saturatedMinus(time, frame.stamp);
+        if (away > kMaxUnsure || away < -kMaxUnsure) offset = saturatedMinus(time, frame.stamp);
         all.push_back({place + i, offset, saturatedPlus(frame.stamp, offset)});
       }
       time = std::max(time, saturatedPlus(frame.stamp, offset));

@@ -73,7 +73,7 @@ bool JournalWriter::collect(Place& place, std::uint64_t count, std::span<const N
     appendChannelBlock(m_buffer, index, m_frames.channelName(index));
   }
   std::span<const Frame> frames = m_frames.run(place.frames);
-  frames = frames.first(std::min<std::uint64_t>({frames.size(), kMostJournalFrames, count - place.frames}));
+  frames = frames.first(std::min<std::uint64_t>({frames.size(), kMaxJournalFrames, count - place.frames}));
   // In the order in which they came, so that those before the same frame keep theirs.
   const auto isLater = [end = place.frames + frames.size()](const Note& note) { return note.frame > end; };
   const auto n = static_cast<std::size_t>(std::ranges::find_if(notes, isLater) - notes.begin());

@@ -21,7 +21,7 @@ using Kind = SidecarFault::Kind;
 constexpr std::string_view kTitle = "Deckpipe notes ";
 constexpr std::uint64_t kVersion = 1;
 // No sidecar is longer: a million notes need less.
-constexpr std::uint64_t kMostBytes = std::uint64_t{128} << 20;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{128} << 20;
 
 std::uint32_t crcOf(std::string_view text) {
   return static_cast<std::uint32_t>(
@@ -236,7 +236,7 @@ void readSidecar(const std::string& logPath, FrameStore& frames, NoteStore& note
   std::vector<char> buffer;
   std::string_view text;
   std::string why = file.open(path);
-  if (why.empty() && file.size() > kMostBytes) why = std::generic_category().message(EFBIG);
+  if (why.empty() && file.size() > kMaxBytes) why = std::generic_category().message(EFBIG);
   if (why.empty()) why = file.get(0, file.size(), buffer, text);
   if (!why.empty()) {
     summary.sidecarFault = {Kind::CannotRead, 0, path, std::move(why)};

@@ -84,9 +84,9 @@ constexpr MessageId requestOf(Request request) {
   return MessageId::Count;
 }
 // The messages that end a request, all of them together; Count where there are fewer.
-inline constexpr std::size_t kMostAnswers = 2;
-constexpr std::array<MessageId, kMostAnswers> answersOf(Request request) {
-  std::array<MessageId, kMostAnswers> ids{MessageId::Count, MessageId::Count};
+inline constexpr std::size_t kMaxAnswers = 2;
+constexpr std::array<MessageId, kMaxAnswers> answersOf(Request request) {
+  std::array<MessageId, kMaxAnswers> ids{MessageId::Count, MessageId::Count};
   std::size_t at = 0;
   for (const Message& message : kCatalogue) {
     if (message.request == request && message.part != Part::Asks) ids.at(at++) = message.id;

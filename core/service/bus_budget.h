@@ -13,8 +13,8 @@ namespace deckpipe {
 class BusBudget {
  public:
   // Of the bus, for polls and their answers together.
-  static constexpr double kShare = 0.05, kLeast = 0.01;
-  // Above this load only kLeast is left to polls.
+  static constexpr double kShare = 0.05, kMin = 0.01;
+  // Above this load only kMin is left to polls.
   static constexpr double kFull = 0.85;
 
   explicit BusBudget(int bitRate) { setBitRate(bitRate); }
@@ -36,7 +36,7 @@ class BusBudget {
   }
   // From a request that costs so many bits, answer included, to the next one.
   Duration gapAfter(Instant now, unsigned bits) {
-    const double share = std::clamp(kFull - load(now), kLeast, kShare);
+    const double share = std::clamp(kFull - load(now), kMin, kShare);
     return Duration(static_cast<std::int64_t>(bits / (share * m_bitRate) * 1e9));
   }
 

@@ -68,7 +68,7 @@ void Pipe::begin(Instant now) {
 
 Refusal Pipe::write(const Turn& turn, const std::string& bytes) {
   if (m_status.isSendingFile()) return Refusal::Busy;  // it would end up in the middle of the file
-  if (waiting() + bytes.size() > kMostTyped) return Refusal::TooMuch;
+  if (waiting() + bytes.size() > kMaxTyped) return Refusal::TooMuch;
   if (!isUnderWay()) begin(turn.now);
   m_status.rest = Rest::Ask;
   m_status.notTaken = 0;
@@ -215,7 +215,7 @@ void Pipe::stall(const Turn& turn, Stall why) {
   m_status.stall = why;
   notePipe(turn, m_device, m_inFlight->to, PipeEvent::Stalled);
   const Rest rest = std::exchange(m_status.rest, Rest::Ask);
-  if (rest == Rest::Ask || why != Stall::NoAck || m_inARow >= kMostMissingAcks) return;
+  if (rest == Rest::Ask || why != Stall::NoAck || m_inARow >= kMaxMissingAcks) return;
   m_status.rest = rest;
   ++m_inARow;
   if ((rest == Rest::Skip ? skip(turn) : resend(turn)) != Refusal::None) m_status.rest = Rest::Ask;

@@ -18,7 +18,7 @@ class Pipe {
   static constexpr std::size_t kPacket = kPipePacket;
   static constexpr Duration kAckTimeout = 1s;
   static constexpr Duration kSettle = 1s;
-  static constexpr std::size_t kMostTyped = 65'536;  // characters that may wait
+  static constexpr std::size_t kMaxTyped = 65'536;  // characters that may wait
 
   // What a call is given.
   struct Turn {

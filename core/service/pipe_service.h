@@ -6,7 +6,7 @@
 // 1. There is no sequence number, so nothing is ever sent twice by itself: a missing ack stops the pipe until
 //    the person says resend, skip or abort. An ack that comes late after all resolves the doubt. What the
 //    person says may be for the rest of a file or text too: that holds for missing acks alone, for
-//    kMostMissingAcks in a row, and never outlives what it was said of.
+//    kMaxMissingAcks in a row, and never outlives what it was said of.
 // 2. An ack counts only once the packet was on the bus, and its time runs from there: one that came before
 //    cannot be its own. A packet that is not on the bus yet is not sent a second time.
 // 3. After a packet was sent again, skipped or given up, an ack of it may still come. The next packet waits

@@ -15,8 +15,8 @@ namespace deckpipe {
 
 struct RequestRule {
   MessageId request = MessageId::Count;
-  std::array<MessageId, kMostAnswers> answers{};  // all of them make the answer; Count = none
-  Duration patience{};                            // of one try
+  std::array<MessageId, kMaxAnswers> answers{};  // all of them make the answer; Count = none
+  Duration patience{};                           // of one try
   unsigned tries = 1;
 };
 

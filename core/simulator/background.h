@@ -17,14 +17,14 @@ namespace deckpipe::simulator {
 
 class Background {
  public:
-  static constexpr double kMost = 0.95;  // of the bus
+  static constexpr double kMax = 0.95;  // of the bus
   static constexpr Address kSource{0x27};
   static constexpr std::uint32_t kFirstPgn = 0xFF00, kPgns = 16;
 
   // From `begin` on; a share of 0 is silence.
   void set(Instant begin, double share, int bitRate) {
     m_period = share > 0 ? Duration(static_cast<std::int64_t>(estimatedBits(made(0)) /
-                                                              (std::min(share, kMost) * bitRate) * 1e9))
+                                                              (std::min(share, kMax) * bitRate) * 1e9))
                          : Duration{0};
     m_next = share > 0 ? begin : kNever;
   }

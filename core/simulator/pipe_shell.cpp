@@ -157,7 +157,7 @@ void PipeShell::timeCame(Instant now) {
 }
 
 void PipeShell::say(std::string_view text) {
-  if (m_waiting + text.size() > kMostWaiting) {
+  if (m_waiting + text.size() > kMaxWaiting) {
     m_lost += text.size();
     return;
   }

@@ -23,7 +23,7 @@ namespace deckpipe::simulator {
 class PipeShell {
  public:
   static constexpr std::size_t kLongestLine = 80;
-  static constexpr std::size_t kMostWaiting = 4096;  // characters of answers
+  static constexpr std::size_t kMaxWaiting = 4096;  // characters of answers
   static constexpr std::uint32_t kLargest = 1u << 24;
   static constexpr Duration kFileSilence = 10s;  // then a file is given up
   static constexpr std::string_view kHelp =

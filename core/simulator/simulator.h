@@ -38,7 +38,7 @@ class Simulator {
     return kept;
   }
   void powerOn(Instant now);
-  // Other traffic from then on, so much of the bus: 0 to Background::kMost.
+  // Other traffic from then on, so much of the bus: 0 to Background::kMax.
   void fill(Instant from, double share, int bitRate = 250'000) { m_background.set(from, share, bitRate); }
   bool isFilled() const { return m_background.nextTime() != kNever; }
 

@@ -25,7 +25,7 @@ StandardSimulator standardSimulator(std::uint64_t seed, const MonitorSettings& s
   s.riser = &s.simulator.add<MiniUniversal6033>(boot(), "1033AE100802117", random.next());
   s.ioModule = &s.simulator.add<IoModule6039>(boot(), 0x0F3A21u, random.next());
   s.joystick = &s.simulator.add<Joystick6035>(boot(), "1035AE100804442", Address{0x33}, random.next());
-  for (unsigned n = 1; n < std::min(monitors, kMostMonitors); ++n) {
+  for (unsigned n = 1; n < std::min(monitors, kMaxMonitors); ++n) {
     const Pin pin = *Pin::make(1032, 'A', 'E', 100'801'100 + n);
     s.others.push_back(
         &s.simulator.add<Monitor6032>(bootOf(n, monitors), pin.text(), settings, random.next()));

@@ -23,7 +23,7 @@ struct StandardSimulator {
   std::vector<Monitor6032*> others;  // more monitors, after the four
 };
 
-inline constexpr unsigned kMostMonitors = 60;
+inline constexpr unsigned kMaxMonitors = 60;
 StandardSimulator standardSimulator(std::uint64_t seed, const MonitorSettings& settings = {},
                                     unsigned monitors = 1);
 

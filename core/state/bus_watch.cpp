@@ -10,7 +10,7 @@ namespace deckpipe {
 namespace {
 
 // More NAMEs without an address than a bus has addresses are not told apart.
-constexpr std::size_t kMostNames = 256;
+constexpr std::size_t kMaxNames = 256;
 // So often it is looked whether two devices still share an address.
 constexpr Duration kSharedAgain = 1s;
 
@@ -125,7 +125,7 @@ void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices,
 // Asked again and again, it says so again: that is told once.
 void BusWatch::cannotClaim(const State& state, Name name, std::span<DeviceWatch> devices,
                            std::vector<Event>& out) {
-  if (name.isNull() || m_cannotClaim.size() >= kMostNames) return;
+  if (name.isNull() || m_cannotClaim.size() >= kMaxNames) return;
   if (std::ranges::find(m_cannotClaim, name) != m_cannotClaim.end()) return;
   m_cannotClaim.push_back(name);
   Event event = eventOf(state, EventKind::CannotClaim);

@@ -81,7 +81,7 @@ class BusWatch {
   std::vector<Name> m_cannotClaim;  // those of which it was told
   TellCount m_losses;
   std::bitset<256> m_shared;
-  std::array<StickWatch, Joysticks::kMost> m_sticks;
+  std::array<StickWatch, Joysticks::kMax> m_sticks;
 
   Instant m_secondEnd = kNever;                     // of the second whose load is counted
   std::uint64_t m_bits = 0;                         // of the channel when it began

@@ -23,7 +23,7 @@ bool Events::build(const Cursor& to) {
   m_walk->advance(m_frames, m_notes, isFarther ? cursorAfter(m_frames, stop) : to, m_found);
   if (m_walk->cursor().frames == stop) m_keyframes.offer(m_walk->state());
   const std::lock_guard lock(m_lock);
-  const std::size_t room = kMost - m_list.size();
+  const std::size_t room = kMax - m_list.size();
   m_list.insert(m_list.end(), m_found.begin(),
                 m_found.begin() + static_cast<std::ptrdiff_t>(std::min(room, m_found.size())));
   m_found.clear();

@@ -21,7 +21,7 @@ struct Cursor;
 class Events {
  public:
   // A person reads no longer list: what happens later is not listed.
-  static constexpr std::size_t kMost = 20'000;
+  static constexpr std::size_t kMax = 20'000;
 
   Events(const FrameStore& frames, const NoteStore& notes, Keyframes& keyframes);
   ~Events();
@@ -37,7 +37,7 @@ class Events {
   std::size_t count() const;
   // All but the first so many, which never change.
   std::vector<Event> after(std::size_t first) const;
-  bool isFull() const { return count() >= kMost; }
+  bool isFull() const { return count() >= kMax; }
 
  private:
   const FrameStore& m_frames;

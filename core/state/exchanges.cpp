@@ -15,9 +15,9 @@ bool Exchanges::build(std::uint64_t atMost) {
   const std::uint64_t end = std::min(m_roles.built(), m_looked + atMost);
   const std::uint64_t before = m_looked;
   LogTimes times(m_frames);
-  while (m_looked < end && m_list->size() < kMost) {
+  while (m_looked < end && m_list->size() < kMax) {
     for (const Frame& frame : m_frames.run(m_looked)) {
-      if (m_looked == end || m_list->size() >= kMost) break;
+      if (m_looked == end || m_list->size() >= kMax) break;
       if (frame.isExtended() && !frame.isRemote() && !frame.isError() && frame.channel < kMaxChannels)
         look(frame, m_looked, times.at(m_looked));
       ++m_looked;

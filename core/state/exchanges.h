@@ -27,7 +27,7 @@ struct Exchange {
 class Exchanges {
  public:
   // A person reads no longer list: later ones are not listed.
-  static constexpr std::size_t kMost = 2'000'000;
+  static constexpr std::size_t kMax = 2'000'000;
   using List = StableList<Exchange>;
 
   Exchanges(const FrameStore& frames, const RoleIndex& roles);

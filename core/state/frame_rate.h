@@ -20,7 +20,7 @@ class FrameRate {
       m_last = isNext ? m_current : std::uint16_t{0};
       m_current = 0;
     }
-    if (m_current < kMost) ++m_current;
+    if (m_current < kMax) ++m_current;
   }
   // Of the last whole second before `now`; `heard` is when the last frame came.
   unsigned at(Instant now, Instant heard) const {
@@ -30,7 +30,7 @@ class FrameRate {
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 
  private:
-  static constexpr unsigned kMost = (1u << 15) - 1;  // more than a bus of 1 Mbit/s carries
+  static constexpr unsigned kMax = (1u << 15) - 1;  // more than a bus of 1 Mbit/s carries
 
   static std::int64_t secondOf(Instant t) { return t.ns / 1'000'000'000; }
 

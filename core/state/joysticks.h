@@ -39,7 +39,7 @@ struct Joystick {
 
 class Joysticks {
  public:
-  static constexpr std::size_t kMost = 8;  // 33..38 and two that controllers do not listen to
+  static constexpr std::size_t kMax = 8;  // 33..38 and two that controllers do not listen to
 
   // In order of first appearance; those never used have the null address.
   std::span<const Joystick> all() const { return m_sticks; }
@@ -58,7 +58,7 @@ class Joysticks {
   Joystick* at(Address source);
   Instant timeoutOf(const Joystick& stick) const;
 
-  std::array<Joystick, kMost> m_sticks{};
+  std::array<Joystick, kMax> m_sticks{};
   Instant m_listensSince = kNotYet;
 };
 

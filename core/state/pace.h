@@ -65,15 +65,15 @@ class Pace {
 
  private:
   static constexpr Duration kUnit = 100us;
-  static constexpr Duration::rep kMost = std::numeric_limits<std::uint16_t>::max();
+  static constexpr Duration::rep kMax = std::numeric_limits<std::uint16_t>::max();
   static constexpr Duration kOne = 5ms;
   static constexpr Duration kFor = 2s;
   static constexpr Duration kDrainsFor = 5s;
   static constexpr std::uint8_t kLeaps = 4;
-  static_assert(kDrainsFor / kUnit <= kMost);
+  static_assert(kDrainsFor / kUnit <= kMax);
 
   static std::uint16_t units(Duration d) {
-    return static_cast<std::uint16_t>(std::clamp<Duration::rep>(d / kUnit, 0, kMost));
+    return static_cast<std::uint16_t>(std::clamp<Duration::rep>(d / kUnit, 0, kMax));
   }
   void holdUp(MessageId id, Duration gap) {
     if (gap >= staleAfter(id)) {

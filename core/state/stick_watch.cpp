@@ -54,8 +54,7 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   } else if (hadTimedOut) {
     m_timeoutGap = gap;
     compareTimeout(state, channel, out);
-  } else if (!wasDeaf && gap > (stick.period > kSlowPeriod ? kMostSlowGap : kMostGap) &&
-             m_gaps.happens(now)) {
+  } else if (!wasDeaf && gap > (stick.period > kSlowPeriod ? kMaxSlowGap : kMaxGap) && m_gaps.happens(now)) {
     Event event = eventOf(state, channel, EventKind::JoystickGap);
     event.now = gap.count();
     m_gaps.settle(event);

@@ -15,7 +15,7 @@ namespace deckpipe {
 class StickWatch {
  public:
   // Longer than this is a gap. A source with a period near it may be late by a quarter of it.
-  static constexpr Duration kMostGap = 100ms, kMostSlowGap = 125ms, kSlowPeriod = 80ms;
+  static constexpr Duration kMaxGap = 100ms, kMaxSlowGap = 125ms, kSlowPeriod = 80ms;
 
   // A basic message came. `isNews`: the channel was heard long enough before to know that it did not send. Returns
   // whether none had come for a while.

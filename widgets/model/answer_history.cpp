@@ -43,7 +43,7 @@ void AnswerHistory::setView(const LogView& view, const DeviceKey& device) {
   }
   if (fresh.empty()) return;
   const std::size_t all = m_rows.size() + fresh.size();
-  std::size_t surplus = dropOldest(all - std::min(all, kMostRows));
+  std::size_t surplus = dropOldest(all - std::min(all, kMaxRows));
   std::erase_if(fresh, [&](const Row& row) {
     const bool goes = surplus > 0 && !isLatest(row);
     if (goes) --surplus;

@@ -21,7 +21,7 @@ class AnswerHistory : public QAbstractTableModel {
   enum Column { When, What, Answer, Changed, ColumnCount };
   enum Role { FrameRole = Qt::UserRole };  // place in the log, quint64
   // Older ones are left out, but for the last of each message: what was answered once stays answered.
-  static constexpr std::size_t kMostRows = 500;
+  static constexpr std::size_t kMaxRows = 500;
 
   explicit AnswerHistory(QObject* parent = nullptr);
 

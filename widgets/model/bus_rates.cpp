@@ -9,8 +9,8 @@ namespace deckpipe {
 namespace {
 
 constexpr Duration kSpan = 1s;
-constexpr Duration kLeastSpan = 100ms;          // before that a rate says nothing
-constexpr std::uint64_t kMostFrames = 100'000;  // four full buses send 36,000; a log without times has more
+constexpr Duration kMinSpan = 100ms;           // before that a rate says nothing
+constexpr std::uint64_t kMaxFrames = 100'000;  // four full buses send 36,000; a log without times has more
 
 }  // namespace
 
@@ -22,11 +22,11 @@ BusRates ratesAt(const LogView& view) {
   const Duration span = std::min(kSpan, view.cursor.time - view.begin);
   if (!frames.hasTimes()) {
     rates.basis = BusRates::Basis::NoTimes;
-  } else if (end == 0 || span >= kLeastSpan) {
+  } else if (end == 0 || span >= kMinSpan) {
     rates.basis = BusRates::Basis::Times;
   }
   if (end == 0 || !rates.isKnown() || view.cursor.time < view.begin) return rates;
-  const std::uint64_t earliest = end > kMostFrames ? end - kMostFrames : 0;
+  const std::uint64_t earliest = end > kMaxFrames ? end - kMaxFrames : 0;
   std::uint64_t i = std::max(earliest, frames.firstAfter(view.cursor.time - span));
   std::uint64_t count = 0;
   while (i < end) {

@@ -18,7 +18,7 @@ std::uint64_t IdTable::keyOf(const Frame& frame) {
 }
 
 IdRow* IdTable::rowOf(std::uint64_t key) {
-  constexpr std::size_t kSlots = 4 * kMost;
+  constexpr std::size_t kSlots = 4 * kMax;
   if (m_slots.empty()) m_slots.resize(kSlots);
   std::size_t at = key * 0x9E37'79B9'7F4A'7C15 >> 51;
   static_assert(kSlots == std::size_t{1} << 13);
@@ -27,7 +27,7 @@ IdRow* IdTable::rowOf(std::uint64_t key) {
     IdRow& row = m_rows[m_slots[at] - 1u];
     if (row.key == key) return &row;
   }
-  if (m_rows.size() == kMost) return nullptr;
+  if (m_rows.size() == kMax) return nullptr;
   m_rows.push_back({.key = key});
   m_slots[at] = static_cast<std::uint16_t>(m_rows.size());
   return &m_rows.back();

@@ -7,7 +7,7 @@
 //   1. A row is a channel and an identifier; of PGN EF00, which carries many messages, also its type byte.
 //   2. Periods are those of the present run: a pause of more than kPause times the mean, and of more than a
 //      second, begins a new run, so that a device that was off does not spoil them for good.
-//   3. After kMost rows further identifiers are only counted.
+//   3. After kMax rows further identifiers are only counted.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ struct IdRow {
 
 class IdTable {
  public:
-  static constexpr std::size_t kMost = 2048;
+  static constexpr std::size_t kMax = 2048;
   static constexpr int kPause = 10;
 
   // The frames of the log that are behind what the table has seen, up to `end`; with a test those that pass.

@@ -10,7 +10,7 @@ namespace deckpipe {
 namespace {
 
 // A label may slide along the circle by this much to find room; further off it would belong to nothing.
-constexpr double kMostSlide = 60;
+constexpr double kMaxSlide = 60;
 constexpr double kSlideStep = 2;
 
 struct Candidate {
@@ -38,7 +38,7 @@ QRectF labelAt(const DialView& v, const DialLayout& layout, double bearing) {
 
 std::vector<Candidate> candidatesFor(const DialView& v, const DialLayout& layout, double bearing) {
   std::vector<Candidate> all;
-  for (double slide = -kMostSlide; slide <= kMostSlide; slide += kSlideStep) {
+  for (double slide = -kMaxSlide; slide <= kMaxSlide; slide += kSlideStep) {
     const QRectF rect = labelAt(v, layout, bearing + slide);
     const bool clear = distance(v.pivot, rect) >= v.radius && !rect.intersects(layout.enableChip) &&
                        !rect.intersects(layout.stowedChip);

@@ -7,15 +7,15 @@
 namespace deckpipe {
 namespace {
 
-constexpr double kLeastWidth = 18, kMostWidth = 44;
-constexpr double kLeastHeight = 17, kMostHeight = 32;
+constexpr double kMinWidth = 18, kMaxWidth = 44;
+constexpr double kMinHeight = 17, kMaxHeight = 32;
 
 }  // namespace
 
 PayloadGeometry PayloadGeometry::fitting(QSizeF size) {
   PayloadGeometry g;
-  g.cellWidth = std::floor(std::clamp((size.width() - kLeft - kRight) / 8, kLeastWidth, kMostWidth));
-  g.cellHeight = std::floor(std::clamp((size.height() - kTop - 1) / kBytes, kLeastHeight, kMostHeight));
+  g.cellWidth = std::floor(std::clamp((size.width() - kLeft - kRight) / 8, kMinWidth, kMaxWidth));
+  g.cellHeight = std::floor(std::clamp((size.height() - kTop - 1) / kBytes, kMinHeight, kMaxHeight));
   return g;
 }
 

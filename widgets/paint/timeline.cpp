@@ -14,8 +14,8 @@ namespace deckpipe {
 namespace {
 
 constexpr double kMarkHeight = 9;
-constexpr double kLeastGap = 3;  // pixels
-constexpr double kUnseen = 3;    // pixels that all may lag behind a log that grows
+constexpr double kMinGap = 3;  // pixels
+constexpr double kUnseen = 3;  // pixels that all may lag behind a log that grows
 
 }  // namespace
 
@@ -206,7 +206,7 @@ void Timeline::paintGaps(QPainter& p, const Colours& c, const TimelineGeometry& 
                          const QRectF& strip) const {
   for (const TimelineGap& gap : m_values.gaps) {
     const double from = g.xOf(gap.span.begin), to = g.xOf(gap.span.end);
-    if (to - from < kLeastGap) continue;
+    if (to - from < kMinGap) continue;
     const bool isLost = gap.kind == TimelineGap::Kind::LinkLost;
     const QRectF area(from, strip.top() + 1, to - from, strip.height() - 2);
     p.fillRect(area,

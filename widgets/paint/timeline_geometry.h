@@ -20,7 +20,7 @@ struct TimelineSpan {
 };
 
 // Closer than this nothing is to be seen.
-inline constexpr double kLeastSpanNs = 1e6;
+inline constexpr double kMinSpanNs = 1e6;
 
 // As long as `span`, but within `whole`.
 inline TimelineSpan spanWithin(TimelineSpan span, TimelineSpan whole) {
@@ -31,7 +31,7 @@ inline TimelineSpan spanWithin(TimelineSpan span, TimelineSpan whole) {
 }
 // Closer by `factor`, with the instant `around` where it is; the whole where that is not longer.
 inline TimelineSpan spanZoomed(TimelineSpan span, TimelineSpan whole, Instant around, double factor) {
-  const double length = std::max(span.ns() / factor, kLeastSpanNs);
+  const double length = std::max(span.ns() / factor, kMinSpanNs);
   if (length >= whole.ns() || span.ns() <= 0) return whole;
   const double share =
       std::clamp((static_cast<double>(around.ns) - static_cast<double>(span.begin.ns)) / span.ns(), 0.0, 1.0);

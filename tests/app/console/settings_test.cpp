@@ -108,8 +108,8 @@ TEST_F(Looks, LetAPersonSayHowMuchOfTheRecordingsIsKept) {
   days->setFocus();
   days->selectAll();
   QTest::keyClicks(days, QStringLiteral("7\t"));
-  EXPECT_EQ(recordingLimits().mostBytes, std::uint64_t{500} << 20);
-  EXPECT_EQ(recordingLimits().mostDays, 7);
+  EXPECT_EQ(recordingLimits().maxBytes, std::uint64_t{500} << 20);
+  EXPECT_EQ(recordingLimits().maxDays, 7);
 }
 
 TEST_F(Looks, TakeNoJoysticksOrMonitorsAddressForTheConsole) {

@@ -291,7 +291,7 @@ TEST(RecordingLimits, NeverDeleteWhatWasNotSavedAndTheOldestFirst) {
                          Row{"size, all that may go", {young, middle}, 50, list({"middle", "young"})},
                          Row{"what was not saved stays", {unsaved}, 10, {}},
                          Row{"and counts", {unsaved, young}, 5'000, list({"young"})}}) {
-    EXPECT_EQ(recordingsToDelete(row.recordings, {.mostBytes = row.most, .mostDays = 30}, now), row.deleted)
+    EXPECT_EQ(recordingsToDelete(row.recordings, {.maxBytes = row.most, .maxDays = 30}, now), row.deleted)
         << row.name;
   }
 }

@@ -76,7 +76,7 @@ TEST(Journal, IsWrittenInAnyPieces) {
 
 TEST(Journal, OfManyFramesHasManyBlocksAndReportsProgress) {
   Recording written;
-  std::vector<Frame> frames(3 * kMostJournalFrames + 5, test::frame("123", "00"));
+  std::vector<Frame> frames(3 * kMaxJournalFrames + 5, test::frame("123", "00"));
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i].stamp = static_cast<std::int64_t>(i) * 1'000'000;
   written.frames.channel("can0");
   ASSERT_TRUE(written.frames.append(frames));
@@ -96,7 +96,7 @@ TEST(Journal, OfManyFramesHasManyBlocksAndReportsProgress) {
   part.read(bytes, {.onProgress = [](const ReadProgress& progress) { return progress.frames == 0; }});
   ASSERT_TRUE(part.result);
   EXPECT_TRUE(part.result.value().cancelled);
-  EXPECT_EQ(part.frames.count(), kMostJournalFrames);
+  EXPECT_EQ(part.frames.count(), kMaxJournalFrames);
 }
 
 TEST(Journal, PutsEachNoteBeforeItsFrameAsTheLogGrows) {
@@ -578,10 +578,10 @@ TEST(Journal, OfALogThatIsSavedBringsBackFramesNotesAndLogTimes) {
   ASSERT_TRUE(readLog(BytesInMemory("  can0  123   [1]  11\n  can0  123   [1]  12\n"), timeless.target()));
   Recording many;
   many.frames.channel("can0");
-  std::vector<Frame> frames(2 * kMostJournalFrames + 5, test::frame("123", "00"));
+  std::vector<Frame> frames(2 * kMaxJournalFrames + 5, test::frame("123", "00"));
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i].stamp = static_cast<std::int64_t>(i) * 1'000'000;
   ASSERT_TRUE(many.frames.append(frames));
-  many.notes.append({.frame = kMostJournalFrames + 1, .time = {4}, .value = note::Mark{"between"}});
+  many.notes.append({.frame = kMaxJournalFrames + 1, .time = {4}, .value = note::Mark{"between"}});
   for (const Recording* written : {&live, &file, &timeless, &many}) {
     Recording read;
     read.read(exportOf(*written));

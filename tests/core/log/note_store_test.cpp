@@ -81,11 +81,11 @@ TEST(NoteStore, IsReadWhileItGrows) {
 }
 
 TEST(NoteText, CutsLongTextBetweenCharacters) {
-  constexpr std::size_t kMost = NoteText::kMaxBytes;
-  EXPECT_EQ(NoteText(std::string(kMost, 'x')).str().size(), kMost);
-  std::string text(kMost - 1, 'x');
+  constexpr std::size_t kMax = NoteText::kMaxBytes;
+  EXPECT_EQ(NoteText(std::string(kMax, 'x')).str().size(), kMax);
+  std::string text(kMax - 1, 'x');
   const NoteText cut(text.append("ü"));
-  EXPECT_EQ(cut.str(), std::string(kMost - 1, 'x'));
+  EXPECT_EQ(cut.str(), std::string(kMax - 1, 'x'));
 }
 
 TEST(NoteKey, IsAWordOfItsOwnForEveryKind) {

@@ -81,8 +81,8 @@ TEST_F(PipeRest, StopsAfterFiveMissingAcksInARow) {
     pair.run(30s);
     EXPECT_EQ(status().progress, PipeStatus::Progress::Stalled);
     EXPECT_EQ(status().rest, Rest::Ask);
-    EXPECT_EQ(what == What::Skip ? status().fileSkipped : status().fileResent, kMostMissingAcks);
-    EXPECT_EQ(packets(before).size(), kMostMissingAcks + 1);
+    EXPECT_EQ(what == What::Skip ? status().fileSkipped : status().fileResent, kMaxMissingAcks);
+    EXPECT_EQ(packets(before).size(), kMaxMissingAcks + 1);
   }
 }
 

@@ -513,7 +513,7 @@ TEST_F(Pipe, LockingDropsWhatWaits) {
 }
 
 TEST_F(Pipe, MoreThanMayWaitIsRefusedWhole) {
-  EXPECT_EQ(type(std::string(deckpipe::Pipe::kMostTyped + 1, 'x')), Refusal::TooMuch);
+  EXPECT_EQ(type(std::string(deckpipe::Pipe::kMaxTyped + 1, 'x')), Refusal::TooMuch);
   EXPECT_TRUE(packets().empty());
   EXPECT_EQ(pair.want(intent::PipeWrite{DeviceKey::of(*Pin::parse("1032AE000000001")), "x"}),
             Refusal::NoDevice);

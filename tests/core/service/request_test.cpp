@@ -653,7 +653,7 @@ TEST_F(Crowd, OnABusyBusPollingEveryoneEndsAndLeavesTheBusToOthers) {
     };
     for (int i = 0; i < 60 && !isOver(); ++i) pair.run(1s);
     EXPECT_TRUE(isOver()) << load;
-    EXPECT_LE(worstShare(from), (load < BusBudget::kFull ? BusBudget::kShare : BusBudget::kLeast) * 1.2);
+    EXPECT_LE(worstShare(from), (load < BusBudget::kFull ? BusBudget::kShare : BusBudget::kMin) * 1.2);
   }
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
     for (const Request poll : polls()) EXPECT_EQ(device.of(poll).answered, 2u);

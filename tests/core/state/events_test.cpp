@@ -50,7 +50,7 @@ TEST(Events, GoOnWithALogThatGrows) {
 TEST(Events, EndWithTheListAPersonReads) {
   LogDocument log;
   std::vector<Frame> batch;
-  for (std::uint64_t i = 0; i <= Events::kMost; ++i) {
+  for (std::uint64_t i = 0; i <= Events::kMax; ++i) {
     batch.push_back(test::frame("18EFFF80", i % 2 == 0 ? "83C051" : "834051", 0,
                                 static_cast<std::int64_t>(i) * 10'000'000'000));
   }
@@ -58,7 +58,7 @@ TEST(Events, EndWithTheListAPersonReads) {
   while (log.events.build(cursorAfter(log.frames, log.frames.count()))) {
   }
   EXPECT_TRUE(log.events.isFull());
-  EXPECT_EQ(log.events.count(), Events::kMost);
+  EXPECT_EQ(log.events.count(), Events::kMax);
 }
 
 }  // namespace

@@ -55,13 +55,13 @@ TEST(IdTable, BeginsANewRunAfterALongPause) {
 
 TEST(IdTable, CountsWhatItHasNoRowFor) {
   std::vector<Frame> frames;
-  for (unsigned i = 0; i < IdTable::kMost + 5; ++i) {
+  for (unsigned i = 0; i < IdTable::kMax + 5; ++i) {
     Frame one = frame("18000000", "");
     one.id |= i;
     frames.push_back(one);
   }
   const IdTable table = tableOf(frames);
-  EXPECT_EQ(table.rows().size(), IdTable::kMost);
+  EXPECT_EQ(table.rows().size(), IdTable::kMax);
   EXPECT_EQ(table.others(), 5u);
 }
 

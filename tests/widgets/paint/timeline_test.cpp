@@ -275,7 +275,7 @@ TEST(TimelineSpans, StayWithinTheLog) {
   EXPECT_EQ(spanZoomed({at(90), at(100)}, whole, at(95), 0.01), whole);
   EXPECT_EQ(spanMoved({at(90), at(100)}, whole, 5), (TimelineSpan{at(90), at(100)}));
   EXPECT_EQ(spanMoved({at(50), at(60)}, whole, -1), (TimelineSpan{at(40), at(50)}));
-  EXPECT_GE(spanZoomed(whole, whole, at(50), 1e15).ns(), kLeastSpanNs);
+  EXPECT_GE(spanZoomed(whole, whole, at(50), 1e15).ns(), kMinSpanNs);
   EXPECT_EQ(spanZoomed({at(5), at(5)}, {at(5), at(5)}, at(5), 2), (TimelineSpan{at(5), at(5)}));
 }
 

@@ -34,7 +34,7 @@ TEST_P(Grid, PutsTilesSideBySideWithoutOverlap) {
   const OverviewGrid grid = overviewGrid(count, room);
   EXPECT_EQ(grid.columns, columns);
   EXPECT_EQ(grid.height(count) <= room.height(), fits);
-  EXPECT_GE(grid.tile.height(), OverviewGrid::kLeast.height());
+  EXPECT_GE(grid.tile.height(), OverviewGrid::kMin.height());
   for (int i = 0; i < count; ++i) {
     EXPECT_GE(grid.place(i).left(), OverviewGrid::kGap);
     EXPECT_LE(grid.place(i).right(), room.width() - OverviewGrid::kGap);

@@ -328,7 +328,7 @@ TEST_F(RequestsOfDevice, WhatWasAnsweredOnceStaysAnsweredBelowManyOtherAnswers) 
     return frames;
   };
   const auto expectBoth = [&] {
-    EXPECT_EQ(history->rowCount(), static_cast<int>(AnswerHistory::kMostRows));
+    EXPECT_EQ(history->rowCount(), static_cast<int>(AnswerHistory::kMaxRows));
     EXPECT_EQ(history->rows().front().request, Request::Firmware);
     EXPECT_EQ(history->rows().back().frame, view.frameCount - 1);
     EXPECT_FALSE(card(Request::Firmware)->values().answer.isEmpty());
@@ -338,13 +338,13 @@ TEST_F(RequestsOfDevice, WhatWasAnsweredOnceStaysAnsweredBelowManyOtherAnswers) 
   // All at once, as of a file; one by one, as of a link; more than there is room for, behind others.
   std::vector<Frame> frames = faults(3);
   frames.push_back(frame("18EFF980", "03010B02040206", 0, ++time));
-  const std::vector<Frame> more = faults(AnswerHistory::kMostRows + 100);
+  const std::vector<Frame> more = faults(AnswerHistory::kMaxRows + 100);
   frames.insert(frames.end(), more.begin(), more.end());
   add(frames);
   expectBoth();
   for (int i = 0; i < 3; ++i) add(faults(1));
   expectBoth();
-  add(faults(AnswerHistory::kMostRows + 7));
+  add(faults(AnswerHistory::kMaxRows + 7));
   expectBoth();
 }
 

@@ -246,12 +246,12 @@ TEST_F(TraceViewTest, CopiesTheSelectionAsCandumpReadsIt) {
 }
 
 TEST_F(TraceViewTest, CopiesNoMoreThanAClipboardShouldHold) {
-  open(TraceView::kMostCopied + 50, 0);
+  open(TraceView::kMaxCopied + 50, 0);
   key(Qt::Key_A, Qt::ControlModifier);
   QSignalSpy copied(&view, &TraceView::copied);
   key(Qt::Key_C, Qt::ControlModifier);
-  EXPECT_EQ(copied[0][0].value<std::uint64_t>(), TraceView::kMostCopied);
-  EXPECT_EQ(copied[0][1].value<std::uint64_t>(), TraceView::kMostCopied + 50);
+  EXPECT_EQ(copied[0][0].value<std::uint64_t>(), TraceView::kMaxCopied);
+  EXPECT_EQ(copied[0][1].value<std::uint64_t>(), TraceView::kMaxCopied + 50);
 }
 
 TEST_F(TraceViewTest, TellsTheCurrentRowToWhoCannotSeeIt) {

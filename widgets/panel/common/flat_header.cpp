@@ -15,13 +15,12 @@ namespace deckpipe {
 FlatHeader::FlatHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
   setHighlightSections(false);
   setSectionsClickable(false);
-  setFixedHeight(std::max(kLeastHeight, fontMetrics().height() + 12));
+  setFixedHeight(std::max(kMinHeight, fontMetrics().height() + 12));
 }
 
 void FlatHeader::changeEvent(QEvent* event) {
   QHeaderView::changeEvent(event);
-  if (event->type() == QEvent::FontChange)
-    setFixedHeight(std::max(kLeastHeight, fontMetrics().height() + 12));
+  if (event->type() == QEvent::FontChange) setFixedHeight(std::max(kMinHeight, fontMetrics().height() + 12));
 }
 
 void FlatHeader::setGutter(int width) {

@@ -13,7 +13,7 @@ class FlatHeader : public QHeaderView {
 
  public:
   static constexpr int kPadding = 6;  // at either side of titles and cells
-  static constexpr int kLeastHeight = 32;
+  static constexpr int kMinHeight = 32;
 
   explicit FlatHeader(QWidget* parent = nullptr);
   // So much at the left belongs to no column; sections begin behind it and are scrolled under it.

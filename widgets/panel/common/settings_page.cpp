@@ -20,8 +20,8 @@ namespace {
 
 constexpr int kSettingsColumn = 640;
 constexpr int kIndent = 30;
-constexpr int kMostMegabytes = 1'000'000;
-constexpr int kMostDays = 10'000;
+constexpr int kMaxMegabytes = 1'000'000;
+constexpr int kMaxDays = 10'000;
 
 QLabel* heading(const QString& text, double size, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -91,11 +91,11 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
   m_column->addSpacing(12);
   m_column->addWidget(heading(tr("Recordings"), 1.15, inside));
   m_megabytes = addNumber(new QSpinBox(this), "recordingMegabytes", tr("All together at most, MB"),
-                          tr("Beyond it the oldest go, when the program starts."), 0, kMostMegabytes);
+                          tr("Beyond it the oldest go, when the program starts."), 0, kMaxMegabytes);
   m_days = addNumber(new QSpinBox(this), "recordingDays", tr("Kept at most, days"),
                      tr("Only what was saved, or was received from the simulated truck, goes by itself. What "
                         "was not saved stays until you delete it."),
-                     0, kMostDays);
+                     0, kMaxDays);
   m_column->addSpacing(12);
   m_column->addWidget(heading(tr("Put back"), 1.15, inside));
   addAction("settingsResetLayout", tr("Reset layout"), tr("Puts every dock back where it was at first."),

@@ -11,7 +11,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kBox = 18, kBoxGap = 8, kBoxMargin = 2, kLeastHeight = 32;
+constexpr int kBox = 18, kBoxGap = 8, kBoxMargin = 2, kMinHeight = 32;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ TickBox::TickBox(const QString& text, QWidget* parent) : QCheckBox(text, parent)
 QSize TickBox::sizeHint() const {
   const QFontMetrics metrics(font());
   return {kBoxMargin + kBox + kBoxGap + metrics.horizontalAdvance(text()) + 2 * kBoxMargin,
-          std::max(kLeastHeight, metrics.height() + 8)};
+          std::max(kMinHeight, metrics.height() + 8)};
 }
 
 void TickBox::paintEvent(QPaintEvent*) {

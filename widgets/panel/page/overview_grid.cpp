@@ -17,20 +17,20 @@ int OverviewGrid::height(int count) const { return kGap + rowsOf(count, columns)
 OverviewGrid overviewGrid(int count, const QSize& room) {
   constexpr int kGap = OverviewGrid::kGap;
   const auto share = [](int all, int n) { return (all - (n + 1) * kGap) / n; };
-  const int most = std::max(1, (room.width() - kGap) / (OverviewGrid::kLeast.width() + kGap));
+  const int most = std::max(1, (room.width() - kGap) / (OverviewGrid::kMin.width() + kGap));
   OverviewGrid best;
   double bestScore = 0;
   for (int columns = 1; columns <= std::min(most, count); ++columns) {
     const QSize tile = QSize(share(room.width(), columns), share(room.height(), rowsOf(count, columns)))
-                           .boundedTo(OverviewGrid::kMost);
-    if (tile.height() < OverviewGrid::kLeast.height()) continue;
+                           .boundedTo(OverviewGrid::kMax);
+    if (tile.height() < OverviewGrid::kMin.height()) continue;
     const double score = std::min(tile.width() / kDialAspect, static_cast<double>(tile.height()));
     if (score <= bestScore) continue;
     bestScore = score;
     best = {columns, tile};
   }
   if (bestScore > 0) return best;
-  return {most, {std::max(share(room.width(), most), 1), OverviewGrid::kLeast.height()}};
+  return {most, {std::max(share(room.width(), most), 1), OverviewGrid::kMin.height()}};
 }
 
 }  // namespace deckpipe

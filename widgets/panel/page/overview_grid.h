@@ -10,11 +10,11 @@ namespace deckpipe {
 
 struct OverviewGrid {
   static constexpr int kGap = 8;
-  static constexpr QSize kLeast{264, 232};
-  static constexpr QSize kMost{880, 600};  // larger than this is for a page
+  static constexpr QSize kMin{264, 232};
+  static constexpr QSize kMax{880, 600};  // larger than this is for a page
 
   int columns = 1;
-  QSize tile = kLeast;
+  QSize tile = kMin;
 
   QRect place(int i) const {
     const QPoint step(tile.width() + kGap, tile.height() + kGap);

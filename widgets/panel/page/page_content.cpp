@@ -9,14 +9,14 @@ namespace deckpipe {
 namespace {
 
 constexpr int kPageMargin = 16;
-constexpr int kPartGap = 16;       // between parts under one another
-constexpr int kSideGap = 24;       // between the dial and what stands beside it
-constexpr int kFactGap = 32;       // between columns of facts
-constexpr int kFactWidth = 288;    // the least that a column of facts is read in
-constexpr int kNarrow = 740;       // below this, one column
-constexpr int kLeastDial = 240;    // still read at arm's length
-constexpr int kWideDial = 480;     // both drawings with their limits
-constexpr int kLeastBeside = 480;  // two columns of switches
+constexpr int kPartGap = 16;     // between parts under one another
+constexpr int kSideGap = 24;     // between the dial and what stands beside it
+constexpr int kFactGap = 32;     // between columns of facts
+constexpr int kFactWidth = 288;  // the least that a column of facts is read in
+constexpr int kNarrow = 740;     // below this, one column
+constexpr int kMinDial = 240;    // still read at arm's length
+constexpr int kWideDial = 480;   // both drawings with their limits
+constexpr int kMinBeside = 480;  // two columns of switches
 
 int heightOf(const QWidget& part, int width) {
   return part.hasHeightForWidth() ? part.heightForWidth(width) : part.sizeHint().height();
@@ -90,11 +90,11 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
     const int besideWidth = isWide ? inner - mainWidth - kSideGap : inner;
     const int besideHeight = stack(m_parts.beside, 0, 0, besideWidth, [](QWidget*, const QRect&) {});
     if (m_parts.dial != nullptr) {
-      const int most = std::max(kLeastDial, mainWidth * 11 / 16);
+      const int most = std::max(kMinDial, mainWidth * 11 / 16);
       const int left = m_room - 2 * kPageMargin - belowHeight;
       // As high as what stands beside it, but seen whole without scrolling.
       const int wanted = std::min(std::max(left, isWide ? besideHeight : 0), m_room - 2 * kPageMargin);
-      mainHeight = std::clamp(wanted, kLeastDial, most);
+      mainHeight = std::clamp(wanted, kMinDial, most);
       take(m_parts.dial, QRect(kPageMargin, y, mainWidth, mainHeight));
     }
     const int besideTop = isWide ? y : y + mainHeight + kPartGap;
@@ -126,7 +126,7 @@ void PageContent::placeSticks(int inner, int top, int& width, int& height, const
   const int count = static_cast<int>(m_parts.sticks.size());
   const auto rowWidth = [](int n, int each) { return n * each + (n - 1) * kSideGap; };
   const int each = m_parts.sticks.front()->minimumWidth();  // fixed
-  const bool isRow = rowWidth(count, each) + kSideGap + kLeastBeside <= inner;
+  const bool isRow = rowWidth(count, each) + kSideGap + kMinBeside <= inner;
   width = isRow ? rowWidth(count, each) : std::min(inner, each);
   height = 0;
   int left = kPageMargin, y = top;

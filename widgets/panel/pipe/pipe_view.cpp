@@ -21,8 +21,8 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kLeastText = 48;
-constexpr int kMostBlocks = 20'000;
+constexpr int kMinText = 48;
+constexpr int kMaxBlocks = 20'000;
 
 }  // namespace
 
@@ -30,9 +30,9 @@ PipeView::PipeView(QWidget* parent) : QWidget(parent), m_text(new QPlainTextEdit
   m_text->setObjectName(QStringLiteral("pipeText"));
   m_text->setAccessibleName(tr("What went through the data pipe"));
   m_text->setReadOnly(true);
-  m_text->setMinimumHeight(kLeastText);
+  m_text->setMinimumHeight(kMinText);
   m_text->setUndoRedoEnabled(false);
-  m_text->setMaximumBlockCount(kMostBlocks);
+  m_text->setMaximumBlockCount(kMaxBlocks);
   m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   m_text->installEventFilter(this);

@@ -113,7 +113,7 @@ QWidget* TerminalPanel::makeStallBar() {
   m_forTheRest->setObjectName(QStringLiteral("pipeForTheRest"));
   m_forTheRest->setToolTip(tr("Resend or Skip at every further missing ack of this file or text, "
                               "up to %1 in a row")
-                               .arg(kMostMissingAcks));
+                               .arg(kMaxMissingAcks));
   auto* words = new QVBoxLayout;
   words->setSpacing(2);
   words->addWidget(m_stall);
@@ -229,7 +229,7 @@ void TerminalPanel::showStall(const PipeStatus& pipe) {
 QString TerminalPanel::stallWords(const PipeStatus& pipe) const {
   if (!m_forTheRest->isChecked()) return stallText(pipe);
   return tr("Resend may deliver pieces twice, Skip may leave gaps. It stops after %1 missing acks in a row.")
-      .arg(kMostMissingAcks);
+      .arg(kMaxMissingAcks);
 }
 
 void TerminalPanel::say(const QString& trouble) {

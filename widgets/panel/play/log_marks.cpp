@@ -77,7 +77,7 @@ bool LogMarks::takeJumps(const LogView& view) {
   const FrameStore& frames = m_log->frames;
   const StableList<std::uint64_t>& jumps = frames.jumps();
   const std::size_t before = m_jumps.size();
-  const std::size_t count = std::min(jumps.size(), kMostJumps);
+  const std::size_t count = std::min(jumps.size(), kMaxJumps);
   while (m_jumps.size() < count && jumps[m_jumps.size()] < view.frameCount) {
     m_jumps.push_back({TimelineMark::Kind::TimeJump, frames.timeAt(jumps[m_jumps.size()]),
                        LogMarksText::tr("The clock jumps here")});

@@ -17,7 +17,7 @@ namespace deckpipe {
 class LogMarks {
  public:
   // No strip has room for more.
-  static constexpr std::size_t kMostJumps = 2'000;
+  static constexpr std::size_t kMaxJumps = 2'000;
   // So long must nothing come that it is a gap; in a span of hours it is what can be seen at all.
   static constexpr Duration kSilence = 1s;
 

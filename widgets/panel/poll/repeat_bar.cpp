@@ -14,7 +14,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr qsizetype kMostLines = 4;
+constexpr qsizetype kMaxLines = 4;
 
 }  // namespace
 
@@ -49,8 +49,8 @@ void RepeatBar::setStatus(const ServiceStatus& services, const DeviceLabels& lab
   }
   m_text->setToolTip(lines.join(QLatin1Char('\n')));
   const qsizetype count = lines.size();
-  if (count > kMostLines) {
-    lines = lines.mid(0, kMostLines - 1);
+  if (count > kMaxLines) {
+    lines = lines.mid(0, kMaxLines - 1);
     lines += tr("and %n more", nullptr, static_cast<int>(count - lines.size()));
   }
   lines.prepend(tr("Polls are repeated:"));

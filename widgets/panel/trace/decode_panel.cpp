@@ -19,7 +19,7 @@ namespace {
 constexpr int kWide = 820;  // from here on, or up to this height, bits and fields stand side by side
 constexpr int kTall = 320;
 constexpr int kRow = 24;
-constexpr int kLeastValue = 120, kMostValue = 320;
+constexpr int kMinValue = 120, kMaxValue = 320;
 
 }  // namespace
 
@@ -134,10 +134,10 @@ void DecodePanel::shareWidth() {
   const int name = widthOf(QStringLiteral("Axis 5 (+) hard stop"));
   const int place = widthOf(QStringLiteral("B1.8–7, B2"));
   int raw = widthOf(QStringLiteral("0000 0000 0000 0000 0"));
-  const bool hasRaw = all >= name + raw + place + kLeastValue;
+  const bool hasRaw = all >= name + raw + place + kMinValue;
   m_list->setColumnHidden(DecodeModel::Raw, !hasRaw);
   if (!hasRaw) raw = 0;
-  const int value = std::clamp(all - name - raw - place, kLeastValue, kMostValue);
+  const int value = std::clamp(all - name - raw - place, kMinValue, kMaxValue);
   m_header->resizeSection(DecodeModel::Name, name);
   m_header->resizeSection(DecodeModel::Value, value);
   if (hasRaw) m_header->resizeSection(DecodeModel::Raw, raw);

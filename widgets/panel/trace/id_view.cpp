@@ -16,7 +16,7 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kLeastIdRow = 24;
+constexpr int kMinIdRow = 24;
 
 // What a column must hold without being cut; Name holds what it can, Decoded has what is left.
 constexpr std::pair<IdModel::Column, const char*> kWidest[] = {
@@ -131,7 +131,7 @@ IdView::IdView(QWidget* parent)
 
 void IdView::updateFonts() {
   const QFontMetrics figures(figureFont(font())), words(font());
-  verticalHeader()->setDefaultSectionSize(std::max({kLeastIdRow, figures.height() + 6, words.height() + 6}));
+  verticalHeader()->setDefaultSectionSize(std::max({kMinIdRow, figures.height() + 6, words.height() + 6}));
   QList<int> widths;
   for (const auto& [column, widest] : kWidest) {
     const QFontMetrics& metrics = isFigures(column) ? figures : words;

@@ -15,8 +15,8 @@
 namespace deckpipe {
 namespace {
 
-constexpr int kLeastTraceRow = 22;
-constexpr int kLeastDecoded = 240;
+constexpr int kMinTraceRow = 22;
+constexpr int kMinDecoded = 240;
 
 // What a column must hold without being cut; Name and Decoded hold what they can.
 QString widestText(int column) {
@@ -196,9 +196,9 @@ void TraceView::setFollowing(bool isFollowing) {
 void TraceView::updateFonts() {
   m_fonts = TraceFonts(font());
   const int text = std::max(QFontMetrics(m_fonts.text).height(), QFontMetrics(m_fonts.figures).height());
-  m_rowHeight = std::max(kLeastTraceRow, text + 6);
+  m_rowHeight = std::max(kMinTraceRow, text + 6);
   // As high as it makes itself, but now: its letters may come later than ours.
-  m_header->setFixedHeight(std::max(FlatHeader::kLeastHeight, QFontMetrics(m_fonts.text).height() + 12));
+  m_header->setFixedHeight(std::max(FlatHeader::kMinHeight, QFontMetrics(m_fonts.text).height() + 12));
   setUsualWidths();
   layOut();
 }
@@ -249,7 +249,7 @@ void TraceView::stretchDecoded() {
   const int others = m_header->length() - m_header->sectionSize(TraceModel::Decoded);
   const int left = viewport()->width() - TracePainter::kGutter - others;
   const QSignalBlocker blocker(m_header);
-  m_header->resizeSection(TraceModel::Decoded, std::max(kLeastDecoded, left));
+  m_header->resizeSection(TraceModel::Decoded, std::max(kMinDecoded, left));
 }
 
 void TraceView::setColumnShown(int column, bool isShown) {
@@ -330,7 +330,7 @@ QString TraceView::copyText() const {
   if (!m_log || m_selection.isEmpty()) return {};
   std::string text;
   const std::uint64_t row = m_model->rowOf(m_selection.first);
-  const std::uint64_t end = std::min(m_model->rowOf(m_selection.end), row + kMostCopied);
+  const std::uint64_t end = std::min(m_model->rowOf(m_selection.end), row + kMaxCopied);
   for (const std::uint64_t i : m_model->framesOf(row, static_cast<std::size_t>(end - row))) {
     const Frame& frame = m_log->frames[i];
     writeCandump(frame, m_log->frames.channelName(frame.channel), text);

@@ -32,7 +32,7 @@ class TraceView : public QAbstractScrollArea {
 
  public:
   // Of a longer selection only so many rows are copied.
-  static constexpr std::uint64_t kMostCopied = 100'000;
+  static constexpr std::uint64_t kMaxCopied = 100'000;
 
   explicit TraceView(QWidget* parent = nullptr);
 
@@ -80,7 +80,7 @@ class TraceView : public QAbstractScrollArea {
   void currentFrameChanged(std::optional<std::uint64_t> frame);
   void cursorRequested(std::uint64_t frame);
   void followingChanged(bool isFollowing);
-  // `copied` is less than `selected` where the selection was longer than kMostCopied.
+  // `copied` is less than `selected` where the selection was longer than kMaxCopied.
   void copied(std::uint64_t copied, std::uint64_t selected);
   void menuRequested(std::optional<deckpipe::TraceView::Cell> cell, const QPoint& global);
 
