@@ -42,7 +42,7 @@ void describeInterface(AdapterOffer& offer, const Adapter& adapter, int bitRate,
   const bool isWrongRate =
       bitRate != 0 && adapter.bitRate != 0 && adapter.bitRate != static_cast<std::uint32_t>(bitRate);
   if (!adapter.isUp) {
-    offer.tone = Severity::Attend;
+    offer.tone = Severity::Warning;
     offer.state = Offers::tr("Not set up: the interface is down.");
     offer.problem = adapter.isVirtual
                         ? Offers::tr("Bring it up in a terminal:")
@@ -68,7 +68,7 @@ void describeInterface(AdapterOffer& offer, const Adapter& adapter, int bitRate,
         "termination, then:");
     offer.command = QStringLiteral("sudo ip link set %1 type can restart").arg(name);
   } else if (isWrongRate) {
-    offer.tone = Severity::Attend;
+    offer.tone = Severity::Warning;
     offer.problem = Offers::tr("It runs at another bit rate than the one chosen above. To change it:");
     offer.command =
         QStringLiteral("sudo ip link set %1 down; ").arg(name) + setUpCommand(name, bitRate, true);

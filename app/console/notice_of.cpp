@@ -66,7 +66,7 @@ Notice unreadable(const Snapshot& snapshot) {
   }
   if (all.size() > shown.size()) shown += QStringLiteral("…");
   const int count = forPlural(snapshot.source.unreadable);
-  Notice notice{Severity::Attend};
+  Notice notice{Severity::Warning};
   notice.text = NoticeText::tr("%Ln lines of this log could not be read and are left out: %1", nullptr, count)
                     .arg(shown.join(QStringLiteral("; ")));
   notice.action = Notice::Action::CopyDetails;
@@ -77,8 +77,8 @@ Notice unreadable(const Snapshot& snapshot) {
 // Where a log's clock does not run, ages, rates and load are no measure.
 Notice clockNotice(const LogDocument& log) {
   if (!log.frames.hasTimes()) {
-    return {Severity::Attend, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
-                                             "rates, load and silence means nothing.")};
+    return {Severity::Warning, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
+                                              "rates, load and silence means nothing.")};
   }
   // Small steps back are usual where a log has several interfaces, and a leap ahead is a pause.
   const auto& jumps = log.frames.jumps();
@@ -86,7 +86,7 @@ Notice clockNotice(const LogDocument& log) {
     const std::uint64_t at = jumps[i];
     if (at >= log.frames.count() || !log.frames[at].hasStamp()) continue;
     if (log.frames.timeAt(at) - Instant{log.frames[at].stamp} < kClockBack) continue;
-    return {Severity::Attend,
+    return {Severity::Warning,
             NoticeText::tr("The clock of this log goes back at frame %1: ages, rates and load from there on "
                            "are not to be trusted. The places are marked in the trace.")
                 .arg(QLocale().toString(static_cast<qulonglong>(at + 1)))};
@@ -115,7 +115,7 @@ Notice sidecarNotice(const SidecarFault& fault) {
   QString where = QFileInfo(QFile::decodeName(fault.path.c_str())).fileName();
   if (fault.line > 0) where = NoticeText::tr("%1, line %2", "file").arg(where).arg(fault.line);
   return {
-      Severity::Attend,
+      Severity::Warning,
       NoticeText::tr("The marks, notes and labels beside this log are left out (%1): %2.", "place, reason")
           .arg(where, reasonText(fault))};
 }
@@ -136,7 +136,7 @@ Notice damageNotice(const ReadSummary& read) {
     said += NoticeText::tr("At least %Ln frames are missing.", nullptr, forPlural(read.damage.frames));
   if (read.cutBytes > 0) said += cutText(read.cutBytes);
   said += NoticeText::tr("Everything else is here; times across a damaged place are not to be trusted.");
-  return {Severity::Attend, said.join(QLatin1Char(' '))};
+  return {Severity::Warning, said.join(QLatin1Char(' '))};
 }
 
 // What is missing of a log that was read.
@@ -144,14 +144,14 @@ Notice readingNotice(const ReadSummary& read) {
   if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
   if (read.damage.places > 0) return damageNotice(read);
   if (read.cutBytes > 0)
-    return {Severity::Attend,
+    return {Severity::Warning,
             cutText(read.cutBytes) + QLatin1Char(' ') + NoticeText::tr("Everything before them is here.")};
   if (read.newerParts > 0)
-    return {Severity::Attend,
+    return {Severity::Warning,
             NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
                            nullptr, forPlural(read.newerParts))};
   if (read.isOpenEnded)
-    return {Severity::Attend,
+    return {Severity::Warning,
             NoticeText::tr("This recording has no end: it still goes on, or its end was lost.")};
   return {};
 }
@@ -171,7 +171,7 @@ Notice notOpenedNotice(const NotOpened& log) {
   if (log.isInView)
     return {Severity::Plain, NoticeText::tr("%1 is the recording that is in view here; it goes on.")
                                  .arg(QFileInfo(log.path).fileName())};
-  return {Severity::Attend,
+  return {Severity::Warning,
           NoticeText::tr("%1 holds no frames and was not opened.").arg(QFileInfo(log.path).fileName())};
 }
 
@@ -195,31 +195,31 @@ Notice fileNotice(const Snapshot& snapshot) {
     return {Severity::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
   if (source.unkeptMarks)
-    return {Severity::Attend,
+    return {Severity::Warning,
             NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” keeps them.")
                 .arg(*source.unkeptMarks)};
   // Before the rest, as nothing else that is said of times is true before they are added up.
   if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
     return {
-        .tone = Severity::Attend,
+        .tone = Severity::Warning,
         .text = NoticeText::tr("The times of this log look like differences, each to the frame before, as "
                                "candump -t d prints them."),
         .action = Notice::Action::AddUpTimes};
   }
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
-  if (snapshot.view.frameCount == 0) return {Severity::Attend, NoticeText::tr("This log holds no frames.")};
+  if (snapshot.view.frameCount == 0) return {Severity::Warning, NoticeText::tr("This log holds no frames.")};
   if (const auto cut = snapshot.view.document->skipped.content().count(Skipped::Fraction); cut > 0)
-    return {Severity::Attend,
+    return {Severity::Warning,
             NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
                            "only their seconds are kept, so rates and ages are not to be "
                            "trusted.",
                            nullptr, forPlural(cut))};
   if (source.notKept > 0) {
-    return {Severity::Attend, NoticeText::tr("%Ln frames of this log are missing here: they were lost "
-                                             "while it was recorded, or are CAN FD or CAN XL, which are "
-                                             "not held.",
-                                             nullptr, forPlural(source.notKept))};
+    return {Severity::Warning, NoticeText::tr("%Ln frames of this log are missing here: they were lost "
+                                              "while it was recorded, or are CAN FD or CAN XL, which are "
+                                              "not held.",
+                                              nullptr, forPlural(source.notKept))};
   }
   return clockNotice(*snapshot.view.document);
 }
@@ -300,12 +300,12 @@ Notice trafficNotice(const Snapshot& snapshot, const BusRates& rates) {
   if (hasOurs || rates.extended + rates.standard == 0) return {};
   if (rates.extended == 0) {
     return {
-        Severity::Attend,
+        Severity::Warning,
         NoticeText::tr("Only 11-bit identifiers are heard: this looks like CANopen or another network, not "
                        "the monitors' own J1939 bus. The 6051 CAN Gateway speaks CANopen, by default at "
                        "125 kbit/s; its monitors appear once they are heard.")};
   }
-  return {Severity::Attend,
+  return {Severity::Warning,
           NoticeText::tr("There is traffic, but no Akron device in it so far: other makers share this bus. "
                          "Is the monitor's controller powered, and on this bus?")};
 }
@@ -315,7 +315,7 @@ Notice listenOnlyNotice(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   if (!source.isListenOnly || snapshot.services->refusal != Refusal::ListenOnly) return {};
   Notice notice{
-      Severity::Attend,
+      Severity::Warning,
       NoticeText::tr("Sending stays locked: %1 is in listen-only mode and cannot send. To send, set "
                      "it up without:")
           .arg(source.interfaceName)};
@@ -337,7 +337,7 @@ Notice runningLink(const Snapshot& snapshot, const BusRates& rates) {
   if (Notice notice = listenOnlyNotice(snapshot); !notice.text.isEmpty()) return notice;
   const Instant heard = std::max(lastFrame(*view.state), upSince(*view.document));
   if (view.atEnd && heard != kNotYet && view.cursor.time - heard >= kSilence) {
-    return {Severity::Attend,
+    return {Severity::Warning,
             NoticeText::tr(
                 "Connected, but nothing heard for %Ln seconds. Check in this order: is the truck's CAN "
                 "powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H "
@@ -378,7 +378,7 @@ Notice linkNotice(const Snapshot& snapshot, const BusRates& rates) {
 Notice pastNotice(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   if (snapshot.source.kind != From::Link || view.atEnd || view.frameCount == 0) return {};
-  Notice notice{Severity::Attend};
+  Notice notice{Severity::Warning};
   const QString behind = elapsedText(view.end - view.cursor.time);
   notice.text = (snapshot.playing ? NoticeText::tr("Playing what was received %1 ago. Reception goes on.")
                                   : NoticeText::tr("Paused: this is how it was %1 ago. Reception goes on."))
@@ -389,7 +389,7 @@ Notice pastNotice(const Snapshot& snapshot) {
 
 // What was wanted, confirmed perhaps, came to nothing.
 Notice unsentNotice(Refusal why) {
-  Notice notice{Severity::Attend};
+  Notice notice{Severity::Warning};
   switch (why) {
     case Refusal::None: return {};
     case Refusal::NotLive:
@@ -426,7 +426,7 @@ Notice sourceNotice(const Snapshot& snapshot, const BusRates& rates) {
 }  // namespace
 
 Notice refusedAddressNotice(Address refused, Address used) {
-  return {Severity::Attend,
+  return {Severity::Warning,
           NoticeText::tr(
               "The preferred address %1 of the settings is a joystick's or a monitor's and is not used: on "
               "unlocking, %2 is claimed. Another can be chosen in the settings.")

@@ -118,7 +118,7 @@ Notice unsavedNotice(const std::vector<Recording>& recordings) {
                      .arg(whenText(latest), frameCountText(latest.frames), pinsText(latest));
   if (more > 0)
     text += QLatin1Char(' ') + RecordingsList::tr("%Ln earlier ones were not saved either.", nullptr, more);
-  return {.tone = Severity::Attend, .text = text, .action = Notice::Action::ShowRecordings};
+  return {.tone = Severity::Warning, .text = text, .action = Notice::Action::ShowRecordings};
 }
 
 struct RecordingsList::Work {

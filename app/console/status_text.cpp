@@ -127,7 +127,7 @@ Severity sourceTone(const SourceStatus& source) {
     case Progress::Opening: return Severity::Busy;
     case Progress::Running:
       if (source.controller == ControllerState::BusOff) return Severity::Fault;
-      return source.controller == ControllerState::ErrorPassive ? Severity::Attend : Severity::Fine;
+      return source.controller == ControllerState::ErrorPassive ? Severity::Warning : Severity::Fine;
     case Progress::Done: return Severity::Fine;
     case Progress::Lost:
     case Progress::Failed: return Severity::Fault;
@@ -234,7 +234,7 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
   }
   fact.story = story.join(QLatin1Char('\n'));
   // Above this, periodic messages begin to wait for one another.
-  if (percent >= 80) fact.tone = Severity::Attend;
+  if (percent >= 80) fact.tone = Severity::Warning;
   return fact;
 }
 
@@ -248,7 +248,7 @@ StatusFact errorFact(const Snapshot& snapshot) {
   std::uint64_t errors = 0;
   for (std::uint8_t i = 0; i < kMaxChannels; ++i) errors += snapshot.view.state->channel({i}).errorFrames;
   return {
-      errors == 0 ? Severity::Plain : Severity::Attend, errorWords(errors),
+      errors == 0 ? Severity::Plain : Severity::Warning, errorWords(errors),
       StatusText::tr("Error frames that the adapter reported up to the cursor. A wrong bit rate, missing\n"
                      "termination or a bad cable make many. Not every adapter reports them.")};
 }
@@ -272,7 +272,7 @@ StatusFact sentFact(const Snapshot& snapshot) {
     fact.tone = Severity::Fault;
     fact.text = StatusText::tr("%Ln frames not on the bus yet", nullptr, forPlural(services.unconfirmed));
   } else if (services.notTaken > 0) {
-    fact.tone = Severity::Attend;
+    fact.tone = Severity::Warning;
     fact.text = StatusText::tr("%Ln frames not sent", nullptr, forPlural(services.notTaken));
   } else if (!services.echoes && !services.locked) {
     fact.tone = Severity::Unknown;
@@ -304,7 +304,7 @@ StatusFact lockFact(const Snapshot& snapshot) {
   }
   if (!snapshot.services->locked) {
     return {
-        Severity::Attend, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
+        Severity::Warning, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
         StatusText::tr("Deckpipe may send on this bus: its address claim, and what is asked for by hand.")};
   }
   QString story =
@@ -404,7 +404,7 @@ StatusFact completenessFact(const Snapshot& snapshot) {
              : StatusText::tr(
                    "Frames that came faster than they could be read, or are no classic CAN frames."));
   if (!words.isEmpty())
-    return {Severity::Attend, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
+    return {Severity::Warning, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
   if (source.progress == Progress::Opening)
     return {Severity::Plain, StatusText::tr("Not complete yet"),
             StatusText::tr("Nothing is known to be missing in what has come so far.")};

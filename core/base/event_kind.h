@@ -15,10 +15,10 @@
 namespace deckpipe {
 
 // How grave an event can be. The keys are frozen contract.
-inline constexpr std::array kEventWeights{Severity::Plain, Severity::Attend, Severity::Fault};
+inline constexpr std::array kEventWeights{Severity::Plain, Severity::Warning, Severity::Fault};
 inline constexpr KeyTable<kEventWeights, std::string_view> kEventWeightKeys{{
     {Severity::Plain, "info"},
-    {Severity::Attend, "warning"},
+    {Severity::Warning, "warning"},
     {Severity::Fault, "fault"},
 }};
 constexpr std::string_view eventWeightKey(Severity weight) { return *kEventWeightKeys.find(weight); }
@@ -115,12 +115,13 @@ inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
     {EventKind::Appeared, {"appeared", Severity::Plain, EventGroup::Presence, EventDetail::None}},
     {EventKind::Silent, {"silent", Severity::Fault, EventGroup::Presence, EventDetail::None}},
     {EventKind::Back, {"back", Severity::Plain, EventGroup::Presence, EventDetail::Length}},
-    {EventKind::Restarted, {"restarted", Severity::Attend, EventGroup::Presence, EventDetail::None}},
+    {EventKind::Restarted, {"restarted", Severity::Warning, EventGroup::Presence, EventDetail::None}},
     {EventKind::NotOperational,
-     {"not_operational", Severity::Attend, EventGroup::Presence, EventDetail::Flag}},
+     {"not_operational", Severity::Warning, EventGroup::Presence, EventDetail::Flag}},
     {EventKind::Operational, {"operational", Severity::Plain, EventGroup::Presence, EventDetail::Flag}},
-    {EventKind::MovedAddress, {"moved_address", Severity::Attend, EventGroup::Address, EventDetail::Address}},
-    {EventKind::AddressLost, {"address_lost", Severity::Attend, EventGroup::Address, EventDetail::Name}},
+    {EventKind::MovedAddress,
+     {"moved_address", Severity::Warning, EventGroup::Address, EventDetail::Address}},
+    {EventKind::AddressLost, {"address_lost", Severity::Warning, EventGroup::Address, EventDetail::Name}},
     {EventKind::CannotClaim, {"cannot_claim", Severity::Fault, EventGroup::Address, EventDetail::Name}},
     {EventKind::TwoAtOneAddress,
      {"two_at_one_address", Severity::Fault, EventGroup::Address, EventDetail::None}},
@@ -141,9 +142,9 @@ inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
     {EventKind::SensorError, {"sensor_error", Severity::Fault, EventGroup::Fault, EventDetail::Flag}},
     {EventKind::SensorErrorOver,
      {"sensor_error_over", Severity::Plain, EventGroup::Fault, EventDetail::Flag}},
-    {EventKind::Disabled, {"disabled", Severity::Attend, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::Disabled, {"disabled", Severity::Warning, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::Enabled, {"enabled", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::PermissiveLost, {"permissive_lost", Severity::Attend, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::PermissiveLost, {"permissive_lost", Severity::Warning, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::PermissiveBack, {"permissive_back", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::RemoteMode, {"remote_mode", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::RemoteModeOver, {"remote_mode_over", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
@@ -151,28 +152,28 @@ inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
     {EventKind::NotStowed, {"not_stowed", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::StopReached, {"stop_reached", Severity::Plain, EventGroup::Stop, EventDetail::Stop}},
     {EventKind::StopLeft, {"stop_left", Severity::Plain, EventGroup::Stop, EventDetail::Stop}},
-    {EventKind::StopError, {"stop_error", Severity::Attend, EventGroup::Stop, EventDetail::Stop}},
+    {EventKind::StopError, {"stop_error", Severity::Warning, EventGroup::Stop, EventDetail::Stop}},
     {EventKind::SoftLimitChanged,
      {"soft_limit_changed", Severity::Plain, EventGroup::Stop, EventDetail::Degrees}},
     {EventKind::JoystickBegan, {"joystick_began", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
     {EventKind::JoystickEnded, {"joystick_ended", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::JoystickGap, {"joystick_gap", Severity::Attend, EventGroup::Joystick, EventDetail::Length}},
+    {EventKind::JoystickGap, {"joystick_gap", Severity::Warning, EventGroup::Joystick, EventDetail::Length}},
     {EventKind::JoystickTimedOut,
-     {"joystick_timed_out", Severity::Attend, EventGroup::Joystick, EventDetail::None}},
+     {"joystick_timed_out", Severity::Warning, EventGroup::Joystick, EventDetail::None}},
     {EventKind::JoystickBack, {"joystick_back", Severity::Plain, EventGroup::Joystick, EventDetail::Length}},
     {EventKind::JoystickOutranked,
      {"joystick_outranked", Severity::Plain, EventGroup::Joystick, EventDetail::Source}},
     {EventKind::JoystickOutrankedOver,
      {"joystick_outranked_over", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::LoadHigh, {"load_high", Severity::Attend, EventGroup::Bus, EventDetail::Percent}},
+    {EventKind::LoadHigh, {"load_high", Severity::Warning, EventGroup::Bus, EventDetail::Percent}},
     {EventKind::LoadNormal, {"load_normal", Severity::Plain, EventGroup::Bus, EventDetail::Percent}},
-    {EventKind::ErrorFrames, {"error_frames", Severity::Attend, EventGroup::Bus, EventDetail::None}},
+    {EventKind::ErrorFrames, {"error_frames", Severity::Warning, EventGroup::Bus, EventDetail::None}},
     {EventKind::ErrorFramesOver,
      {"error_frames_over", Severity::Plain, EventGroup::Bus, EventDetail::Frames}},
     {EventKind::BusOff, {"bus_off", Severity::Fault, EventGroup::Bus, EventDetail::None}},
-    {EventKind::ErrorPassive, {"error_passive", Severity::Attend, EventGroup::Bus, EventDetail::None}},
+    {EventKind::ErrorPassive, {"error_passive", Severity::Warning, EventGroup::Bus, EventDetail::None}},
     {EventKind::ErrorActive, {"error_active", Severity::Plain, EventGroup::Bus, EventDetail::None}},
-    {EventKind::ClockJump, {"clock_jump", Severity::Attend, EventGroup::Bus, EventDetail::None}},
+    {EventKind::ClockJump, {"clock_jump", Severity::Warning, EventGroup::Bus, EventDetail::None}},
 }};
 
 static_assert(

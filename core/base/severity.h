@@ -15,7 +15,7 @@ enum class Severity : std::uint8_t {
   Fine,
   Unknown,  // nothing is known to be wrong: not asked, not heard, or too long ago
   Busy,     // under way
-  Attend,   // worth a look
+  Warning,  // worth a look
   Fault,    // something does not work
   Silent,   // a device that stopped sending
   Count,

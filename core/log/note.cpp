@@ -43,22 +43,22 @@ Severity noteWeight(const NoteValue& value) {
                              [](const note::LinkDown& n) {
                                return n.fault == LinkFault::None ? Severity::Plain : Severity::Fault;
                              },
-                             [](const note::Dropped&) { return Severity::Attend; },
+                             [](const note::Dropped&) { return Severity::Warning; },
                              [](const note::Locked&) { return Severity::Plain; },
                              [](const note::Unlocked&) { return Severity::Plain; },
                              [](const note::DriveSaid&) { return Severity::Plain; },
                              [](const note::OwnAddress& n) {
                                const bool isMeant = n.how == How::Claimed || n.how == How::Locked;
-                               return isMeant ? Severity::Plain : Severity::Attend;
+                               return isMeant ? Severity::Plain : Severity::Warning;
                              },
                              [](const note::Asked&) { return Severity::Plain; },
                              [](const note::RequestEnded& n) {
-                               return n.end == RequestEnd::Answered ? Severity::Plain : Severity::Attend;
+                               return n.end == RequestEnd::Answered ? Severity::Plain : Severity::Warning;
                              },
                              [](const note::RequestWaits&) { return Severity::Fault; },
                              [](const note::StillWaits&) { return Severity::Fault; },
                              [](const note::Pipe&) { return Severity::Plain; },
-                             [](const note::LeftOut&) { return Severity::Attend; },
+                             [](const note::LeftOut&) { return Severity::Warning; },
                              [](const note::Label&) { return Severity::Plain; },
                              [](const note::Added&) { return Severity::Plain; }},
                     value);

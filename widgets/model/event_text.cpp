@@ -198,7 +198,7 @@ QString eventGroupText(EventGroup group) {
 
 QString eventWeightText(Severity weight) {
   if (weight == Severity::Fault) return EventText::tr("Fault");
-  return weight == Severity::Attend ? EventText::tr("Warning") : EventText::tr("Information");
+  return weight == Severity::Warning ? EventText::tr("Warning") : EventText::tr("Information");
 }
 
 namespace {

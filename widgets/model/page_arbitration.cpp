@@ -63,7 +63,7 @@ PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystic
   if (!stick.priority()) {
     facts.push_back(ruleFact(Arbitration::tr("Moves"),
                              Arbitration::tr("nothing: monitors do not listen to this source by default"),
-                             Severity::Attend));
+                             Severity::Warning));
     return group;
   }
   const PageCommands commands = joystickCommands(state, channelId);

@@ -34,7 +34,7 @@ class Answers {
     if (!answer.isKnown())
       return {label,
               noAnswerText(m_device, request, m_now),
-              again.isEmpty() ? Severity::Unknown : Severity::Attend,
+              again.isEmpty() ? Severity::Unknown : Severity::Warning,
               {}};
     const AnswerAge age = ageOfAnswer(m_state, m_device, answer.at);
     if (age != AnswerAge::Current) {
@@ -42,7 +42,7 @@ class Answers {
                               .arg(value, agoText(m_now - answer.at), answerAgeText(age));
       return {label, withLine(old, again), Severity::Unknown, {}};
     }
-    return {label, withLine(value, again), again.isEmpty() ? tone : Severity::Attend, m_now - answer.at};
+    return {label, withLine(value, again), again.isEmpty() ? tone : Severity::Warning, m_now - answer.at};
   }
 
  private:
@@ -153,12 +153,12 @@ PageFactGroup nodeOf(const Device& d, Instant now) {
     state.value = Facts::tr("%1, overdue").arg(state.value);
     state.tone = Severity::Unknown;
   } else {
-    state.tone = isOperational ? Severity::Fine : Severity::Attend;
+    state.tone = isOperational ? Severity::Fine : Severity::Warning;
   }
   if (d.heartbeat().isKnown()) state.age = now - d.heartbeat().at;
   group.facts = {state, plain(Facts::tr("Frames"), framesText(d.frames, d.rate.at(now, d.lastHeard)))};
   if (d.malformed != 0)
-    group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), Severity::Attend));
+    group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), Severity::Warning));
   return group;
 }
 
@@ -169,7 +169,7 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
   facts.push_back(stick.priority()
                       ? plain(Facts::tr("Priority"), priorityText(*stick.priority()))
                       : plain(Facts::tr("Priority"), Facts::tr("none: monitors listen to 33 to 38 hex"),
-                              Severity::Attend));
+                              Severity::Warning));
   if (stick.timedOut) {
     facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), Severity::Unknown,
                      now - stick.basic.at});
@@ -182,9 +182,9 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
   facts.push_back(plain(
       Facts::tr("Worst gap"),
       isLate ? Facts::tr("%1, more than 100 ms").arg(periodText(stick.worstGap)) : periodText(stick.worstGap),
-      isLate ? Severity::Attend : Severity::Plain));
+      isLate ? Severity::Warning : Severity::Plain));
   facts.push_back(plain(Facts::tr("Time-outs"), countText(stick.timeouts),
-                        stick.timeouts != 0 ? Severity::Attend : Severity::Plain));
+                        stick.timeouts != 0 ? Severity::Warning : Severity::Plain));
   return group;
 }
 
@@ -194,7 +194,7 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   const bool isLost = address == kNullAddress;
   facts.push_back(plain(Facts::tr("Address"),
                         device != nullptr ? addressNow(state, *device) : addressText(address),
-                        isLost ? Severity::Attend : Severity::Plain));
+                        isLost ? Severity::Warning : Severity::Plain));
   if (device != nullptr) {
     if (const QStringList before = addressesBefore(state, *device); !before.isEmpty())
       facts.push_back(plain(Facts::tr("Before"), before.join(QLatin1Char('\n'))));
@@ -208,9 +208,9 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   const ClaimState claim = book.claim(address, state.cursor().time);
   const bool isOpen = claim == ClaimState::Contested || claim == ClaimState::CannotClaim;
   facts.push_back(
-      plain(Facts::tr("Claim"), wordText(claimKey(claim)), isOpen ? Severity::Attend : Severity::Plain));
+      plain(Facts::tr("Claim"), wordText(claimKey(claim)), isOpen ? Severity::Warning : Severity::Plain));
   if (const QString contests = contestText(book, address); !contests.isEmpty())
-    facts.push_back(plain(Facts::tr("Contests"), contests, Severity::Attend));
+    facts.push_back(plain(Facts::tr("Contests"), contests, Severity::Warning));
   if (const Name name = book.lastHolder(address); !name.isNull())
     facts.push_back(plain(Facts::tr("NAME"), nameLines(name).join(QLatin1Char('\n'))));
   const Node node = state.channel(channelId).nodes[address];
@@ -220,7 +220,7 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   const FrameRate& rate = device != nullptr ? device->rate : node.rate;
   facts.push_back(plain(Facts::tr("Frames"), framesText(frames, rate.at(state.cursor().time, heard))));
   if (malformed != 0)
-    facts.push_back(plain(Facts::tr("Of a wrong length"), countText(malformed), Severity::Attend));
+    facts.push_back(plain(Facts::tr("Of a wrong length"), countText(malformed), Severity::Warning));
   return group;
 }
 

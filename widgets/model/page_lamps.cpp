@@ -74,7 +74,7 @@ std::optional<PageLampGroup> outputsOf(const Device& d, Instant now) {
   group.add(Lamps::tr("Enabled"), o.enable, Severity::Fine, Lamps::tr("Enabled: motion allowed"))
       .add(Lamps::tr("Active (not stowed)"), o.active)
       .add(Lamps::tr("Stowed"), o.stowed)
-      .add(Lamps::tr("Permissive required"), o.soeMode, Severity::Attend,
+      .add(Lamps::tr("Permissive required"), o.soeMode, Severity::Warning,
            Lamps::tr("SOE mode: a permissive is required to move"))
       .add(Lamps::tr("Point-aim mode"), o.pointAimMode)
       .add(Lamps::tr("Remote mode"), o.remoteMode)

@@ -29,7 +29,7 @@ std::vector<ContrastPair> contrastPairs(const Colours& c) {
   const std::pair<const char*, QColor> grounds[] = {
       {"window", c.window}, {"surface", c.surface}, {"alternate surface", c.surfaceAlternate}};
   const std::pair<const char*, const Tone&> tones[] = {
-      {"accent", c.accent}, {"attend", c.attend}, {"fault", c.fault}, {"fine", c.fine}, {"stale", c.stale}};
+      {"accent", c.accent}, {"attend", c.warning}, {"fault", c.fault}, {"fine", c.fine}, {"stale", c.stale}};
   for (const auto& [ground, back] : grounds) {
     const std::string on = std::string(" on ") + ground;
     pairs.push_back({"text" + on, c.text, back, kTextContrast});
@@ -43,7 +43,7 @@ std::vector<ContrastPair> contrastPairs(const Colours& c) {
   pairs.push_back({"stale text on stale fill", c.stale.onFill, c.stale.fill, kTextContrast});
   // The timeline after its cursor.
   pairs.push_back({"density on stale fill", c.textSecondary, c.stale.fill, kGraphicsContrast});
-  pairs.push_back({"attend on stale fill", c.attend.ink, c.stale.fill, kGraphicsContrast});
+  pairs.push_back({"attend on stale fill", c.warning.ink, c.stale.fill, kGraphicsContrast});
   pairs.push_back({"accent on stale fill", c.accent.ink, c.stale.fill, kGraphicsContrast});
   return pairs;
 }

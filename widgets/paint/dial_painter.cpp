@@ -170,7 +170,7 @@ void DialPainter::drawNeedle() {
     m_painter.drawPolygon(v.needleShape);
   }
   if (!v.offScale) return;
-  const QColor ink = v.axis.isStale ? m_colours.stale.ink : m_colours.attend.ink;
+  const QColor ink = v.axis.isStale ? m_colours.stale.ink : m_colours.warning.ink;
   m_painter.setPen(QPen(ink, line(0.025, 2.0), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const QPointF along = v.offScale->p2() - v.offScale->p1();
   const QPointF across(-along.y(), along.x());
@@ -199,14 +199,14 @@ void DialPainter::drawStop(const DialBlock& block, std::optional<Status2> stop) 
     m_painter.setPen(pen);
     m_painter.setBrush(m_colours.surface);
     m_painter.drawPolygon(block.shape);
-    drawGlyph(m_painter, block.glyph, on ? Glyph::Stop : Glyph::Attend, m_colours.stale.ink);
+    drawGlyph(m_painter, block.glyph, on ? Glyph::Stop : Glyph::Warning, m_colours.stale.ink);
     return;
   }
-  const Tone& tone = on ? m_colours.fault : m_colours.attend;
+  const Tone& tone = on ? m_colours.fault : m_colours.warning;
   m_painter.setPen(QPen(tone.ink, line(0.014, 1.5), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
   m_painter.setBrush(tone.fill);
   m_painter.drawPolygon(block.shape);
-  drawGlyph(m_painter, block.glyph, on ? Glyph::Stop : Glyph::Attend, tone.onFill);
+  drawGlyph(m_painter, block.glyph, on ? Glyph::Stop : Glyph::Warning, tone.onFill);
 }
 
 void DialPainter::drawCommand() {
@@ -257,7 +257,7 @@ void DialPainter::drawNoReading() {
       break;
     }
     case PositionState::Invalid: {
-      const Tone& tone = stale ? m_colours.stale : m_colours.attend;
+      const Tone& tone = stale ? m_colours.stale : m_colours.warning;
       QPainterPath clip;
       if (plan) {
         clip.addEllipse(face);

@@ -64,7 +64,7 @@ void DialReadout::drawValue(const DialView& view) {
   // In the number's place the reason why there is none, at most two thirds of its size.
   QColor ink = m_colours.textSecondary;
   if (axis.reading == PositionState::SensorError) ink = m_colours.fault.ink;
-  if (axis.reading == PositionState::Invalid) ink = m_colours.attend.ink;
+  if (axis.reading == PositionState::Invalid) ink = m_colours.warning.ink;
   if (!axis.reading || axis.isStale) ink = m_colours.stale.ink;
   const double size = std::max(m_layout.textSize, m_layout.valueSize * 0.66);
   QString text = DialText::reading(axis.reading);
@@ -114,10 +114,10 @@ void DialReadout::drawCondition(const DialView& view) {
     return;
   }
   const bool on = axis.plusStop == Status2::On || axis.minusStop == Status2::On;
-  note.glyph = on ? Glyph::Stop : Glyph::Attend;
+  note.glyph = on ? Glyph::Stop : Glyph::Warning;
   note.ink = note.textInk = axis.isStale ? m_colours.stale.ink
                             : on         ? m_colours.fault.ink
-                                         : m_colours.attend.ink;
+                                         : m_colours.warning.ink;
   note.text = stops;
   QRectF slot = view.condition;
   // Beside it stands who commands; with nobody there the place is free.
@@ -178,8 +178,8 @@ void DialReadout::drawChips(const DialValues& values) {
   note.text = DialText::enable(values.enable);
   if (values.enable == false) {
     note.glyph = Glyph::Locked;
-    note.ink = note.textInk = m_colours.attend.onFill;
-    drawChip(m_layout.enableChip, note, &m_colours.attend);
+    note.ink = note.textInk = m_colours.warning.onFill;
+    drawChip(m_layout.enableChip, note, &m_colours.warning);
   } else if (values.enable == true) {
     note.glyph = Glyph::Fine;
     note.ink = note.textInk = m_colours.fine.ink;

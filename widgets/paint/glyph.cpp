@@ -54,7 +54,7 @@ void drawGlyph(QPainter& p, const QRectF& box, Glyph glyph, const QColor& ink, c
       p.setBrush(Qt::NoBrush);
       p.drawPolyline(QPolygonF{{-0.74, 0.06}, {-0.22, 0.58}, {0.76, -0.54}});
       break;
-    case Glyph::Attend:
+    case Glyph::Warning:
       p.drawPolygon(QPolygonF{{0, -0.8}, {0.88, 0.74}, {-0.88, 0.74}});
       p.drawLine(QPointF(0, -0.22), QPointF(0, 0.22));
       p.setBrush(ink);

@@ -13,7 +13,7 @@ namespace deckpipe {
 
 enum class Glyph : std::uint8_t {
   Fine,          // tick
-  Attend,        // triangle with an exclamation mark
+  Warning,       // triangle with an exclamation mark
   Fault,         // circle with a cross
   Stop,          // octagon with a bar
   Stale,         // clock

@@ -15,7 +15,7 @@ Colours light() {
   c.outline = QColor(0x75818D);
   c.travel = QColor(0x5B7F97);
   c.accent = {QColor(0x0A5CA8), QColor(0x0A5CA8), QColor(0xFFFFFF)};
-  c.attend = {QColor(0x7D4E00), QColor(0xFFB61F), QColor(0x241600)};
+  c.warning = {QColor(0x7D4E00), QColor(0xFFB61F), QColor(0x241600)};
   c.fault = {QColor(0xB3141B), QColor(0xC81E25), QColor(0xFFFFFF)};
   c.fine = {QColor(0x156B35), QColor(0x1B7A3E), QColor(0xFFFFFF)};
   c.stale = {QColor(0x5D6770), QColor(0xD5DADF), QColor(0x3C454D)};
@@ -33,7 +33,7 @@ Colours dark() {
   c.outline = QColor(0x76828E);
   c.travel = QColor(0x6C93AD);
   c.accent = {QColor(0x62B0F7), QColor(0x62B0F7), QColor(0x0B1722)};
-  c.attend = {QColor(0xFFBE45), QColor(0xFFB61F), QColor(0x241600)};
+  c.warning = {QColor(0xFFBE45), QColor(0xFFB61F), QColor(0x241600)};
   c.fault = {QColor(0xFF7F78), QColor(0xCC2A2F), QColor(0xFFFFFF)};
   c.fine = {QColor(0x5FCB81), QColor(0x5FCB81), QColor(0x08200F)};
   c.stale = {QColor(0x97A2AC), QColor(0x39424B), QColor(0xC6CED6)};
@@ -53,7 +53,7 @@ Colours sunlight() {
   c.outline = QColor(0x4A4A4A);
   c.travel = QColor(0x1F4E6B);
   c.accent = {QColor(0x00387A), QColor(0x00387A), QColor(0xFFFFFF)};
-  c.attend = {QColor(0x4F3000), QColor(0xFFB300), QColor(Qt::black)};
+  c.warning = {QColor(0x4F3000), QColor(0xFFB300), QColor(Qt::black)};
   c.fault = {QColor(0x9C0008), QColor(0xA8000A), QColor(0xFFFFFF)};
   c.fine = {QColor(0x004D1C), QColor(0x004D1C), QColor(0xFFFFFF)};
   c.stale = {QColor(0x4F4F4F), QColor(0xD0D0D0), QColor(0x202020)};
@@ -78,7 +78,7 @@ const QColor& inkOf(const Colours& colours, Ink ink) {
     case Ink::Text: break;
     case Ink::Secondary: return colours.textSecondary;
     case Ink::Accent: return colours.accent.ink;
-    case Ink::Attend: return colours.attend.ink;
+    case Ink::Warning: return colours.warning.ink;
     case Ink::Fault: return colours.fault.ink;
     case Ink::Fine: return colours.fine.ink;
     case Ink::Stale: return colours.stale.ink;

@@ -36,7 +36,7 @@ struct Colours {
   QColor outline;           // lines without a meaning of their own: scales, frames, the apparatus
   QColor travel;            // the band between soft limits
   Tone accent;
-  Tone attend;
+  Tone warning;
   Tone fault;
   Tone fine;
   Tone stale;
@@ -45,7 +45,7 @@ struct Colours {
 };
 
 // What words and signs are written in.
-enum class Ink : std::uint8_t { Text, Secondary, Accent, Attend, Fault, Fine, Stale };
+enum class Ink : std::uint8_t { Text, Secondary, Accent, Warning, Fault, Fine, Stale };
 const QColor& inkOf(const Colours& colours, Ink ink);
 
 const Colours& coloursOf(Theme theme);

@@ -20,7 +20,7 @@ inline constexpr EnumTable<Severity, SeverityLook> kSeverityLooks{{
     {Severity::Fine, {Glyph::Fine, Ink::Fine}},
     {Severity::Unknown, {Glyph::NoData, Ink::Stale}},
     {Severity::Busy, {Glyph::Stale, Ink::Accent}},
-    {Severity::Attend, {Glyph::Attend, Ink::Attend}},
+    {Severity::Warning, {Glyph::Warning, Ink::Warning}},
     {Severity::Fault, {Glyph::Fault, Ink::Fault}},
     {Severity::Silent, {Glyph::Stale, Ink::Stale}},
 }};

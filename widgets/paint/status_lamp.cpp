@@ -72,14 +72,14 @@ StatusLamp::Look StatusLamp::lookIn(const Colours& c) const {
   if (m_stale) return {Glyph::Stale, c.stale.ink, c.stale.fill, c.stale.onFill, true};
   switch (*m_state) {
     case Status2::Off: return {Glyph::Off, c.textSecondary, Qt::transparent, c.outline, false};
-    case Status2::Error: return {Glyph::Attend, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case Status2::Error: return {Glyph::Warning, c.warning.ink, c.warning.fill, c.warning.onFill, false};
     case Status2::NotAvailable:
       return {Glyph::NotAvailable, c.textSecondary, Qt::transparent, c.textSecondary, true};
     case Status2::On: break;
   }
   switch (m_whenOn) {
     case Severity::Fine: return {Glyph::Fine, c.fine.ink, c.fine.fill, c.fine.onFill, false};
-    case Severity::Attend: return {Glyph::On, c.attend.ink, c.attend.fill, c.attend.onFill, false};
+    case Severity::Warning: return {Glyph::On, c.warning.ink, c.warning.fill, c.warning.onFill, false};
     case Severity::Fault: return {Glyph::Stop, c.fault.ink, c.fault.fill, c.fault.onFill, false};
     default: return {Glyph::On, c.text, c.text, c.surface, false};
   }

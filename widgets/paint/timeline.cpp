@@ -184,7 +184,7 @@ void Timeline::paintMarks(QPainter& p, const Colours& c, const TimelineGeometry&
       if (mark.weight != weight || !isShown(mark) || !inSight.has(mark.time)) continue;
       const double x = std::round(g.xOf(mark.time));
       if (mark.kind == TimelineMark::Kind::TimeJump) {
-        QPen broken(c.attend.ink, 1.5 * c.stroke, Qt::SolidLine, Qt::FlatCap);
+        QPen broken(c.warning.ink, 1.5 * c.stroke, Qt::SolidLine, Qt::FlatCap);
         broken.setDashPattern({2, 2});
         p.setPen(broken);
         p.drawLine(QPointF(x, kTop), QPointF(x, strip.bottom()));
@@ -210,7 +210,7 @@ void Timeline::paintGaps(QPainter& p, const Colours& c, const TimelineGeometry& 
     const bool isLost = gap.kind == TimelineGap::Kind::LinkLost;
     const QRectF area(from, strip.top() + 1, to - from, strip.height() - 2);
     p.fillRect(area,
-               QBrush(isLost ? c.attend.ink : c.outline, isLost ? Qt::DiagCrossPattern : Qt::BDiagPattern));
+               QBrush(isLost ? c.warning.ink : c.outline, isLost ? Qt::DiagCrossPattern : Qt::BDiagPattern));
   }
 }
 

@@ -170,7 +170,7 @@ TEST(LockFact, SaysThatNothingIsSent) {
   unlocked.locked = false;
   snapshot.services = std::make_shared<const ServiceStatus>(unlocked);
   EXPECT_EQ(lockFact(snapshot).text.toStdString(), "Unlocked, no address");
-  EXPECT_EQ(lockFact(snapshot).tone, Severity::Attend);
+  EXPECT_EQ(lockFact(snapshot).tone, Severity::Warning);
 }
 
 TEST(LockFact, SaysThatALockIsNotCompleteYet) {
@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
                               },
                               "", Severity::Plain, ""},
                       SentRow{"Refused", [](ServiceStatus& s) { s.notTaken = 2; }, "2 frames not sent",
-                              Severity::Attend, "2 frames were not taken by the adapter"},
+                              Severity::Warning, "2 frames were not taken by the adapter"},
                       SentRow{"Waiting",
                               [](ServiceStatus& s) {
                                 s.unconfirmed = 3;
@@ -254,7 +254,7 @@ TEST(CompletenessFact, CountsWhatIsMissing) {
   Snapshot lossy = link(Progress::Running);
   lossy.source.notKept = 12;
   EXPECT_EQ(completenessFact(lossy).text.toStdString(), "12 frames missing");
-  EXPECT_EQ(completenessFact(lossy).tone, Severity::Attend);
+  EXPECT_EQ(completenessFact(lossy).tone, Severity::Warning);
 }
 
 TEST(CompletenessFact, IsSaidOnlyOfWhatWasReadToItsEnd) {
@@ -309,7 +309,7 @@ TEST(CompletenessFact, OfALinkWithoutRoomSaysThatTheEndIsMissing) {
   full.source.error = StoreFull{};
   const StatusFact fact = completenessFact(full);
   EXPECT_EQ(fact.text.toStdString(), "Store full");
-  EXPECT_EQ(fact.tone, Severity::Attend);
+  EXPECT_EQ(fact.tone, Severity::Warning);
   EXPECT_TRUE(says(fact.story.toStdString(), "What came after the last frame is missing"));
 }
 

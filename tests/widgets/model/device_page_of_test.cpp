@@ -246,7 +246,7 @@ TEST(DevicePageOf, TellsNeverAskedFromNoAnswer) {
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("asked just now"));
   bus.pass(2s).statuses();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("no answer, asked 2.0 s ago"));
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Attend);
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Warning);
   EXPECT_EQ(fact(pageOf(bus), "Firmware").value, QStringLiteral("never asked"));
   bus.hear("18EF80F9", "02").hear("18EFF980", "02000000000000").hear("18EF80F9", "02").pass(2s).statuses();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
@@ -354,7 +354,7 @@ TEST(DevicePageOf, ShowsAJoystickWithItsStickAndTiming) {
   EXPECT_EQ(lamp(page, "switches", "5 Flow high"), Status2::On);
   EXPECT_EQ(fact(page, "Priority").value, QStringLiteral("1 of 6, the highest on CAN"));
   EXPECT_EQ(fact(page, "Worst gap").value, QStringLiteral("140 ms, more than 100 ms"));
-  EXPECT_EQ(fact(page, "Worst gap").tone, Severity::Attend);
+  EXPECT_EQ(fact(page, "Worst gap").tone, Severity::Warning);
   bus.pass(200ms);
   EXPECT_TRUE(pageOf(bus, page.key).sticks[0].isStale);
 }
@@ -478,7 +478,7 @@ TEST(DevicePageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
 TEST(DevicePageOf, SaysThatAnotherSourceMovesNothing) {
   Heard bus;
   bus.monitor().hear("0CFDD640", kStickLeft);
-  EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, Severity::Attend);
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x40)), "Moves").tone, Severity::Warning);
 }
 
 TEST(DevicePageOf, ShowsAGripWithItsDetentsAndSwitches) {

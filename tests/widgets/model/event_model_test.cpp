@@ -38,7 +38,7 @@ TEST_F(ModelOfEvents, SaysWhatHappenedAndWhen) {
   EXPECT_EQ(what(1), "Enabled");
   EXPECT_EQ(model.index(0, EventModel::When).data().toString().toStdString(), "0:00:02.500");
   EXPECT_EQ(model.index(0, EventModel::Bus).data().toString().toStdString(), "can0");
-  EXPECT_EQ(model.weight(0), Severity::Attend);
+  EXPECT_EQ(model.weight(0), Severity::Warning);
   EXPECT_EQ(model.group(0), EventGroup::Mode);
 }
 
@@ -149,7 +149,7 @@ TEST(NoteWeight, IsPlainOnlyForWhatWasMeant) {
   using How = note::OwnAddress::How;
   for (const How how : test::allOf<How>()) {
     const bool isMeant = how == How::Claimed || how == How::Locked;
-    EXPECT_EQ(noteWeight(note::OwnAddress{{}, {}, how}), isMeant ? Severity::Plain : Severity::Attend);
+    EXPECT_EQ(noteWeight(note::OwnAddress{{}, {}, how}), isMeant ? Severity::Plain : Severity::Warning);
   }
 }
 

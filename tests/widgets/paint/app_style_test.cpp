@@ -58,14 +58,14 @@ TEST(AppStyle, AnInkFollowsTheThemeWhereverTheWordsStand) {
   QLabel shown(&window), hidden(&window);
   QLineEdit edit(&window);
   hidden.hide();
-  setInk(shown, Ink::Attend);
+  setInk(shown, Ink::Warning);
   setInk(hidden, Ink::Fault);
   setInk(edit, Ink::Secondary);
   window.show();
   for (const Theme theme : kThemes) {
     const test::Look look(theme);
     const Colours& c = coloursOf(theme);
-    EXPECT_EQ(inkOfWords(shown), c.attend.ink);
+    EXPECT_EQ(inkOfWords(shown), c.warning.ink);
     EXPECT_EQ(inkOfWords(edit), c.textSecondary);
     hidden.show();
     EXPECT_EQ(inkOfWords(hidden), c.fault.ink);

@@ -68,7 +68,7 @@ QImage lamps(Theme theme) {
   image.fill(colours.surface);
   QPainter painter(&image);
   int column = 0;
-  for (const Severity whenOn : {Severity::Plain, Severity::Fine, Severity::Attend, Severity::Fault}) {
+  for (const Severity whenOn : {Severity::Plain, Severity::Fine, Severity::Warning, Severity::Fault}) {
     int row = 0;
     const auto draw = [&](std::optional<Status2> state, bool stale) {
       StatusLamp lamp;

@@ -25,7 +25,7 @@ QImage picture(StatusLamp& lamp, QSize size) {
 TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
   for (const Theme theme : kThemes) {
     const test::Look look(theme);
-    for (const Severity whenOn : {Severity::Plain, Severity::Fine, Severity::Attend, Severity::Fault}) {
+    for (const Severity whenOn : {Severity::Plain, Severity::Fine, Severity::Warning, Severity::Fault}) {
       std::vector<QImage> pictures;
       for (const auto& state : kStates) {
         for (const bool stale : {false, true}) {

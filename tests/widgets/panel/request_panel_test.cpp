@@ -156,7 +156,7 @@ TEST_F(RequestsOfDevice, ALogTellsNeverAskedFromNoAnswer) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFFF80", "011D940371000041", 0, 5 * kSecond)});
   show();
   EXPECT_EQ(card(Request::Fault)->values().state, QStringLiteral("no answer, asked 3.0 s ago"));
-  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Warning);
   EXPECT_EQ(card(Request::Firmware)->values().state, QStringLiteral("never asked"));
 }
 
@@ -164,7 +164,7 @@ TEST_F(RequestsOfDevice, ALogTellsRefusedFromNeverAsked) {
   add({frame("18EF80F9", "02", 0, 2 * kSecond), frame("18EFF980", "0200", 0, 2 * kSecond)});
   show();
   EXPECT_EQ(card(Request::Fault)->values().state, QStringLiteral("refused, or answered in a wrong length"));
-  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Warning);
 }
 
 TEST_F(RequestsOfDevice, ALogTellsThatAnAnswerWasFollowedByARefusal) {
@@ -173,7 +173,7 @@ TEST_F(RequestsOfDevice, ALogTellsThatAnAnswerWasFollowedByARefusal) {
   show();
   EXPECT_TRUE(card(Request::Fault)->values().state.startsWith(QStringLiteral("asked again: refused")))
       << card(Request::Fault)->values().state.toStdString();
-  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Warning);
 }
 
 TEST_F(RequestsOfDevice, AResetThatWasSeenIsARestart) {
@@ -195,7 +195,7 @@ TEST_F(RequestsOfDevice, NoAnswerIsSaidAsClearly) {
                              .sent = view.cursor.time,
                              .ended = view.cursor.time};
   show();
-  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Attend);
+  EXPECT_EQ(card(Request::Fault)->values().tone, Severity::Warning);
   EXPECT_TRUE(card(Request::Fault)->values().state.contains(QStringLiteral("no answer")));
 }
 

@@ -157,7 +157,7 @@ TEST_F(TransportBarTest, FillsTheTimelineFromTheLog) {
       << "a mark for each event, and a line for the jump";
   ASSERT_EQ(marks.size(), 3u);
   EXPECT_EQ(marks[0].text, QStringLiteral("water on"));
-  EXPECT_EQ(marks[1].weight, Severity::Attend);
+  EXPECT_EQ(marks[1].weight, Severity::Warning);
   EXPECT_EQ(marks[1].text, QStringLiteral("can0: 12 frames lost"));
   EXPECT_EQ(marks[2].kind, TimelineMark::Kind::TimeJump);
 }

@@ -16,7 +16,7 @@ SendHint::SendHint(const QString& prefix, QWidget* parent)
   m_text->setObjectName(prefix + QStringLiteral("Hint"));
   m_text->setAccessibleName(tr("Why nothing can be sent"));
   m_text->setWordWrap(true);
-  setInk(*m_text, Ink::Attend);
+  setInk(*m_text, Ink::Warning);
   m_unlock->setObjectName(prefix + QStringLiteral("Unlock"));
   m_unlock->setAccessibleName(tr("Unlock sending"));
   m_unlock->setAutoDefault(false);

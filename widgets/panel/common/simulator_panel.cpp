@@ -269,7 +269,7 @@ void SimulatorPanel::showState(const SimulatedDevice& d) {
     m_sign->setGlyph(Glyph::Off, Ink::Stale);
   } else if (d.address == kNullAddress) {
     setText(*m_state, tr("Powered, without an address"));
-    m_sign->setGlyph(Glyph::Attend, Ink::Attend);
+    m_sign->setGlyph(Glyph::Warning, Ink::Warning);
   } else {
     setText(*m_state, tr("On the bus at %1").arg(addressText(d.address)));
     m_sign->setGlyph(Glyph::On, Ink::Fine);

@@ -60,7 +60,7 @@ void StatusCell::showSign() {
   const auto glyph = m_glyph ? m_glyph : glyphOf(m_tone);
   m_sign->setVisible(glyph.has_value());
   m_sign->setGlyph(glyph, inkOf(m_tone));
-  const bool isLoud = m_tone == Severity::Attend || m_tone == Severity::Fault;
+  const bool isLoud = m_tone == Severity::Warning || m_tone == Severity::Fault;
   setInk(*m_words, isLoud ? inkOf(m_tone) : Ink::Text);
 }
 

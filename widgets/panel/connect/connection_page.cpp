@@ -168,7 +168,7 @@ void ConnectionPage::setOffers(const AdapterOffers& offers) {
   if (hasNone) {
     AdapterOffer none;
     none.title = offers.isSearching ? tr("Looking for adapters …") : tr("No CAN adapter found");
-    none.tone = offers.isSearching ? Severity::Busy : Severity::Attend;
+    none.tone = offers.isSearching ? Severity::Busy : Severity::Warning;
     none.state = offers.nothing;
     none.command = offers.command;
     none.canConnect = false;

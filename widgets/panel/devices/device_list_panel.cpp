@@ -48,7 +48,7 @@ DeviceListPanel::DeviceListPanel(QWidget* parent)
   m_untracked->setObjectName(QStringLiteral("untrackedDevices"));
   m_untracked->setAccessibleName(tr("What is not listed"));
   m_untracked->setWordWrap(true);
-  setInk(*m_untracked, Ink::Attend);
+  setInk(*m_untracked, Ink::Warning);
   m_untracked->setMargin(8);
   m_untracked->hide();
   m_pages->setObjectName(QStringLiteral("devicePages"));

@@ -36,7 +36,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   m_untracked->setMargin(8);
   m_untracked->setAutoFillBackground(true);
   m_untracked->setBackgroundRole(QPalette::Base);
-  setInk(*m_untracked, Ink::Attend);
+  setInk(*m_untracked, Ink::Warning);
   m_content->setObjectName(QStringLiteral("overviewContent"));
   m_scroll->setObjectName(QStringLiteral("overviewScroll"));
   m_scroll->setAccessibleName(tr("Monitors"));

@@ -140,7 +140,7 @@ void PipeView::append(std::size_t from) {
   const Colours& c = coloursOf(this);
   const auto showRestart = [&] {
     if (m_isRestartShown || !tellsRestart) return;
-    format.setForeground(c.attend.ink);
+    format.setForeground(c.warning.ink);
     if (std::exchange(m_isLineOpen, false)) cursor.insertText(QStringLiteral("\n"), format);
     cursor.insertText(pipeRestartText() + QLatin1Char('\n'), format);
     m_isRestartShown = true;

@@ -286,11 +286,11 @@ RequestCardValues RequestPanel::loggedValues(Request request, bool withMissing) 
   QStringList parts;
   if (last == nullptr) {
     parts << (known != nullptr ? noAnswerText(*known, request, now) : tr("never asked"));
-    if (known != nullptr && !askedAgainText(*known, request, now).isEmpty()) values.tone = Severity::Attend;
+    if (known != nullptr && !askedAgainText(*known, request, now).isEmpty()) values.tone = Severity::Warning;
   } else {
     const QString again = withMissing && known != nullptr ? askedAgainText(*known, request, now) : QString();
     if (!again.isEmpty()) {
-      values.tone = Severity::Attend;
+      values.tone = Severity::Warning;
       parts << again;
     }
     values.answer = m_history->latestText(request);
@@ -321,10 +321,10 @@ void RequestPanel::showCard(RequestCard& card, const DeviceServices* device) {
       // What the log says is said too where the request does not say it: how old the answer is, and why.
       const bool isAdded = !values.answer.isEmpty() && (!isFine || values.isOld);
       values.state = isAdded ? tr("%1 · %2", "state, age of the answer").arg(state, values.state) : state;
-      values.tone = isKept                                                 ? Severity::Attend
+      values.tone = isKept                                                 ? Severity::Warning
                     : request.progress == RequestStatus::Progress::Waiting ? Severity::Busy
                     : request.end == RequestEnd::None                      ? Severity::Plain
-                    : !isFine                                              ? Severity::Attend
+                    : !isFine                                              ? Severity::Warning
                     : values.isFault || values.isOld                       ? Severity::Plain
                                                                            : Severity::Fine;
     }

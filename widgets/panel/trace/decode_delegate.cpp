@@ -28,7 +28,7 @@ QFont fontOf(const QFont& base, const QModelIndex& index) {
 }
 
 QColor inkFor(const QModelIndex& index, const Colours& c) {
-  if (lineOf(index) == DecodeRow::Line::Certainty) return c.attend.ink;
+  if (lineOf(index) == DecodeRow::Line::Certainty) return c.warning.ink;
   const bool isValue = index.column() == DecodeModel::Name || index.column() == DecodeModel::Value;
   if (!isValue) return c.textSecondary;
   if (index.data(DecodeModel::QuietRole).toBool()) return c.stale.ink;

@@ -22,7 +22,7 @@ std::optional<Glyph> signOf(Marks marks) {
   if (marks.testFlag(TraceModel::Error)) return Glyph::Fault;
   if (marks.testFlag(TraceModel::Malformed)) return Glyph::Invalid;
   if (marks.testFlag(TraceModel::TimeJump)) return Glyph::Stale;
-  if (marks.testFlag(TraceModel::Ambiguous)) return Glyph::Attend;
+  if (marks.testFlag(TraceModel::Ambiguous)) return Glyph::Warning;
   if (marks.testFlag(TraceModel::Own)) return Glyph::CommandPlus;
   if (marks.testFlag(TraceModel::Presumed)) return Glyph::Unknown;
   return {};
@@ -33,7 +33,7 @@ QColor signInk(Glyph sign, const Colours& c) {
     case Glyph::Fault: return c.fault.ink;
     case Glyph::CommandPlus: return c.accent.ink;
     case Glyph::Unknown: return c.textSecondary;
-    default: return c.attend.ink;
+    default: return c.warning.ink;
   }
 }
 
@@ -73,7 +73,7 @@ void TracePainter::row(const QRect& rect, const QModelIndex& index, Look look) {
   cells(rect, index, marks, look.isSelected);
   gutter(rect, marks, look.isSelected);
   if (marks.testFlag(TraceModel::TimeJump)) {
-    QPen broken(look.isSelected ? c.accent.onFill : c.attend.ink, c.stroke);
+    QPen broken(look.isSelected ? c.accent.onFill : c.warning.ink, c.stroke);
     broken.setDashPattern({4, 4});
     m_painter.setPen(broken);
     m_painter.drawLine(rect.topLeft(), rect.topRight());
@@ -126,8 +126,8 @@ QColor TracePainter::ink(int column, Marks marks, bool isSelected) const {
   const bool isWord = column == TraceModel::Name || column == TraceModel::Decoded;
   if (isWord && marks.testFlag(TraceModel::Error)) return c.fault.ink;
   if (isWord && (marks.testFlag(TraceModel::Malformed) || marks.testFlag(TraceModel::Ambiguous)))
-    return c.attend.ink;
-  if (column == TraceModel::Delta && marks.testFlag(TraceModel::TimeJump)) return c.attend.ink;
+    return c.warning.ink;
+  if (column == TraceModel::Delta && marks.testFlag(TraceModel::TimeJump)) return c.warning.ink;
   if (column == TraceModel::Direction && marks.testFlag(TraceModel::Own)) return c.accent.ink;
   switch (column) {
     case TraceModel::Delta:

@@ -80,8 +80,8 @@ void TraceSearchBar::forget() {
 
 QString TraceSearchBar::said() const { return m_said->text(); }
 
-void TraceSearchBar::say(const QString& text, bool isAttend) {
-  setInk(*m_said, isAttend ? Ink::Attend : Ink::Secondary);
+void TraceSearchBar::say(const QString& text, bool isWarning) {
+  setInk(*m_said, isWarning ? Ink::Warning : Ink::Secondary);
   setText(*m_said, text);
 }
 

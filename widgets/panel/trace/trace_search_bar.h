@@ -45,7 +45,7 @@ class TraceSearchBar : public QWidget {
 
  private:
   void find(bool isBackwards, bool isHereToo);
-  void say(const QString& text, bool isAttend = false);
+  void say(const QString& text, bool isWarning = false);
   void sayProgress();
 
   const Where m_where;
