@@ -57,8 +57,8 @@ void filter(benchmark::State& state, const char* expression) {
   double taken = 0;
   for (auto _ : state) {
     const auto begin = std::chrono::steady_clock::now();
-    const FilterWorker sieve(log, TraceFilter::parse(QString::fromUtf8(expression)).value());
-    while (sieve.rows().scanned() < kFrames) std::this_thread::yield();
+    const FilterWorker worker(log, TraceFilter::parse(QString::fromUtf8(expression)).value());
+    while (worker.rows().scanned() < kFrames) std::this_thread::yield();
     taken += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
   const double each = taken / static_cast<double>(state.iterations());

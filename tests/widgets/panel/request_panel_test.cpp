@@ -11,17 +11,17 @@
 #include "model/answer_history.h"
 #include "panel/poll/request_card.h"
 #include "support/child.h"
-#include "widgets/panel/talk_rig.h"
+#include "widgets/panel/sending_panel_test.h"
 
 namespace deckpipe {
 namespace {
 
 using test::frame;
 
-const DeviceKey kMonitor = test::kTalkedTo;
+const DeviceKey kMonitor = test::kTarget;
 constexpr std::int64_t kSecond = 1'000'000'000;
 
-struct RequestsOfDevice : test::Talk<RequestPanel> {
+struct RequestsOfDevice : test::SendingPanelTest<RequestPanel> {
   RequestsOfDevice() {
     services.devices[0].takes = kPolls;
     services.devices[0].takes.add(Request::Reset);
@@ -33,7 +33,7 @@ struct RequestsOfDevice : test::Talk<RequestPanel> {
     return test::child<RequestCard>(panel, QStringLiteral("askCard%1").arg(static_cast<int>(request)));
   }
   QPushButton* button(Request request) { return test::child<QPushButton>(*card(request), "askButton"); }
-  using Talk::button;
+  using SendingPanelTest::button;
   QString hint() { return child<QLabel>("requestHint")->text(); }
 };
 

@@ -20,7 +20,7 @@
 #include "model/pipe_transcript.h"
 #include "panel/pipe/file_send_bar.h"
 #include "support/look.h"
-#include "widgets/panel/talk_rig.h"
+#include "widgets/panel/sending_panel_test.h"
 
 namespace deckpipe {
 namespace {
@@ -28,10 +28,10 @@ namespace {
 using test::frame;
 using What = intent::PipeAction::What;
 
-const DeviceKey kTerminalMonitor = test::kTalkedTo;
+const DeviceKey kTerminalMonitor = test::kTarget;
 constexpr std::int64_t kMilli = 1'000'000;
 
-struct Terminal : test::Talk<TerminalPanel> {
+struct Terminal : test::SendingPanelTest<TerminalPanel> {
   Terminal() { panel.resize(900, 420); }
   PipeStatus& pipe() {
     if (!services.devices[0].pipe) services.devices[0].pipe.emplace();

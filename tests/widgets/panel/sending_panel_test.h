@@ -17,17 +17,17 @@
 
 namespace deckpipe::test {
 
-inline const DeviceKey kTalkedTo = DeviceKey::of(*Pin::parse("1032AE100801035"));
+inline const DeviceKey kTarget = DeviceKey::of(*Pin::parse("1032AE100801035"));
 
 template <typename Panel>
-struct Talk : ::testing::Test {
-  Talk() {
+struct SendingPanelTest : ::testing::Test {
+  SendingPanelTest() {
     services.locked = false;
     services.linkUp = true;
     services.claim.progress = ClaimStatus::Progress::Claimed;
     services.claim.address = Address{0xF9};
     DeviceServices& at = services.devices.emplace_back();
-    at.device = kTalkedTo;
+    at.device = kTarget;
     at.address = Address{0x80};
     QObject::connect(&panel, &Panel::intended, [this](const Intent& intent) { intents.push_back(intent); });
     add({frame("18EFFF80", "FF83150206021A0B", 0, 0)});
@@ -69,7 +69,7 @@ struct Talk : ::testing::Test {
   std::shared_ptr<LogDocument> document = std::make_shared<LogDocument>();
   LogView view;
   ServiceStatus services;
-  DeviceKey device = kTalkedTo;
+  DeviceKey device = kTarget;
   QString deviceName = QStringLiteral("Roof (1032AE100801035)");
   DeviceLabels labels;
   bool isLive = true;
