@@ -67,7 +67,7 @@ constexpr DockRow kRows[] = {
     {"decodeDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Frame in detail"), "Alt+5", kBottom, Beside,
      false, false, make<DecodePanel>},
     // The page has the room until somebody wants to ask.
-    {"requestsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Ask"), "Alt+6", kRight, Own, false, false,
+    {"requestsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Requests"), "Alt+6", kRight, Own, false, false,
      make<RequestPanel>},
     {"simulatorDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Simulated truck"), "Alt+7", kRight, Tab,
      false, true, make<SimulatorPanel>},

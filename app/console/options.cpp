@@ -36,8 +36,7 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
       QStringLiteral("[LOG]"));
   const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, text("Show this help."));
   const QCommandLineOption version(QStringLiteral("version"), text("Show the version."));
-  const QCommandLineOption demo(QStringLiteral("demo"),
-                                text("Start with the bench twin, a simulated truck."));
+  const QCommandLineOption demo(QStringLiteral("demo"), text("Start with the simulated truck."));
   const QCommandLineOption plugin(QStringLiteral("plugin"),
                                   text("Qt CAN bus plugin to connect with, e.g. socketcan."),
                                   QStringLiteral("PLUGIN"), QStringLiteral("socketcan"));

@@ -201,9 +201,8 @@ StatusFact sourceFact(const SourceStatus& source) {
   QStringList story{fact.text};
   if (source.kind == From::File) story += source.name;
   if (source.kind == From::Link) {
-    story += source.simulated
-                 ? StatusText::tr("A bench twin of a truck, reached through a CAN adapter of Qt's.")
-                 : StatusText::tr("Adapter: %1").arg(source.name);
+    story += source.simulated ? StatusText::tr("A simulated truck, reached through a CAN adapter of Qt's.")
+                              : StatusText::tr("Adapter: %1").arg(source.name);
     if (source.isListenOnly)
       story += StatusText::tr("Listen-only: the controller neither sends nor acknowledges.");
     if (const QString controller = controllerText(source.controller); !controller.isEmpty())

@@ -100,7 +100,7 @@ ExitStatus runOnInterface(SimulatorRunner& runner, const LinkSettings& settings,
   ExitStatus status = kDone;
   QObject::connect(&runner, &SimulatorRunner::busReady, [&](const QString& interfaceName) {
     std::fprintf(stderr,
-                 "deckpipectl: the bench twin is on %s and drives every monitor there; Ctrl+C ends it\n",
+                 "deckpipectl: the simulated truck is on %s and drives every monitor there; Ctrl+C ends it\n",
                  qPrintable(interfaceName));
   });
   const auto say = [&](const QString& text) {
@@ -121,7 +121,7 @@ ExitStatus runOnInterface(SimulatorRunner& runner, const LinkSettings& settings,
     QCoreApplication::quit();
   });
   QObject::connect(&runner, &SimulatorRunner::strangersHeard, [&](const std::vector<Stranger>& strangers) {
-    fail(QStringLiteral("the twin stays off this bus: heard ") + strangersText(strangers));
+    fail(QStringLiteral("the simulated truck stays off this bus: heard ") + strangersText(strangers));
   });
   onStopSignals([] { QCoreApplication::quit(); });
   QMetaObject::invokeMethod(

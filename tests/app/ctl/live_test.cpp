@@ -99,7 +99,7 @@ TEST_F(Live, Rule20SimulateNeedsNoWordOnAVirtualBusAndEndsBySignals) {
     QProcess process;
     start(process, "simulate --seed 7");
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return process.readAllStandardError().contains("the bench twin is on"); }, kPatience));
+        [&] { return process.readAllStandardError().contains("the simulated truck is on"); }, kPatience));
     ::kill(static_cast<pid_t>(process.processId()), signal);
     EXPECT_EQ(end(process).status, 0) << signal;
   }
@@ -454,7 +454,7 @@ TEST_F(Live, PipeSendsAFileWhoseSumTheDeviceConfirms) {
 }
 
 // More than ten packets, of which the tenth is not acknowledged; less than the simulator's shell takes as a line.
-constexpr const char* kLong = "ECHO a line that takes more than ten packets on its way to the twin's shell\n";
+constexpr const char* kLong = "ECHO a line that takes more than ten packets on its way to the device shell\n";
 
 TEST_F(Live, PipeStopsAtAMissingAckAndSaysHowMuchWasAcknowledged) {
   intent(0, SimulatedFault::AcksLost);
