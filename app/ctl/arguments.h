@@ -12,7 +12,7 @@
 
 namespace deckpipe::ctl {
 
-// "[CHANNEL:]ADDR", ADDR in hex 00..FD; without a channel it holds on all of them.
+// "[CHANNEL:]ADDR", ADDR in hex 00..FD; without a channel it applies to all of them.
 struct ChannelAddress {
   std::string channel;
   Address address;
@@ -26,7 +26,7 @@ QString addressText(Address address);
 // where help or the version was asked for, says so and returns the exit status.
 std::optional<ExitStatus> parse(QCommandLineParser& parser, const QStringList& arguments);
 
-// Writes a text that was asked for to standard output.
+// Prints --help, --version or a table to standard output. Returns a failure if that cannot be written.
 ExitStatus print(const std::string& text);
 // "deckpipectl decode 0.1.0"
 ExitStatus printVersion(const QString& program);

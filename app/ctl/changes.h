@@ -13,7 +13,7 @@ namespace deckpipe::ctl {
 
 class Changes {
  public:
-  // Takes the follower's calls for itself; lines are appended to `out`.
+  // Sets the onFrame and onNote of `follower`; lines are appended to `out`.
   Changes(BusFollower& follower, Channel channel, std::string channelName, std::string& out);
 
  private:
@@ -35,7 +35,7 @@ class Changes {
   std::string& m_out;
   std::array<Shown, kMaxDevices> m_shown{};
   std::array<std::uint64_t, 256> m_names{};
-  // What repeats itself: of each identifier and message the last bytes.
+  // Last payload of each identifier and message.
   std::map<std::pair<std::uint32_t, MessageId>, std::uint64_t> m_last;
 };
 

@@ -21,7 +21,7 @@ class InfoReport {
 
   // Counts what has come since the last call.
   void countNew();
-  // Once, when all of it was read.
+  // Evaluates the notes. Call it once, after the whole log was read.
   void takeNotes();
   std::string text(const std::string& file, const SkippedPlaces& skipped) const;
   std::string json(const std::string& file, const SkippedPlaces& skipped) const;

@@ -25,7 +25,7 @@ class JsonLine {
     appendJsonNumber(begin(key), number);
     return *this;
   }
-  // A number that is written already.
+  // `number`: decimal text, which is inserted without quotes.
   JsonLine& addNumber(std::string_view key, std::string_view number) {
     begin(key) += number;
     return *this;
@@ -47,7 +47,7 @@ class JsonLine {
     text += ']';
     return *this;
   }
-  // Null where there is none.
+  // Writes null for a null PIN or address.
   JsonLine& add(std::string_view key, const Pin& pin) {
     return pin.isNull() ? add(key, Value()) : add(key, pin.text());
   }

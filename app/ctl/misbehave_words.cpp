@@ -130,11 +130,11 @@ std::optional<WordValue> valueFor(const MisbehaveWord& word, const QString& text
     return value;
   }
   if (word.takes == Takes::Losses) {
-    const auto losses = lossesIn(text, word.most);
+    const auto losses = lossesIn(text, word.max);
     if (losses) value.losses = *losses;
     return losses ? std::optional(value) : std::nullopt;
   }
-  const auto number = word.takes == Takes::Fault ? faultMask(text) : numberIn(text, 1, word.most);
+  const auto number = word.takes == Takes::Fault ? faultMask(text) : numberIn(text, 1, word.max);
   if (number) value.number = *number;
   return number ? std::optional(value) : std::nullopt;
 }

@@ -23,15 +23,15 @@ struct MisbehaveWord {
 
   const char* word;
   Takes takes;
-  unsigned leftOut;  // the number where none is given; 0: it must be given
-  unsigned most;
+  unsigned leftOut;  // the number if none is given; 0: one must be given
+  unsigned max;      // of the number, in the unit of `takes`
   const char* help;
   void (*change)(simulator::Misbehaviour&, const WordValue&);
 };
 
 std::span<const MisbehaveWord> misbehaveWords();
 const MisbehaveWord* misbehaveWord(QStringView word);
-// Of "=VALUE", null where none was written. Nothing where it is not what the word takes.
+// Parses the VALUE of "=VALUE"; a null text means that none was given. nullopt if the word does not take it.
 std::optional<WordValue> valueFor(const MisbehaveWord& word, const QString& text);
 // "=MS", "[=MS]", ""
 QString valueHelp(const MisbehaveWord& word);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One device's data pipe on standard input and output: what comes in here goes there, what it says comes out,
-// as bytes. Made by `pipe`, driven by its run's ticks. The pipe service paces it by the device's acks; here
+// Connects standard input and output to one device's data pipe, byte for byte. Made by `pipe`, driven by its run's ticks. The pipe service paces it by the device's acks; here
 // is only how much is handed over, what follows a missing ack, and when it is over.
 #pragma once
 
@@ -63,7 +62,7 @@ class PipeTalk {
   bool m_inputEnded = false, m_isStopping = false;
   std::uint64_t m_handed = 0;       // characters handed to the pipe service, no file
   std::uint64_t m_firstSerial = 0;  // of our intents
-  // Packets at which the pipe stalled, a resent one anew; those of them that were answered by an action.
+  // Stalls so far, of which each resend counts again; and stalls that were already answered by resend or skip.
   std::uint32_t m_stalls = 0, m_decided = 0;
   std::uint32_t m_acks = 0;
   unsigned m_inARow = 0;

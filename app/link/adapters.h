@@ -13,7 +13,7 @@
 namespace deckpipe {
 
 struct Adapter {
-  QString plugin;  // these two for LinkSettings
+  QString plugin;  // copy plugin and interfaceName into LinkSettings
   QString interfaceName;
   QString description;  // in the plugin's words; may be empty, as may be the next two
   QString serialNumber;

@@ -10,7 +10,8 @@
 
 namespace deckpipe {
 
-// Flags are left 0: only the link knows whose frame it is. A stamp of exactly zero is what plugins leave when
+// Flags stay 0; CanLink sets them, as it knows whose frame it is. CAN FD frames, unknown kinds and identifiers out of
+// range are refused with their reason. A stamp of exactly zero is what plugins leave when
 // the driver gave none, and becomes kNoStamp.
 Result<Frame, NotKept> fromCanBusFrame(const QCanBusFrame& frame, Channel channel);
 

@@ -15,13 +15,14 @@ struct ReceiveBuffer {
   std::uint32_t drops = 0;  // frames dropped since the socket was opened; wraps
 };
 
+// nullopt if the kernel does not tell.
 std::optional<ReceiveBuffer> readReceiveBuffer(int descriptor);
 
-// Asks for room; the system's limit (net.core.rmem_max) may give less.
+// Requests a receive buffer of `bytes`. The system's limit (net.core.rmem_max) may give less; failure is ignored.
 void growReceiveBuffer(int descriptor, int bytes);
 
-// From now on the kernel stamps frames as they come. Otherwise frames that wait when the first one is read get
-// the time at which they are read.
+// Has the kernel stamp frames when they arrive. Without it, frames that wait when the first one is read get the
+// time at which they are read.
 void startStamping(int descriptor);
 
 }  // namespace deckpipe

@@ -27,7 +27,7 @@ class AdapterScan : public QObject {
 
   // Running, it looks for everything once, then watches the interfaces.
   void setRunning(bool isRunning);
-  // Everything once more.
+  // Searches for all adapters again.
   void search();
 
   const AdapterList& list() const { return m_list; }

@@ -39,7 +39,7 @@ class LiveBus : public QObject, private PortListener {
     bool storeFull = false;
   };
 
-  // Where it publishes: outlives it, so that the last word of a bus that has ended can be read.
+  // Holds the last state that was published. It outlives the bus, so that the final state stays readable.
   class Board {
    public:
     Board();
@@ -51,14 +51,14 @@ class LiveBus : public QObject, private PortListener {
     Published m_published;
   };
 
-  // `before`: of the bus that has filled the log so far and has ended, with its thread; null for an empty log.
+  // `before`: the board of the previous bus of this log, whose thread must have ended; null if the log is empty.
   LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, ClaimSettings claim = {},
           const std::shared_ptr<const Board>& before = nullptr);
   ~LiveBus() override;
 
   std::shared_ptr<const Board> board() const { return m_board; }
   Published latest() const { return m_board->latest(); }
-  // The same for who draws on ticked(): the next tick tells again.
+  // Returns the latest state and allows the next ticked().
   Published take() {
     m_isTold = false;
     return latest();
@@ -72,15 +72,15 @@ class LiveBus : public QObject, private PortListener {
   // Carries the intent out or refuses it at once; a refusal is in the next Published. A full log lets nothing
   // begin.
   void apply(const deckpipe::StampedIntent& intent);
-  // By the person: only a drive's own manual tells.
+  // Records the person's statement that this address is, or is not, a Copley drive. No frame tells it.
   void sayDrive(deckpipe::Address address, bool isDrive);
   // Ends the services, waits for what they still have to say (Services: 1 s at most), closes the link and
   // quits this thread's event loop.
   void close();
 
  Q_SIGNALS:
-  // A tick has published: draw now. Not said again before take(), so that a window that takes long finds one
-  // tick waiting and not a row of them.
+  // A tick has published: draw now. It is not emitted again before take(), so that a slow window finds one tick
+  // waiting and not many.
   void ticked();
 
  private:
@@ -93,7 +93,7 @@ class LiveBus : public QObject, private PortListener {
   void noteLeftOut();
   // Places a note at the end of the log.
   void write(NoteValue value);
-  // An adapter that cannot send is not unlocked; one that echoes by itself is believed.
+  // Tells the services whether the adapter is listen-only and whether it returns echoes.
   void followHardware();
   // What the services want sent and noted, and when they want to be called again.
   void serve();

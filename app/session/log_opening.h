@@ -18,7 +18,7 @@ class LogOpening {
   ~LogOpening();  // gives up what is not read yet
 
   double fraction() const { return m_fraction.load(std::memory_order_relaxed); }
-  // Nothing while it is still being read.
+  // Null until the reading has ended. Any thread may call it.
   const Result<ReadSummary, ReadError>* outcome() const {
     return m_ended.load(std::memory_order_acquire) ? &*m_outcome : nullptr;
   }

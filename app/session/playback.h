@@ -12,18 +12,18 @@ class Playback {
  public:
   static constexpr double kSlowest = 0.25, kFastest = 16;
 
-  // Stands at the log's end and goes with it. Null: no log is open, and no deed has an effect but setSpeed().
+  // Stands at the log's end and goes with it. Null: no log is open, and nothing but setSpeed() has an effect.
   explicit Playback(const FrameStore* frames = nullptr) : m_frames(frames) {}
 
-  // How far the log goes now, and whether it grows with time even where no frame comes.
+  // Sets the log's end. `grows`: the end moves with time, also without frames.
   void reach(Cursor end, bool grows);
   // Moves the cursor that plays; at the log's end it stops playing and goes with the end.
   void timeCame(Instant now);
 
-  // Plays on from the cursor; from the end it starts over, or does nothing where the log grows. False where
-  // it does nothing.
+  // Plays from the cursor. At the end it starts over, or does nothing if the log grows. Returns false if nothing
+  // changed.
   bool play(Instant now);
-  // Leaves the cursor where it stands. False where it stood already.
+  // Leaves the cursor where it stands. Returns false if it did not play.
   bool pause();
   // To a time, to behind so many frames, by so many frames. All stop at the log's ends, and stop playing.
   void seek(Instant time);

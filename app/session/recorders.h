@@ -18,10 +18,10 @@ class Recorders {
              bool isSimulated);
   // The status of the recording of the open source; nothing if it is not recorded.
   std::optional<JournalStatus> status() const;
-  // The source is no longer the open one; its last status. Where a bus may still write into the log, the
-  // recorder goes on until endOf().
+  // Detaches the recorder from the open source and returns its last status. Where a bus may still write into the
+  // log, the recorder goes on until endOf().
   std::optional<JournalStatus> leave(bool isStillWritten);
-  // An earlier source's log takes no more.
+  // Ends the recording of an earlier source: no bus writes into its log any more.
   void endOf(const std::shared_ptr<LogDocument>& document);
 
   // A faulty disk did not take all of a recording.

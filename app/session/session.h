@@ -33,7 +33,7 @@ class StateWalker;
 class Session : public QObject {
   Q_OBJECT
  public:
-  // What the times of a log file are.
+  // The times in a log file: of a clock, or differences from frame to frame, to be added up.
   enum class TimesOf : bool { Clock, Differences };
 
   explicit Session(QObject* parent = nullptr);
@@ -44,7 +44,7 @@ class Session : public QObject {
   void openLink(const LinkSettings& settings);
   // The simulator behind a virtual bus of its own, and a link to it.
   void openDemo();
-  // The last link once more. Goes on in the same log, after a gap, if that takes more.
+  // Opens the last link again. It goes on in the same log, after a gap, unless that log is full or shut.
   void reconnect();
   void closeSource();
   // Waits for the buses that are ending, kThreadPatience at most. For a program that is about to end: the
@@ -66,15 +66,16 @@ class Session : public QObject {
 
   const Snapshot& snapshot() const { return m_snapshot; }
 
-  // Hands a intent to the live link. Off the live edge only what stops something is heard; 0 where it was not
-  // handed on, which the snapshot then says, otherwise its serial, by which it tells whether it was refused.
+  // Sends an intent to the live bus and returns its serial number, which Snapshot::services names if the services
+  // refuse it. Returns 0 if the session refuses it; Snapshot::notSent has the reason. Away from the live edge only
+  // intents that stop something are sent.
   std::uint64_t want(Intent intent);
   // What no frame tells: a Copley drive is at this address of the open link, or is none after all.
   void sayDrive(Address address, bool isDrive);
   // To the demo's simulator, where one runs.
   void wantOfSimulator(const SimulatorIntent& intent);
 
-  // Plays on from the cursor; from the end it starts over where the log does not grow.
+  // Plays from the cursor. At the end of a log that does not grow it starts at the begin.
   void play();
   void pause();
   // To a time, to behind so many frames; both stop at the ends and stop playing.
@@ -105,7 +106,7 @@ class Session : public QObject {
   void beginDocument(std::shared_ptr<LogDocument> document);
   void startLink(LinkSettings settings, const QString& channelName);
   void endBus();
-  // What is said until the next deed of the person.
+  // Clears the messages that last until the person's next action.
   void forgetSaid();
   void beginRecording();
   void tick();
@@ -139,7 +140,7 @@ class Session : public QObject {
   QTimer m_timer;
   Cursor m_indexed;    // the log's end when the walker was last told
   Cursor m_walkedTo;   // where the state of the view stood
-  Instant m_walkedAt;  // since then
+  Instant m_walkedAt;  // when m_walkedTo last changed
 };
 
 }  // namespace deckpipe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between what the simulator panel says (core/control) and what the simulator simulator understands (core/simulator), which
+// Between what the simulator panel says (core/control) and what the simulator understands (core/simulator), which
 // know nothing of each other. SimulatorRunner uses these.
 #pragma once
 

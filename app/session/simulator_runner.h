@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulator simulator on a real port: runs core/simulator's simulator in real time, on its thread's event loop and
+// The simulator on a real port: runs core/simulator's simulator in real time, on its thread's event loop and
 // over a link. The demo starts one behind a virtual bus; `deckpipectl simulate` puts one on any interface, on
 // a real one only with a word for it and where no stranger is heard (stranger_watch.h). Time for the simulator is
 // CLOCK_MONOTONIC, which stands still while the machine sleeps: no burst on waking.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The status of a source takes these facts from what its bus has published.
+// Copies link state, error, bit rate and counters from what the bus has published. Session calls it every tick.
 #pragma once
 
 #include "session/live_bus.h"

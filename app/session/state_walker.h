@@ -26,7 +26,7 @@ class StateWalker {
   std::shared_ptr<const State> latest() const { return m_worker.latest(); }
 
  private:
-  // A intent is whole: a newer one repeats what still holds of the older one.
+  // An intent is whole: a newer one repeats what still holds of the older one.
   struct Intent {
     Cursor cursor;
     Cursor end;                    // of the log, as last told

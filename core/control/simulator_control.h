@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person wants of the demo's simulator simulator, and how its devices are. The simulator panel makes a SimulatorIntent of
+// What a person wants of the demo's simulator, and how its devices are. The simulator panel makes a SimulatorIntent of
 // every tick and button and shows each SimulatorStatus; SimulatorRunner takes the intents and publishes the status. Not
 // an intent: it goes to the simulated truck, never to a bus.
 #pragma once

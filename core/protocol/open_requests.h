@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Requests of types 41 and 46 on one channel that wait for their answer: both look the same, so that only
-// what went the other way before can tell them apart (protocol.md 1.3). AddressBook owns one.
+// Requests of types 41 and 46 on one channel that wait for their answer: a request and its
+// answer look alike, and only an open request tells them apart (protocol.md 1.3). AddressBook owns one.
 #pragma once
 
 #include <array>
@@ -17,7 +17,8 @@ class OpenRequests {
   bool awaitsAnswer(std::uint8_t type, Address from, Address to, Instant time) const {
     return m_waiting != 0 && find(type, to, from, time) != kRequests;
   }
-  // A message of these types was sent. Both return whether anything has changed.
+  // A request or an answer was on the bus. Both return whether anything has changed. The oldest request makes room
+  // where kRequests wait.
   bool requested(std::uint8_t type, Address from, Address to, Instant time);
   bool answered(std::uint8_t type, Address from, Address to, Instant time);
 

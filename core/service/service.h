@@ -8,7 +8,7 @@
 // hasEnded() and status() may have changed.
 //
 //   linkChanged(true)   Sending is unlocked and the link is up: the service begins, and may send.
-//   wants(intent)         A person's intent. Nothing is returned for a intent that is for another service; any
+//   wants(intent)         A person's intent. Nothing is returned for an intent that is for another service; any
 //                       other answer is final. A refused intent changes nothing.
 //   received(frame)     A frame was on the bus. The State has it already. Our own frames come too, with
 //                       Frame::kSent. `now` is the frame's own log time, which may lie before the `now` of

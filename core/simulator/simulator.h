@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulator simulator: simulated devices on one bus. The demo and the tests of services use it as the other end of
+// The simulated truck: simulated devices on one bus. The demo and the tests of services use it as the other end of
 // the wire; it has no clock, no IO and no thread of its own.
 //
 //   simulator.powerOn(now);
@@ -7,13 +7,12 @@
 //         simulator.received(now, frame) | simulator.timeCame(now)
 //         simulator.takeFrames(frames): put them on the bus
 //
-// 1. Frames come out in order, each with the instant at which it was due, never later than the time passed
-// in.
+// 1. Frames come out in order, each with the instant at which it was due, never later than the time passed in.
 // 2. What one device sends all others get at that instant. What comes from outside all get.
 // 3. The same seed, and the same frames from outside at the same instants, give the same frames out, however
 //    often timeCame is called.
-// 4. A late call makes up for everything that was due meanwhile. Who slept (a suspended machine) passes in a
-//    time of its own that did not jump, or there will be a burst of old frames.
+// 4. A late call makes up for everything that was due meanwhile. After a suspend the caller
+//    passes in a time that did not jump, or a burst of old frames comes out.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulator simulator on can1, the console's session on can0, candump beside it: what we recorded is what was on
+// The simulator on can1, the console's session on can0, candump beside it: what we recorded is what was on
 // the bus.
 #include "guest_simulator.h"
 #include "link/can_link.h"

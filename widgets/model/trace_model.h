@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trace as an item model: a window of rows over a log of any length. The view says which rows it shows
 // (setWindow), the session's tick brings the log (setView, at most 30 times a second); rows of the model are
-// rows of the window, so nothing is ever asked or told about the millions around it.
+// rows of the window, so the view never asks about the millions around it.
 //
-// Rows are all frames of the log, or with a filter those that it lets through: found on a worker, first ones
-// first (isFiltering() while it is at it; the panel calls refresh() then).
+// Without a filter each frame of the log is a row. With one, a worker finds the rows from the first frame on;
+// isFiltering() is true until it is done, and the panel calls refresh() meanwhile.
 //
-//   1. Row r of the model is row windowFirst() + r of rows(); frameOf() and rowOf() lead from one to the
-//   other.
+//   1. Row r of the model is row windowFirst() + r of rows(); frameOf() and rowOf() convert between rows and
+//      frames.
 //   2. Rows are classified and put into words when the window or the log changes, never in data().
 //   3. The number of rows changes at most once a call, however many frames came.
 #pragma once
@@ -69,7 +69,7 @@ class TraceModel : public QAbstractTableModel {
 
   void setView(const LogView& view);
   const LogView& view() const { return m_view; }
-  // More may have been found of what is wanted of the same log.
+  // Takes over rows that the filter has found since the last call.
   void refresh() { setView(m_view); }
 
   void setFilter(const TraceFilter& filter);
@@ -86,11 +86,11 @@ class TraceModel : public QAbstractTableModel {
   std::uint64_t rows() const { return m_count; }
   // How many rows stand before a frame; its own row where it has one.
   std::uint64_t rowOf(std::uint64_t frame) const;
-  // Nothing beyond the last row.
+  // The frame of a row; nullopt if there is no such row.
   std::optional<std::uint64_t> frameOf(std::uint64_t row) const;
   std::vector<std::uint64_t> framesOf(std::uint64_t firstRow, std::size_t count) const;
 
-  // Moves the window; rows beyond the last come as there are more.
+  // Moves the window. Rows that do not exist yet are added when their frames arrive.
   void setWindow(std::uint64_t first, int rows);
   std::uint64_t windowFirst() const { return m_first; }
 
@@ -104,9 +104,9 @@ class TraceModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
  Q_SIGNALS:
-  // After every setView(): the log, its length or its cursor may be another.
+  // After every setView(): the log, its length or its cursor may have changed.
   void viewChanged();
-  // All rows are others; before the viewChanged() that tells how many there are.
+  // All rows have changed. A viewChanged() with their number follows.
   void filterChanged();
 
  private:
@@ -119,7 +119,7 @@ class TraceModel : public QAbstractTableModel {
   void sayMarksChanged(std::uint64_t passedBefore);
   void startFilter();
   std::uint64_t countRows();
-  // Whether others were added than was known.
+  // Reads m_added anew; returns whether it has changed.
   bool readAdded();
   bool isAdded(std::uint64_t frame) const;
   std::uint64_t windowEnd() const;
@@ -131,8 +131,8 @@ class TraceModel : public QAbstractTableModel {
   TimeMode m_timeMode = TimeMode::Absolute;
   std::uint64_t m_count = 0;  // of rows
   std::uint64_t m_filteredFrames = 0;
-  std::uint64_t m_passed = 0;                 // of them that have happened
-  std::optional<std::uint64_t> m_lastPassed;  // the frame of the last of those
+  std::uint64_t m_passed = 0;                 // rows at or before the cursor
+  std::optional<std::uint64_t> m_lastPassed;  // the frame of the last of these rows
   std::size_t m_notes = 0;                    // of the log, when rows were last read
   // Frames [first, second) that were added, as the notes say; and notes of the log when that was read.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> m_added;

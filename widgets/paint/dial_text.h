@@ -15,11 +15,12 @@ class DialText {
 
  public:
   static QString title(DialAxisKind kind);
-  // Why there is no value: "Sensor error"; empty for a reading that is Ok. The short form is for 75 pixels.
+  // Why there is no value: "Sensor error"; empty for a reading that is Ok. readingShort() fits into 75 pixels.
   static QString reading(std::optional<PositionState> reading);
   static QString readingShort(std::optional<PositionState> reading);
   // "Right stop", "Down stop error"; empty where neither stop is on or in error.
   static QString stops(DialAxisKind kind, const DialAxis& axis);
+  // nullopt: the device has not said it.
   static QString enable(std::optional<bool> flag);
   static QString stowed(std::optional<bool> flag);
   static QString enableLong(std::optional<bool> flag);

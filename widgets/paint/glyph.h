@@ -31,8 +31,8 @@ enum class Glyph : std::uint8_t {
   Oscillating,   // arrow both ways
 };
 
-// Draws into the largest square in the middle of `box`. `ink` strokes, `fill` covers the body of those that
-// have one (transparent: outline only). `weight` multiplies the stroke.
+// Draws into the largest square in the middle of `box`. `ink` strokes, `fill` fills closed glyphs
+// (transparent: outline only). `weight`: factor on the width of lines.
 void drawGlyph(QPainter& painter, const QRectF& box, Glyph glyph, const QColor& ink,
                const QColor& fill = Qt::transparent, double weight = 1.0);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The font of what stands beside the matter: types under PINs, words beside values, ages. Smaller than the
-// application's own, never below 11 pixels.
+// application's own, never below 12 pixels.
 #pragma once
 
 #include <QFont>
@@ -12,7 +12,7 @@ namespace deckpipe {
 
 inline QFont secondaryFont(const QFont& font) {
   QFont smaller = font;
-  smaller.setPixelSize(std::max(11, static_cast<int>(std::lround(QFontInfo(font).pixelSize() * 0.88))));
+  smaller.setPixelSize(std::max(12, static_cast<int>(std::lround(QFontInfo(font).pixelSize() * 0.88))));
   smaller.setWeight(QFont::Normal);
   return smaller;
 }

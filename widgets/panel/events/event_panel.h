@@ -28,8 +28,8 @@ class EventPanel : public QWidget {
   explicit EventPanel(QWidget* parent = nullptr);
 
   void setView(const PanelView& view);
-  // Puts the cursor at the next or the previous event of the list, or kBefore before the event at which it stands,
-  // or which it has passed last.
+  // Puts the cursor at the next or the previous event of the list, or kBefore before the chosen event; with none
+  // chosen, before the last event at or before the cursor.
   void goToNext();
   void goToPrevious();
   void goBefore();

@@ -19,7 +19,7 @@ class MonitorTile : public QAbstractButton {
 
   void setMonitor(const OverviewMonitor& monitor);
   const OverviewMonitor& monitor() const { return m_monitor; }
-  // Whose page is shown elsewhere.
+  // True if the device page shows this monitor.
   void setChosen(bool chosen);
   void setAnimated(bool animated);
 

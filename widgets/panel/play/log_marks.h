@@ -18,7 +18,7 @@ class LogMarks {
  public:
   // No strip has room for more.
   static constexpr std::size_t kMaxJumps = 2'000;
-  // So long must nothing come that it is a gap; in a span of hours it is what can be seen at all.
+  // Shortest silence that is drawn as a gap. In a long span the limit is the width of one bin.
   static constexpr Duration kSilence = 1s;
 
   // What devices are called in the marks of events.
