@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paint/dial.h"
 
+#include <QPaintEvent>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "paint/app_style.h"
-#include "paint/dial_geometry.h"
 #include "paint/dial_painter.h"
 #include "paint/dial_readout.h"
 #include "paint/dial_text.h"
@@ -29,6 +32,46 @@ bool looksTheSame(const DialValues& shown, DialValues next) {
   return shown == next;
 }
 
+// What an axis draws into the face.
+DialAxis onFace(const DialAxis& axis) {
+  DialAxis face;
+  face.reading = axis.reading;
+  face.limitLow = axis.limitLow;
+  face.limitHigh = axis.limitHigh;
+  face.areLimitsStale = axis.areLimitsStale;
+  face.isOscillating = axis.isOscillating;
+  return face;
+}
+
+std::vector<double> numbersOf(const DialView& view) {
+  std::vector<double> numbers;
+  for (const DialTick& tick : view.ticks)
+    if (tick.numbered) numbers.push_back(tick.degrees);
+  return numbers;
+}
+
+QRect areaOf(const DialView& view) { return (view.drawing | view.texts).toAlignedRect(); }
+
+// What is drawn over the face, with room for the widest pen.
+QRectF movingArea(const DialView& v) {
+  const double hub = v.px(dial::kHub), pen = 8 + v.px(0.15);
+  QRectF area(v.pivot.x() - hub, v.pivot.y() - hub, 2 * hub, 2 * hub);
+  area |= v.needleShape.boundingRect();
+  if (!v.command.isEmpty()) area |= v.command.boundingRect();
+  if (v.offScale) area |= QPolygonF{v.offScale->p1(), v.offScale->p2()}.boundingRect();
+  for (const auto* stop : {&v.plusStop, &v.minusStop})
+    if (*stop) area |= (*stop)->shape.boundingRect();
+  return area.adjusted(-pen, -pen, pen, pen);
+}
+
+// One rectangle: a clip of several makes every drawing slower.
+QRect difference(const DialView& before, const DialView& after) {
+  if (before.axis == after.axis) return {};
+  const bool isSameFace = onFace(before.axis) == onFace(after.axis) && numbersOf(before) == numbersOf(after);
+  if (!isSameFace || !before.needle || !after.needle) return areaOf(after);
+  return (movingArea(before) | movingArea(after) | after.texts).toAlignedRect();
+}
+
 }  // namespace
 
 Dial::Dial(QWidget* parent) : QWidget(parent) {
@@ -44,11 +87,12 @@ Dial::Dial(QWidget* parent) : QWidget(parent) {
 }
 
 void Dial::setValues(const DialValues& values) {
-  const bool same = looksTheSame(m_values, values);
-  m_values = values;
-  if (same) return;
+  const DialValues before = std::exchange(m_values, values);
+  if (looksTheSame(before, values)) return;
   updateTimer();
-  update();
+  const DialGeometry shown = std::exchange(m_geometry, dialGeometry(values, rect()));
+  update(difference(shown.rotation, m_geometry.rotation) | difference(shown.elevation, m_geometry.elevation));
+  if (before.enable != values.enable || before.stowed != values.stowed) update();
   // A screen reader would stutter at 30 sentences a second: at once, then at most every half second.
   if (!m_describe.isActive()) {
     describe();
@@ -65,7 +109,7 @@ void Dial::setAnimated(bool animated) {
 
 void Dial::setPhase(double phase) {
   m_phase = phase - std::floor(phase);
-  update();
+  update(areaOf(m_geometry.rotation));
 }
 
 void Dial::updateTimer() {
@@ -89,20 +133,48 @@ void Dial::hideEvent(QHideEvent* event) {
   updateTimer();
 }
 
-void Dial::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
+void Dial::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  m_geometry = dialGeometry(m_values, rect());
+}
+
+void Dial::drawFace(double pixelRatio) {
   const Colours& c = coloursOf(this);
-  painter.fillRect(rect(), c.surface);
-  const DialGeometry g = dialGeometry(m_values, rect());
+  Face face{.values = {.rotation = onFace(m_values.rotation),
+                       .elevation = onFace(m_values.elevation),
+                       .enable = m_values.enable,
+                       .stowed = m_values.stowed},
+            .numbers = numbersOf(m_geometry.rotation),
+            .theme = c.theme,
+            .font = font(),
+            .size = size(),
+            .pixelRatio = pixelRatio};
+  std::ranges::copy(numbersOf(m_geometry.elevation), std::back_inserter(face.numbers));
+  if (face == m_face) return;
+  m_face = std::move(face);
+  m_picture = QPixmap((QSizeF(size()) * pixelRatio).toSize());
+  m_picture.setDevicePixelRatio(pixelRatio);
+  m_picture.fill(c.surface);
+  QPainter painter(&m_picture);
+  DialPainter drawing(painter, c, m_face.font, m_geometry.layout.textSize);
+  drawing.drawFace(m_geometry.rotation);
+  drawing.drawFace(m_geometry.elevation);
+  DialReadout(painter, c, m_face.font, m_geometry.layout).drawChips(m_values);
+}
+
+void Dial::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  drawFace(painter.deviceTransform().m11());
+  painter.drawPixmap(0, 0, m_picture);
   // To and fro, not round: dashes that always ran one way would look like a direction.
   const double sway = std::sin(m_phase * 2 * std::numbers::pi);
-  DialPainter drawing(painter, c, font(), g.layout.textSize);
-  drawing.draw(g.rotation, sway);
-  drawing.draw(g.elevation, 0);
-  DialReadout texts(painter, c, font(), g.layout);
-  texts.draw(g.rotation);
-  texts.draw(g.elevation);
-  texts.drawChips(m_values);
+  DialPainter drawing(painter, coloursOf(this), font(), m_geometry.layout.textSize);
+  DialReadout texts(painter, coloursOf(this), font(), m_geometry.layout);
+  for (const DialView* view : {&m_geometry.rotation, &m_geometry.elevation}) {
+    if (!event->rect().intersects(areaOf(*view))) continue;
+    drawing.drawMoving(*view, view->kind == DialAxisKind::Rotation ? sway : 0);
+    texts.draw(*view);
+  }
 }
 
 }  // namespace deckpipe

@@ -36,13 +36,16 @@ QRectF labelAt(const DialView& v, const DialLayout& layout, double bearing) {
   return {left, top, w, h};
 }
 
+bool isClear(const DialView& v, const DialLayout& layout, const QRectF& rect) {
+  return distance(v.pivot, rect) >= v.radius && !rect.intersects(layout.enableChip) &&
+         !rect.intersects(layout.stowedChip);
+}
+
 std::vector<Candidate> candidatesFor(const DialView& v, const DialLayout& layout, double bearing) {
   std::vector<Candidate> all;
   for (double slide = -kMaxSlide; slide <= kMaxSlide; slide += kSlideStep) {
     const QRectF rect = labelAt(v, layout, bearing + slide);
-    const bool clear = distance(v.pivot, rect) >= v.radius && !rect.intersects(layout.enableChip) &&
-                       !rect.intersects(layout.stowedChip);
-    if (clear) all.push_back({rect, slide});
+    if (isClear(v, layout, rect)) all.push_back({rect, slide});
   }
   return all;
 }
@@ -71,6 +74,13 @@ void placeLimitLabels(DialView& v, const DialLayout& layout) {
   const bool wraps = bearingOf(*v.high) - low > 180;
   const double high = bearingOf(*v.high) - (wraps ? 360 : 0);
   const double order = wraps || high < low ? -1 : 1;
+  // Most often both have room right beside their ends, and nothing is better.
+  v.low->label = labelAt(v, layout, low);
+  v.high->label = labelAt(v, layout, high);
+  if (isClear(v, layout, v.low->label) && isClear(v, layout, v.high->label) &&
+      !v.low->label.intersects(v.high->label))
+    return;
+  v.low->label = v.high->label = {};
   const auto lows = candidatesFor(v, layout, low), highs = candidatesFor(v, layout, high);
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& a : lows) {

@@ -36,14 +36,23 @@ double DialPainter::line(double fraction, double least) const {
   return std::max(least, m_view->px(fraction) * m_colours.stroke);
 }
 
-void DialPainter::draw(const DialView& view, double sway) {
+void DialPainter::drawFace(const DialView& view) {
   if (view.radius <= 1) return;
   m_view = &view;
   m_painter.save();
   m_painter.setRenderHint(QPainter::Antialiasing);
-  drawFace();
+  drawApparatus();
   if (view.axis.reading == PositionState::Ok) drawTicks();
-  drawBand(sway);
+  if (!view.axis.isOscillating) drawBand(0);
+  m_painter.restore();
+}
+
+void DialPainter::drawMoving(const DialView& view, double sway) {
+  if (view.radius <= 1) return;
+  m_view = &view;
+  m_painter.save();
+  m_painter.setRenderHint(QPainter::Antialiasing);
+  if (view.axis.isOscillating) drawBand(sway);
   if (view.axis.reading != PositionState::Ok) drawNoReading();
   drawCommand();
   drawNeedle();
@@ -53,7 +62,7 @@ void DialPainter::draw(const DialView& view, double sway) {
   m_painter.restore();
 }
 
-void DialPainter::drawFace() {
+void DialPainter::drawApparatus() {
   const DialView& v = *m_view;
   // The apparatus stays thin in the sun too: it says where ahead is and must not compete with the needle.
   QPen pen(m_colours.outline, std::max(1.0, v.px(0.008)), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);

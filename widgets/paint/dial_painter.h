@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strokes and fills one view of a dial from its geometry. Solid is measured, hollow is commanded, dashed is
-// not live; the same in every theme.
+// not live; the same in every theme. The face lies below; it changes with limits and sizes, seldom with a
+// position, so that the dial can keep its picture.
 #pragma once
 
 #include "paint/dial_geometry.h"
@@ -15,11 +16,12 @@ class DialPainter {
  public:
   DialPainter(QPainter& painter, const Colours& colours, const QFont& font, double textSize);
 
+  void drawFace(const DialView& view);
   // `sway` −1..1 shifts the dashes of an oscillating band.
-  void draw(const DialView& view, double sway);
+  void drawMoving(const DialView& view, double sway);
 
  private:
-  void drawFace();
+  void drawApparatus();
   void drawTicks();
   void drawBand(double sway);
   void drawLimit(const DialLimit& limit);

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace deckpipe {
 namespace {
@@ -73,15 +74,27 @@ void drawFigures(QPainter& p, const QRectF& slot, const Figures& f) {
     const double rise = hangs ? metrics.capHeight() - QFontMetricsF(f.unitFont).capHeight() : 0;
     p.drawText(QPointF(right, baseline - rise), f.unit);
   }
-  p.setFont(f.numberFont);
+  QFont font = f.numberFont;
+  font.setKerning(false);
+  p.setFont(font);
   p.setPen(f.numberColour);
+  const auto draw = [&](double x, const QString& text) {
+    if (!text.isEmpty()) p.drawText(QPointF(x, baseline), text);
+  };
+  QString together;  // neighbours that fill their cells: each drawing lays its text out, which takes long
   for (auto i = f.number.size(); i-- > 0;) {
     const QChar c = f.number.at(i);
     const double advance = metrics.horizontalAdvance(c);
     const double width = inCell(c) ? cell : advance;
+    if (width == advance) {
+      together.prepend(c);
+    } else {
+      draw(right, std::exchange(together, {}));
+      draw(right - (width + advance) / 2, c);
+    }
     right -= width;
-    p.drawText(QPointF(right + (width - advance) / 2, baseline), QString(c));
   }
+  draw(right, together);
 }
 
 QFont fittedFont(QFont font, double pixels, const QString& widest, double width, double least) {

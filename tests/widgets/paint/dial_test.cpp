@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QAccessible>
+#include <QApplication>
 #include <QImage>
+#include <QPaintEvent>
+#include <QScreen>
 #include <QTest>
 #include <cmath>
 
@@ -158,6 +161,97 @@ TEST(Dial, OneAxisDoesNotDisturbTheOther) {
   const DialLayout layout = layOutDial(QRectF(0, 0, 640, 360));
   for (const QRectF& part : {layout.elevation.drawing, layout.elevation.texts})
     EXPECT_EQ(before.copy(part.toAlignedRect()), after.copy(part.toAlignedRect()));
+}
+
+// A dial on the screen, of which only what changed is drawn anew.
+struct ShownDial : testing::Test, QObject {
+  test::Look look{Theme::Light};
+  Dial dial;
+  QRegion painted;
+
+  ShownDial() {
+    dial.resize(640, 360);
+    dial.setValues(usualValues());
+    dial.show();
+    dial.installEventFilter(this);
+  }
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) painted += static_cast<QPaintEvent*>(event)->region();
+    return false;
+  }
+  QImage onScreen() {
+    QApplication::sendPostedEvents();
+    return dial.screen()->grabWindow(dial.winId()).toImage().convertToFormat(QImage::Format_RGB32);
+  }
+  QImage drawnAnew() const {
+    Dial other;
+    other.setFont(dial.font());
+    other.setValues(dial.values());
+    other.resize(dial.size());
+    QImage image(dial.size(), QImage::Format_RGB32);
+    other.render(&image);
+    return image;
+  }
+};
+
+TEST_F(ShownDial, LooksAsIfDrawnAnewWhateverChanges) {
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dial));
+  EXPECT_EQ(onScreen(), drawnAnew());
+  for (const DialSample& sample : dialSamples()) {
+    dial.setValues(sample.values);
+    EXPECT_EQ(onScreen(), drawnAnew()) << sample.name;
+    dial.setValues(usualValues());
+    EXPECT_EQ(onScreen(), drawnAnew()) << "after " << sample.name;
+  }
+  DialValues v = usualValues();
+  for (double degrees = -190; degrees <= 190; degrees += 7.5) {
+    v.rotation.degrees = degrees;
+    v.elevation.degrees = degrees / 2;
+    dial.setValues(v);
+    EXPECT_EQ(onScreen(), drawnAnew()) << degrees;
+  }
+}
+
+TEST_F(ShownDial, LooksAsIfDrawnAnewInAnotherThemeFontOrSize) {
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dial));
+  EXPECT_EQ(onScreen(), drawnAnew());
+  for (const Theme theme : kThemes) {
+    for (const Density density : {Density::Field, Density::Desk}) {
+      const test::Look other(theme, density);
+      EXPECT_EQ(onScreen(), drawnAnew());
+    }
+  }
+  dial.resize(500, 300);
+  EXPECT_EQ(onScreen(), drawnAnew());
+}
+
+TEST_F(ShownDial, HasTheSharpnessOfWhatItIsDrawnOn) {
+  const auto drawnAt = [](Dial& on, int pixelRatio) {
+    QImage image(on.size() * pixelRatio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(pixelRatio);
+    on.render(&image);
+    return image;
+  };
+  Dial other;
+  other.setValues(dial.values());
+  other.resize(dial.size());
+  drawnAt(dial, 1);
+  EXPECT_EQ(drawnAt(dial, 2), drawnAt(other, 2));
+}
+
+TEST_F(ShownDial, DrawsTheSurroundingsOfANeedleThatMoves) {
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dial));
+  onScreen();
+  painted = {};
+  DialValues v = usualValues();
+  v.rotation.degrees += 0.5;
+  dial.setValues(v);
+  onScreen();
+  const DialGeometry g = dialGeometry(v, dial.rect());
+  EXPECT_TRUE(painted.contains(g.rotation.needle->p2().toPoint()));
+  EXPECT_TRUE(painted.contains(g.rotation.value.center().toPoint()));
+  EXPECT_FALSE(painted.intersects(g.elevation.drawing.toRect()));
+  EXPECT_FALSE(painted.contains(g.rotation.at(0, 1).toPoint()));
 }
 
 TEST(Dial, TimerRunsOnlyWhileVisibleAndOscillating) {

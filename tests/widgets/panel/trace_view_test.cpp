@@ -334,6 +334,22 @@ TEST_F(TraceViewTest, ColumnsHoldTheirWidestTextsAndFitTheWindow) {
   EXPECT_GE(view.header()->height(), 32);
 }
 
+TEST_F(TraceViewTest, DrawsTheScrollBarOnlyWhereItsSliderMoves) {
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  open(10'000);
+  QApplication::sendPostedEvents();
+  PaintedHeight painted(view.verticalScrollBar());
+  grow(3);
+  tick();
+  QApplication::sendPostedEvents();
+  EXPECT_EQ(painted.height, 0);
+  EXPECT_EQ(view.verticalScrollBar()->maximum(), static_cast<int>(10'003 - page()));
+  EXPECT_EQ(view.verticalScrollBar()->value(), view.verticalScrollBar()->maximum());
+  key(Qt::Key_Home);
+  QApplication::sendPostedEvents();
+  EXPECT_GT(painted.height, 0);
+}
+
 // Every kind of row in every theme, selected or not, with cells scrolled to the side.
 TEST_F(TraceViewTest, DrawsWhateverComes) {
   Frame noTime = test::frame("7FF", "");

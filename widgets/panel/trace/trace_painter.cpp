@@ -42,6 +42,9 @@ QColor signInk(Glyph sign, const Colours& c) {
 TraceFonts::TraceFonts(const QFont& base)
     : text(base), figures(QFontDatabase::systemFont(QFontDatabase::FixedFont)) {
   figures.setPixelSize(QFontInfo(base).pixelSize());
+  // Figures need no shaping, which takes most of the time of laying them out.
+  figures.setStyleStrategy(QFont::PreferNoShaping);
+  figures.setKerning(false);
 }
 
 bool TraceFonts::isTabular(int column) {

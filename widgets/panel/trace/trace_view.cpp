@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QStyleOptionSlider>
 #include <algorithm>
 #include <string>
 
@@ -36,10 +38,40 @@ QString widestText(int column) {
 
 }  // namespace
 
-TraceView::TraceView(QWidget* parent) : QAbstractScrollArea(parent), m_fonts(font()) {
+// A log grows with each tick, while the slider seldom moves by a pixel: only then is the bar drawn anew.
+class TraceScrollBar : public QScrollBar {
+ public:
+  using QScrollBar::QScrollBar;
+  void mirror(const TraceScroll& scroll) {
+    const QRect before = slider();
+    {
+      const QSignalBlocker blocker(this);
+      setRange(0, scroll.barMaximum());
+      setPageStep(scroll.barPage());
+      setValue(scroll.barValue());
+    }
+    if (slider() != before) update();
+  }
+
+ protected:
+  void sliderChange(SliderChange change) override {
+    if (!signalsBlocked()) QScrollBar::sliderChange(change);
+  }
+
+ private:
+  QRect slider() const {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    return style()->subControlRect(QStyle::CC_ScrollBar, &option, QStyle::SC_ScrollBarSlider, this);
+  }
+};
+
+TraceView::TraceView(QWidget* parent)
+    : QAbstractScrollArea(parent), m_bar(new TraceScrollBar(Qt::Vertical, this)), m_fonts(font()) {
   setObjectName(QStringLiteral("traceView"));
   setAccessibleName(tr("Trace"));
   setFocusPolicy(Qt::StrongFocus);
+  setVerticalScrollBar(m_bar);
   // Always there: a bar that comes and goes moves everything.
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   viewport()->setObjectName(QStringLiteral("traceRows"));
@@ -162,14 +194,7 @@ void TraceView::syncScroll() {
     const std::uint64_t first = m_scroll.top - std::min(m_scroll.top, margin);
     m_model->setWindow(first, static_cast<int>(std::min<std::uint64_t>(3 * margin + 1, 10'000)));
   }
-  QScrollBar* bar = verticalScrollBar();
-  {
-    const QSignalBlocker blocker(bar);
-    bar->setRange(0, m_scroll.barMaximum());
-    bar->setPageStep(m_scroll.barPage());
-    bar->setSingleStep(1);
-    bar->setValue(m_scroll.barValue());
-  }
+  m_bar->mirror(m_scroll);
   notePlace();
 }
 

@@ -26,6 +26,8 @@
 
 namespace deckpipe {
 
+class TraceScrollBar;
+
 class TraceView : public QAbstractScrollArea {
   Q_OBJECT
 
@@ -127,6 +129,7 @@ class TraceView : public QAbstractScrollArea {
 
   TraceModel* m_model = nullptr;
   FlatHeader* m_header = nullptr;
+  TraceScrollBar* m_bar;
   TraceFonts m_fonts;
   int m_rowHeight = 24;
   TraceScroll m_scroll;
