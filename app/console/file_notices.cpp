@@ -79,7 +79,9 @@ QString reasonText(const SidecarFault& fault) {
   using Kind = SidecarFault::Kind;
   const QString detail = QString::fromStdString(fault.detail);
   switch (fault.kind) {
-    case Kind::CannotRead: return NoticeText::tr("it cannot be read: %1").arg(detail);
+    case Kind::CannotRead:
+      return NoticeText::tr("Deckpipe's file of notes is expected there, and it cannot be read: %1")
+          .arg(detail);
     case Kind::NoSidecar: return NoticeText::tr("it does not begin with “Deckpipe notes 1”");
     case Kind::NewerVersion: return NoticeText::tr("a newer version of Deckpipe wrote it");
     case Kind::BadLine: return NoticeText::tr("that line is none that Deckpipe writes");
