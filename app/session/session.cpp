@@ -87,7 +87,9 @@ void Session::beginDocument(std::shared_ptr<LogDocument> document) {
 bool Session::holdsUnwritten() const { return m_recorders.holdUnwritten(); }
 
 void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
-  if (document == m_document && frames >= document->frames.count()) m_snapshot.source.unkeptMarks.reset();
+  if (document == m_document && frames >= document->frames.count() &&
+      std::exchange(m_snapshot.source.unkeptMarks, {}) && isRead())
+    m_marks.forget();
   if (m_recorders.setSaved(document, frames)) return;
   // A recording of earlier that is open as a file.
   const SourceStatus& source = m_snapshot.source;
@@ -214,15 +216,20 @@ void Session::mark(Cursor at, const QString& text) {
 void Session::keepMarks() {
   SourceStatus& source = m_snapshot.source;
   if (source.kind != SourceStatus::Kind::File) return;
-  QString reason;
   if (source.progress == SourceStatus::Progress::Opening) {
-    reason = tr("the log is still being read");
-  } else if (source.progress == SourceStatus::Progress::Failed) {
-    reason = tr("the log could not be read to its end");
+    source.unkeptMarks = tr("the log is still being read");
+  } else if (!isRead()) {
+    source.unkeptMarks = tr("the log could not be read to its end");
   } else {
-    reason = m_marks.keep(*m_document);
+    m_marks.keep(m_document);
+    followMarks();
   }
-  source.unkeptMarks = reason.isEmpty() ? std::nullopt : std::optional(reason);
+}
+
+void Session::followMarks() {
+  const MarkKeeper::Status status = m_marks.status(bootTime());
+  m_snapshot.source.isKeepingMarks = status.isBusy;
+  m_snapshot.source.unkeptMarks = status.reason.isEmpty() ? std::nullopt : std::optional(status.reason);
 }
 
 void Session::setSpeed(double speed) {
@@ -237,23 +244,26 @@ void Session::updateSource() {
     source.fraction = m_opening->fraction();
     const SkippedPlaces skipped = m_document->skipped.content();
     source.unreadable = skipped.unreadable();
-    source.notKept = skipped.skipped();
-    if (const auto* outcome = m_opening->outcome()) {
-      const bool isNews = source.progress == SourceStatus::Progress::Opening;
-      if (isNews && *outcome && outcome->value().hasSidecar) m_walker->notesCame();
-      source.fraction = 1;
-      source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
-      if (*outcome) {
-        source.read = outcome->value();
-        source.notKept += m_document->notes.missedFrames();
-      } else {
-        source.error = outcome->error();
-      }
-      if (isNews && *outcome) m_marks.opened(source.name, source.read);
-      if (isNews && source.unkeptMarks) keepMarks();
-    }
+    source.notKept = skipped.skipped() + m_document->notes.missedFrames();
+    const auto* outcome = m_opening->outcome();
+    if (outcome != nullptr && source.progress == SourceStatus::Progress::Opening) takeOutcome(*outcome);
+    if (isRead()) followMarks();
   }
   if (const auto recording = m_recorders.status()) source.recording = recording;
+}
+
+void Session::takeOutcome(const LogOpening::Outcome& outcome) {
+  SourceStatus& source = m_snapshot.source;
+  source.fraction = 1;
+  source.progress = outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
+  if (outcome) {
+    source.read = outcome.value();
+    if (source.read.hasSidecar) m_walker->notesCame();
+    m_marks.opened(source.name, source.read, m_opening->sidecarTime());
+  } else {
+    source.error = outcome.error();
+  }
+  if (source.unkeptMarks) keepMarks();
 }
 
 // While a log is played the state is a tick behind: it moves on. Far from every keyframe it stands still until it is

@@ -100,10 +100,10 @@ std::uint64_t Session::want(Intent intent) {
   }();
   if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
   if (refusal != Refusal::None || m_live == nullptr) return 0;
-  const StampedIntent intent{std::move(intent), bootTime(), ++m_serial};
+  const StampedIntent stamped{std::move(intent), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(
-      m_live, [live = m_live, intent] { live->apply(intent); }, Qt::QueuedConnection);
-  return intent.serial;
+      m_live, [live = m_live, stamped] { live->apply(stamped); }, Qt::QueuedConnection);
+  return stamped.serial;
 }
 
 void Session::sayDrive(Address address, bool isDrive) {

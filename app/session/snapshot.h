@@ -62,7 +62,9 @@ struct SourceStatus {
   bool isListenOnly = false;  // the driver says so
   ControllerState controller = ControllerState::Unknown;
   bool simulated = false;  // behind it is the simulator
-  // The reason why marks that a person made in a file are in memory alone; nothing if there are no such marks.
+  // Marks that a person made in a file are being written beside it.
+  bool isKeepingMarks = false;
+  // The reason why they are in memory alone; nothing if there are no such marks.
   std::optional<QString> unkeptMarks{};
   // Of a link: how it is written down. A recording without a path has no frame yet, or could not be begun.
   std::optional<JournalStatus> recording{};
