@@ -142,6 +142,9 @@ void MainWindow::connectPanels() {
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
   connect(m_workspace, &Workspace::labelsChanged, m_transport, &TransportBar::setLabels);
   m_transport->setLabels(m_workspace->labels());
+  connect(m_workspace, &Workspace::labelsEdited, this,
+          [this](const DeviceLabels& labels) { m_session.setLabels(byPin(labels)); });
+  m_session.setLabels(byPin(m_labels.read()));
   connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
   connect(m_workspace, &Workspace::intended, m_sending, &SendingActions::intent);
   connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);

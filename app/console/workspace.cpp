@@ -89,6 +89,7 @@ void Workspace::showPageOf(const DeviceKey& key) {
 void Workspace::editLabel(const Pin& pin, const QString& label) {
   if (!m_labels.set(pin, label)) return;
   m_labelStorage.write(m_labels);
+  Q_EMIT labelsEdited(m_labels);
   showLabels();
 }
 

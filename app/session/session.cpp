@@ -77,6 +77,7 @@ void Session::forgetSaid() {
 void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   closeSource();
   m_document = std::move(document);
+  m_labels.begin();
   m_indexed = {};
   m_walker = std::make_unique<StateWalker>(m_document);
   m_playback = Playback(&m_document->frames);
@@ -232,6 +233,11 @@ void Session::followMarks() {
   m_snapshot.source.unkeptMarks = status.reason.isEmpty() ? std::nullopt : std::optional(status.reason);
 }
 
+void Session::setLabels(LabelsByPin labels) {
+  m_labels.set(std::move(labels));
+  if (grows()) m_labels.note(*m_document, *m_board->latest().state);
+}
+
 void Session::setSpeed(double speed) {
   m_playback.setSpeed(speed);
   place();
@@ -287,6 +293,7 @@ void Session::tick() {
     takeLink(m_snapshot.source, published);
   }
   updateSource();
+  if (grows()) m_labels.note(*m_document, *published.state);
   const Cursor end = grows() ? published.state->cursor() : endCursor();
   m_playback.reach(end, grows());
   m_playback.timeCame(monotonicTime());

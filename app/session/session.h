@@ -17,6 +17,7 @@
 #include "control/simulator_control.h"
 #include "link/can_link.h"
 #include "service/claim_service.h"
+#include "session/label_notes.h"
 #include "session/live_bus.h"
 #include "session/log_opening.h"
 #include "session/mark_keeper.h"
@@ -54,6 +55,8 @@ class Session : public QObject {
   // A person's note at a place of the log. In a log of a file it is kept beside it, on a worker (mark_keeper.h); the
   // snapshot says while it is being written, and where that cannot be.
   void mark(Cursor at, const QString& text);
+  // What the person calls devices. The log of a link has it noted (label_notes.h).
+  void setLabels(LabelsByPin labels);
   // Links that are opened from now on are recorded there; empty, as at first: they are not.
   void setRecordingFolder(const QString& folder) { m_recordingFolder = folder; }
   QString recordingFolder() const { return m_recordingFolder; }
@@ -132,6 +135,7 @@ class Session : public QObject {
   Playback m_playback;  // of m_document
   std::unique_ptr<LogOpening> m_opening;
   MarkKeeper m_marks;  // of the logs of files that were read
+  LabelNotes m_labels;
   std::optional<Candidate> m_candidate;
   BusThreads* m_buses;
   LiveBus* m_live = nullptr;

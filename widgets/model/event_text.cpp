@@ -279,7 +279,8 @@ QString noteText(const LogDocument& log, const Note& note) {
                 .arg(busOf(n));
           },
           [](const note::Label& n) {
-            return EventText::tr("%1 is called “%2”", "PIN, label")
+            return (n.text.isEmpty() ? EventText::tr("%1 has no label any more", "PIN")
+                                     : EventText::tr("%1 is called “%2”", "PIN, label"))
                 .arg(toQString(n.pin.text()), toQString(n.text.str()));
           },
           [](const note::Added& n) {

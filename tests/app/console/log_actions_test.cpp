@@ -165,6 +165,27 @@ TEST_F(LogActions, MarksAndLabelsComeBackWithASavedLogAndTheirOwnerKeepsHis) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return labelShown().empty(); }, kPatience)) << "no other log's";
 }
 
+TEST_F(LogActions, ALabelThatIsGivenDuringARecordingIsNotedInIt) {
+  const Pin pin = *Pin::parse("1032AE100801035");
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, QStringLiteral("before"));
+  m_session.openDemo();
+  const auto noted = [&] {
+    QStringList texts;
+    if (const auto& document = m_session.snapshot().view.document) {
+      for (const Note& note : document->notes.all())
+        if (const auto* label = std::get_if<note::Label>(&note.value))
+          texts += QString::fromStdString(label->text.str());
+    }
+    return texts;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !noted().isEmpty(); }, kPatience));
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, QStringLiteral("front bumper"));
+  EXPECT_EQ(noted(), (QStringList{QStringLiteral("before"), QStringLiteral("front bumper")}));
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, {});
+  EXPECT_EQ(noted().size(), 3);
+  EXPECT_TRUE(only<Workspace>()->labels().of(pin).isEmpty()) << "the log's own has gone as well";
+}
+
 TEST_F(LogActions, ASidecarThatDoesNotFitIsSaidWithItsLine) {
   const QString path = writeLog(kTruck);
   QFile sidecar(path + QStringLiteral(".deckpipe-notes"));
