@@ -61,7 +61,6 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   // Only a person closes a dock; that it is hidden while there is nothing to show is no intent of theirs.
   dock("decodeDock").dock->installEventFilter(this);
   connect(dock("decodeDock").action, &QAction::triggered, this, [this](bool isOn) { m_decodeWanted = isOn; });
-  connect(m_trace, &TracePanel::cursorRequested, this, &Workspace::frameRequested);
   m_view.labels = m_labels;
 }
 
