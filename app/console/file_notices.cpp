@@ -176,12 +176,8 @@ Notice fileNotice(const Snapshot& snapshot) {
                            "only their seconds are kept, so rates and ages are not to be "
                            "trusted.",
                            nullptr, forPlural(cut))};
-  if (source.notKept > 0) {
-    return {Severity::Warning, NoticeText::tr("%Ln frames of this log are missing here: they were lost "
-                                              "while it was recorded, or are CAN FD or CAN XL, which are "
-                                              "not held.",
-                                              nullptr, forPlural(source.notKept))};
-  }
+  if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
+    return {Severity::Warning, missing.text};
   return clockNotice(*snapshot.view.document);
 }
 

@@ -2,6 +2,7 @@
 // The facts about what is held: how much is recorded, and whether anything of it is missing.
 #include <QFile>
 #include <QStringList>
+#include <algorithm>
 
 #include "log/link_gaps.h"
 #include "status_text.h"
@@ -101,6 +102,37 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   return fact;
 }
 
+// Where a live log leaves out CAN FD, its list of what is not kept and its notes tell of the same frames.
+MissingFrames missingFrames(const LogDocument& log) {
+  using Why = note::LeftOut::Why;
+  const SkippedPlaces skipped = log.skipped.content();
+  std::uint64_t lost = 0, flexible = 0, notClassic = 0;
+  for (const Note& note : log.notes.all()) {
+    if (const auto* dropped = std::get_if<note::Dropped>(&note.value)) lost += dropped->count;
+    if (const auto* leftOut = std::get_if<note::LeftOut>(&note.value))
+      (leftOut->why == Why::CanFd ? flexible : notClassic) += leftOut->count;
+  }
+  flexible = std::max(flexible, skipped.count(Skipped::CanFd));
+  const std::uint64_t canXl = skipped.count(Skipped::CanXl), places = skipped.count(Skipped::RecorderDropped);
+  QStringList kinds;
+  const auto add = [&kinds](std::uint64_t count, QString (*text)(int)) {
+    if (count > 0) kinds += text(forPlural(count));
+  };
+  add(lost, [](int n) {
+    return StatusText::tr("%Ln frames that were lost before they could be recorded", nullptr, n);
+  });
+  add(places,
+      [](int n) { return StatusText::tr("what the recorder lost at %Ln places, as it says", nullptr, n); });
+  add(flexible, [](int n) { return StatusText::tr("%Ln CAN FD frames, which are not held", nullptr, n); });
+  add(canXl, [](int n) { return StatusText::tr("%Ln CAN XL frames, which are not held", nullptr, n); });
+  add(notClassic, [](int n) {
+    return StatusText::tr("%Ln frames that are not classic CAN, which are not held", nullptr, n);
+  });
+  if (kinds.isEmpty()) return {};
+  return {places > 0 ? 0 : lost + flexible + canXl + notClassic,
+          StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
+}
+
 StatusFact completenessFact(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   QStringList words, story;
@@ -126,13 +158,10 @@ StatusFact completenessFact(const Snapshot& snapshot) {
   if (source.unreadable > 0)
     miss(StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable)),
          StatusText::tr("Lines that are no frames are left out; what they were is said below the strip."));
-  if (source.notKept > 0)
-    miss(StatusText::tr("%Ln frames missing", nullptr, forPlural(source.notKept)),
-         source.kind == From::File
-             ? StatusText::tr(
-                   "They were lost while it was recorded, or are CAN FD or CAN XL, which are not held.")
-             : StatusText::tr(
-                   "Frames that came faster than they could be read, or are no classic CAN frames."));
+  if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
+    miss(missing.count == 0 ? StatusText::tr("Frames missing")
+                            : StatusText::tr("%Ln frames missing", nullptr, forPlural(missing.count)),
+         missing.text);
   if (!words.isEmpty())
     return {Severity::Warning, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
   if (source.progress == Progress::Opening)

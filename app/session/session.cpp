@@ -248,9 +248,7 @@ void Session::updateSource() {
   SourceStatus& source = m_snapshot.source;
   if (m_opening != nullptr) {
     source.fraction = m_opening->fraction();
-    const SkippedPlaces skipped = m_document->skipped.content();
-    source.unreadable = skipped.unreadable();
-    source.notKept = skipped.skipped() + m_document->notes.missedFrames();
+    source.unreadable = m_document->skipped.content().unreadable();
     const auto* outcome = m_opening->outcome();
     if (outcome != nullptr && source.progress == SourceStatus::Progress::Opening) takeOutcome(*outcome);
     if (isRead()) followMarks();

@@ -55,7 +55,6 @@ struct SourceStatus {
   std::uint64_t unreadable = 0;  // lines of a file
   ReadSummary read{};            // of a file, once it was read
   bool addsUpTimes = false;      // of a file: its times are differences, and were added up
-  std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
   int bitRate = 0;               // bit/s that it runs at, or that was asked for; 0 = not applicable
   QString plugin;                // of a link
   QString interfaceName;
