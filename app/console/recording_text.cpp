@@ -63,7 +63,10 @@ QString recordingFaultText(const JournalStatus& recording) {
 StatusFact recordingFact(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   const SourceStatus& source = snapshot.source;
-  const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : view.end - view.begin);
+  // The time of a live log goes on; without a link its recording ends with the last frame.
+  const bool isStill = source.kind == From::Link && source.progress != Progress::Running;
+  const Instant end = isStill ? view.document->frames.lastTime() : view.end;
+  const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : end - view.begin);
   const QString shortLength = length.left(length.size() - 4);
   if (source.kind == From::File) {
     const QString frames = frameCountText(view.frameCount);

@@ -300,6 +300,16 @@ TEST(MissingFrames, AreNotCountedWhereTheRecorderDoesNotSayHowManyItLost) {
   EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Frames missing");
 }
 
+TEST(RecordingFact, StandsStillAtTheLastFrameWhereNoLinkIsUp) {
+  for (const Progress progress : {Progress::Running, Progress::Lost, Progress::Opening, Progress::Failed}) {
+    Snapshot snapshot = link(progress, "(10.000000) can0 123#\n(17.000000) can0 123#\n");
+    snapshot.view.end = snapshot.view.cursor.time = snapshot.view.end + 300s;
+    const std::string text = recordingFact(snapshot).text.toStdString();
+    EXPECT_TRUE(says(text, progress == Progress::Running ? "0:05:07 · 2 frames" : "0:00:07 · 2 frames"))
+        << text;
+  }
+}
+
 TEST(CompletenessFact, IsSaidOnlyOfWhatWasReadToItsEnd) {
   EXPECT_EQ(completenessFact(file(kTruck)).text.toStdString(), "Complete");
   EXPECT_EQ(completenessFact(file(kTruck, Progress::Opening)).text.toStdString(), "Not complete yet");
