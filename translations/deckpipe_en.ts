@@ -94,13 +94,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln frames of this log are missing here: they were lost while it was recorded, or are CAN FD or CAN XL, which are not held.</source>
-        <translation>
-            <numerusform>%Ln frame of this log is missing here: it was lost while it was recorded, or is CAN FD or CAN XL, which are not held.</numerusform>
-            <numerusform>%Ln frames of this log are missing here: they were lost while it was recorded, or are CAN FD or CAN XL, which are not held.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>The end of this recording is not whole: its last %Ln bytes could not be read.</source>
         <translation>
             <numerusform>The end of this recording is not whole: its last byte could not be read.</numerusform>
@@ -209,6 +202,41 @@
         <translation>
             <numerusform>%Ln gap, %1 in all</numerusform>
             <numerusform>%Ln gaps, %1 in all</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames that were lost before they could be recorded</source>
+        <translation>
+            <numerusform>%Ln frame that was lost before it could be recorded</numerusform>
+            <numerusform>%Ln frames that were lost before they could be recorded</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>what the recorder lost at %Ln places, as it says</source>
+        <translation>
+            <numerusform>what the recorder lost at %Ln place, as it says</numerusform>
+            <numerusform>what the recorder lost at %Ln places, as it says</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln CAN FD frames, which are not held</source>
+        <translation>
+            <numerusform>%Ln CAN FD frame, which is not held</numerusform>
+            <numerusform>%Ln CAN FD frames, which are not held</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln CAN XL frames, which are not held</source>
+        <translation>
+            <numerusform>%Ln CAN XL frame, which is not held</numerusform>
+            <numerusform>%Ln CAN XL frames, which are not held</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames that are not classic CAN, which are not held</source>
+        <translation>
+            <numerusform>%Ln frame that is not classic CAN, which is not held</numerusform>
+            <numerusform>%Ln frames that are not classic CAN, which are not held</numerusform>
         </translation>
     </message>
 </context>

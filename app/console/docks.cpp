@@ -18,67 +18,78 @@
 namespace deckpipe {
 namespace {
 
-template <typename P>
-void connectPanel(P* panel, Workspace* workspace) {
-  if constexpr (requires { &P::intended; })
-    QObject::connect(panel, &P::intended, workspace, &Workspace::intended);
-  if constexpr (requires { &P::unlockRequested; })
-    QObject::connect(panel, &P::unlockRequested, workspace, &Workspace::unlockRequested);
-  if constexpr (requires { &P::simulatorIntended; })
-    QObject::connect(panel, &P::simulatorIntended, workspace, &Workspace::simulatorIntended);
-  if constexpr (requires { &P::frameRequested; })
-    QObject::connect(panel, &P::frameRequested, workspace, &Workspace::frameRequested);
-  if constexpr (requires { &P::seekRequested; })
-    QObject::connect(panel, &P::seekRequested, workspace, &Workspace::seekRequested);
-  if constexpr (requires { &P::deviceSelected; })
-    QObject::connect(panel, &P::deviceSelected, workspace, &Workspace::selectDevice);
-  if constexpr (requires { &P::pageRequested; })
-    QObject::connect(panel, &P::pageRequested, workspace, &Workspace::showPageOf);
-  if constexpr (requires { &P::traceRequested; })
-    QObject::connect(panel, &P::traceRequested, workspace, &Workspace::traceDevice);
-  if constexpr (requires { &P::labelEdited; })
-    QObject::connect(panel, &P::labelEdited, workspace, &Workspace::editLabel);
-  if constexpr (requires { &P::currentFrameChanged; })
-    QObject::connect(panel, &P::currentFrameChanged, workspace, &Workspace::showFrame);
+// A signal of a panel, and what of the workspace it reaches.
+template <auto Signal, auto Reached>
+struct Wire {
+  static constexpr auto kSignal = Signal;
+  static constexpr auto kReached = Reached;
+};
+using W = Workspace;
+
+template <typename P, typename... Wires>
+P* makeWired(Workspace& workspace) {
+  auto* panel = new P(&workspace);
+  (QObject::connect(panel, Wires::kSignal, &workspace, Wires::kReached), ...);
+  return panel;
 }
 
-template <typename P>
+template <typename P, typename... Wires>
 Panel make(Workspace& workspace) {
-  auto* panel = new P(&workspace);
-  connectPanel(panel, &workspace);
-  return {panel, [panel](const PanelView& view) {
-            if constexpr (requires { panel->setView(view); }) panel->setView(view);
-          }};
+  auto* panel = makeWired<P, Wires...>(workspace);
+  return {panel, [panel](const PanelView& view) { panel->setView(view); }};
 }
+
+// A panel that shows nothing of a log.
+template <typename P, typename... Wires>
+Panel makeApart(Workspace& workspace) {
+  return {makeWired<P, Wires...>(workspace), [](const PanelView&) {}};
+}
+
+constexpr auto makeDevices = make<DeviceListPanel, Wire<&DeviceListPanel::deviceSelected, &W::selectDevice>,
+                                  Wire<&DeviceListPanel::labelEdited, &W::editLabel>>;
+constexpr auto makeTrace = make<TracePanel, Wire<&TracePanel::currentFrameChanged, &W::showFrame>,
+                                Wire<&TracePanel::cursorRequested, &W::frameRequested>>;
+constexpr auto makeEvents = make<EventPanel, Wire<&EventPanel::seekRequested, &W::seekRequested>>;
+constexpr auto makeTerminal = make<TerminalPanel, Wire<&TerminalPanel::intended, &W::intended>,
+                                   Wire<&TerminalPanel::unlockRequested, &W::unlockRequested>>;
+constexpr auto makeRequests = make<RequestPanel, Wire<&RequestPanel::intended, &W::intended>,
+                                   Wire<&RequestPanel::unlockRequested, &W::unlockRequested>,
+                                   Wire<&RequestPanel::frameRequested, &W::frameRequested>>;
+constexpr auto makeSimulator =
+    makeApart<SimulatorPanel, Wire<&SimulatorPanel::simulatorIntended, &W::simulatorIntended>>;
 
 using enum DockRow::Place;
 constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea,
                kBottom = Qt::BottomDockWidgetArea;
 constexpr DockRow kRows[] = {
     {"devicesDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Devices"), "Alt+1", kLeft, Own, true, false,
-     make<DeviceListPanel>},
+     makeDevices},
     {"traceDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Trace"), "Alt+2", kBottom, Own, true, false,
-     make<TracePanel>},
+     makeTrace},
     {"eventsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Events"), "Alt+3", kBottom, Tab, true, false,
-     make<EventPanel>},
+     makeEvents},
     {"terminalDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Data pipe"), "Alt+4", kBottom, Tab, true,
-     false, make<TerminalPanel>},
+     false, makeTerminal},
     // It takes room only while a frame is chosen.
     {"decodeDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Frame in detail"), "Alt+5", kBottom, Beside,
      false, false, make<DecodePanel>},
     // The page has the room until somebody wants to ask.
     {"requestsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Requests"), "Alt+6", kRight, Own, false, false,
-     make<RequestPanel>},
+     makeRequests},
     {"simulatorDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Simulated truck"), "Alt+7", kRight, Tab,
-     false, true, make<SimulatorPanel>},
+     false, true, makeSimulator},
     {"helpDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Explanation"), "Alt+8", kRight, Own, false, false,
-     make<HelpPanel>},
+     makeApart<HelpPanel>},
 };
 
 }  // namespace
 
 std::span<const DockRow> dockRows() { return kRows; }
-Panel makeDevicePage(Workspace& workspace) { return make<DevicePage>(workspace); }
-Panel makeOverview(Workspace& workspace) { return make<OverviewPanel>(workspace); }
+Panel makeDevicePage(Workspace& workspace) {
+  return make<DevicePage, Wire<&DevicePage::traceRequested, &W::traceDevice>>(workspace);
+}
+Panel makeOverview(Workspace& workspace) {
+  return make<OverviewPanel, Wire<&OverviewPanel::pageRequested, &W::showPageOf>>(workspace);
+}
 
 }  // namespace deckpipe

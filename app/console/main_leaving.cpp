@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "main_window.h"
+#include "recent_logs.h"
 #include "recordings_list.h"
 #include "save_bar.h"
 
@@ -15,8 +16,17 @@ QString MainWindow::lostMarksText(const QString& why) {
   return tr("Marks of the open log are in memory alone, and are lost: %1.").arg(why);
 }
 
+// Goes on once marks that are being written are in their file, or are known not to be: MarkKeeper::kHangs later at
+// most.
+void MainWindow::onceMarksAreKept(std::function<void()> go) {
+  if (!m_snapshot.source.isKeepingMarks) return go();
+  m_onceMarksAreKept = std::move(go);
+}
+
 // Goes on to another source, at once or after a question.
 void MainWindow::leave(std::function<void()> go) {
+  if (m_snapshot.source.isKeepingMarks)
+    return onceMarksAreKept([this, go = std::move(go)]() mutable { leave(std::move(go)); });
   const auto& why = m_snapshot.source.unkeptMarks;
   if (!why) return go();
   auto* question = new QMessageBox(QMessageBox::Warning, tr("Leave this log"), lostMarksText(*why),
@@ -29,8 +39,34 @@ void MainWindow::leave(std::function<void()> go) {
   question->open();
 }
 
+void MainWindow::openLog(const QString& path) {
+  leave([=, this] {
+    rememberLog(path);
+    m_session.openLog(path);
+  });
+}
+
+void MainWindow::addUpTimes() {
+  leave([=, this, path = m_snapshot.source.name] { m_session.openLog(path, Session::TimesOf::Differences); });
+}
+
+void MainWindow::openLink(const LinkSettings& link) {
+  leave([=, this] { m_session.openLink(link); });
+}
+
+void MainWindow::reconnect() {
+  leave([this] { m_session.reconnect(); });
+}
+
 void MainWindow::openDemo() {
   leave([this] { m_session.openDemo(); });
+}
+
+void MainWindow::closeSource() {
+  leave([this] {
+    m_session.closeSource();
+    showSnapshot();
+  });
 }
 
 // Quitting would break these off; a line each. A recording that the disk takes is kept, and is not among them.
@@ -52,6 +88,10 @@ QStringList MainWindow::runningWork() const {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (m_snapshot.source.isKeepingMarks) {
+    event->ignore();
+    return onceMarksAreKept([this] { close(); });
+  }
   const QStringList work = m_mayClose ? QStringList() : runningWork();
   if (!work.isEmpty()) {
     event->ignore();

@@ -43,6 +43,15 @@ namespace {
 const QString kThemeKey = QStringLiteral("window/theme");
 const QString kDensityKey = QStringLiteral("window/density");
 
+LabelsByPin byPin(const DeviceLabels& labels) {
+  LabelsByPin found;
+  for (auto label = labels.all().cbegin(); label != labels.all().cend(); ++label) {
+    if (const auto pin = Pin::parse(label.key().toStdString()))
+      found.emplace(*pin, label.value().toStdString());
+  }
+  return found;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Session& session, QWidget* parent)
@@ -112,8 +121,7 @@ void MainWindow::connectPanels() {
   connect(page, &ConnectionPage::browseRequested, this, &MainWindow::openLogByHand);
   connect(page, &ConnectionPage::logRequested, this, &MainWindow::openLog);
   connect(page, &ConnectionPage::demoRequested, this, &MainWindow::openDemo);
-  connect(m_connection, &Connection::linkRequested, this,
-          [this](const LinkSettings& link) { leave([=, this] { m_session.openLink(link); }); });
+  connect(m_connection, &Connection::linkRequested, this, &MainWindow::openLink);
   connect(m_settings, &SettingsPage::themeChosen, this, &MainWindow::setTheme);
   connect(m_settings, &SettingsPage::densityChosen, this, &MainWindow::setDensity);
   connect(m_settings, &SettingsPage::identityChosen, this, [this](int address, int identity) {
@@ -134,6 +142,9 @@ void MainWindow::connectPanels() {
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
   connect(m_workspace, &Workspace::labelsChanged, m_transport, &TransportBar::setLabels);
   m_transport->setLabels(m_workspace->labels());
+  connect(m_workspace, &Workspace::labelsEdited, this,
+          [this](const DeviceLabels& labels) { m_session.setLabels(byPin(labels)); });
+  m_session.setLabels(byPin(m_labels.read()));
   connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
   connect(m_workspace, &Workspace::intended, m_sending, &SendingActions::intent);
   connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);
@@ -172,6 +183,7 @@ void MainWindow::setSnapshot(const Snapshot& snapshot) {
   m_transport->setView(
       view, {view.atEnd && snapshot.source.kind == SourceStatus::Kind::Link ? true : snapshot.playing,
              snapshot.speed});
+  if (m_onceMarksAreKept && !snapshot.source.isKeepingMarks) std::exchange(m_onceMarksAreKept, {})();
 }
 
 void MainWindow::showPage() {
@@ -198,13 +210,6 @@ void MainWindow::showExtra(QWidget* page) {
     showSnapshot();
   }
   showPage();
-}
-
-void MainWindow::openLog(const QString& path) {
-  leave([=, this] {
-    rememberLog(path);
-    m_session.openLog(path);
-  });
 }
 
 // Dialogs for files are asynchronous: the bus goes on behind them.
@@ -257,13 +262,14 @@ void MainWindow::savePartByHand(std::uint64_t begin, std::uint64_t end, const Tr
   if (document == nullptr) return;
   QFileDialog* dialog = saveDialog(tr("Save these frames"));
   connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
-    save(document, path, {begin, end, frameTest(document, filter), labelsToSave()});
+    save(document, path, {begin, end, frameTest(document, filter), byPin(m_workspace->labels())});
   });
   dialog->open();
 }
 
 void MainWindow::saveLog(const QString& path) {
-  if (const auto& document = m_snapshot.view.document) save(document, path, {.labels = labelsToSave()});
+  if (const auto& document = m_snapshot.view.document)
+    save(document, path, {.labels = byPin(m_workspace->labels())});
 }
 
 // A copy among the recordings would be taken for one, and may be the recording itself.
@@ -277,29 +283,11 @@ void MainWindow::save(const std::shared_ptr<const LogDocument>& document, const 
   m_saveBar->save(document, path, std::move(part));
 }
 
-LabelsByPin MainWindow::labelsToSave() const {
-  LabelsByPin labels;
-  const auto& shown = m_workspace->labels().all();
-  for (auto label = shown.cbegin(); label != shown.cend(); ++label) {
-    if (const auto pin = Pin::parse(label.key().toStdString()))
-      labels.emplace(*pin, label.value().toStdString());
-  }
-  return labels;
-}
-
-void MainWindow::closeSource() {
-  leave([this] {
-    m_session.closeSource();
-    showSnapshot();
-  });
-}
-
 void MainWindow::follow(Notice::Action action) {
   if (action == Notice::Action::GoToEnd) m_session.goToEnd();
-  if (action == Notice::Action::Reconnect) m_session.reconnect();
+  if (action == Notice::Action::Reconnect) reconnect();
   if (action == Notice::Action::ShowRecordings) showRecordings();
-  if (action == Notice::Action::AddUpTimes)
-    m_session.openLog(m_snapshot.source.name, Session::TimesOf::Differences);
+  if (action == Notice::Action::AddUpTimes) addUpTimes();
 }
 
 void MainWindow::setLook(Theme theme, Density density) {

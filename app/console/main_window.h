@@ -67,15 +67,11 @@ class MainWindow : public QMainWindow {
   void showExtra(QWidget* page);
   QFileDialog* fileDialog(const QString& title, const QStringList& filters);
   void openLogByHand();
-  void openLog(const QString& path);
   void saveLogByHand();
   // Frames [begin, end) that pass.
   void savePartByHand(std::uint64_t begin, std::uint64_t end, const TraceFilter& filter);
   QFileDialog* saveDialog(const QString& title);
-  LabelsByPin labelsToSave() const;
   void save(const std::shared_ptr<const LogDocument>& document, const QString& path, SavedPart part);
-  void closeSource();
-  void openDemo();
   void connectRecordings();
   void showRecordings();
   void saveRecordingByHand(const QString& path);
@@ -85,7 +81,15 @@ class MainWindow : public QMainWindow {
   void saveLayout() const;
   QStringList runningWork() const;
   static QString lostMarksText(const QString& why);
+  // main_leaving.cpp: the ways out of the open log. Nothing else calls these of the session.
+  void openLog(const QString& path);
+  void addUpTimes();
+  void openLink(const LinkSettings& link);
+  void reconnect();
+  void openDemo();
+  void closeSource();
   void leave(std::function<void()> go);
+  void onceMarksAreKept(std::function<void()> go);
 
   Session& m_session;
   Snapshot m_snapshot;
@@ -101,8 +105,9 @@ class MainWindow : public QMainWindow {
   SettingsPage* m_settings;
   QWidget* m_about;
   RecordingsList* m_recordings;
-  Notice m_unsavedNotice;                // until the recordings were looked at
-  bool m_mayClose = false;               // the person was asked
+  Notice m_unsavedNotice;   // until the recordings were looked at
+  bool m_mayClose = false;  // the person was asked
+  std::function<void()> m_onceMarksAreKept;
   QWidget* m_extra = nullptr;            // one of the pages, while it is seen
   const LogDocument* m_shown = nullptr;  // the last log
   MarkBar* m_markBar;

@@ -1,38 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "status_text.h"
 
-#include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/overload.h"
-#include "log/link_gaps.h"
 #include "model/field_text.h"
-#include "text/age_text.h"
 #include "text/device_text.h"
-#include "text/elapsed_text.h"
+#include "text/plural.h"
 #include "text/service_text.h"
+#include "words.h"
 
 namespace deckpipe {
 namespace {
-
-struct StatusText {
-  Q_DECLARE_TR_FUNCTIONS(StatusText)
-};
-
-using From = SourceStatus::Kind;
-using Progress = SourceStatus::Progress;
-
-constexpr int kJ1939BitRate = 250'000;
-
-int forPlural(std::uint64_t number) {
-  return static_cast<int>(std::min<std::uint64_t>(number, std::numeric_limits<int>::max()));
-}
 
 QString sourceName(const SourceStatus& source) {
   if (source.simulated) return StatusText::tr("Simulated truck");
@@ -135,32 +118,6 @@ Severity sourceTone(const SourceStatus& source) {
   return Severity::Unknown;
 }
 
-bool isReadWhole(const SourceStatus& source) {
-  const ReadSummary& read = source.read;
-  return read.isWhole() && !read.isOpenEnded && source.progress != Progress::Failed;
-}
-
-struct LinkOutages {
-  bool isDown = false;  // now
-  int count = 0;        // that are over
-  Duration length{};    // of all that are over
-};
-
-// A link that goes down at the end of a file is the file's end, no hole in it.
-LinkOutages outagesOf(const Snapshot& snapshot) {
-  const SourceStatus& source = snapshot.source;
-  LinkOutages outages{.isDown = source.kind == From::Link && source.progress == Progress::Lost};
-  for (const LinkGap& gap : linkGaps(snapshot.view.document->notes.all())) {
-    if (gap.isOpen()) {
-      outages.isDown = source.kind == From::Link;
-    } else {
-      ++outages.count;
-      outages.length += gap.end - gap.begin;
-    }
-  }
-  return outages;
-}
-
 }  // namespace
 
 QString sourceErrorText(const SourceError& error) {
@@ -173,21 +130,12 @@ QString sourceErrorText(const SourceError& error) {
       error);
 }
 
-QString frameCountText(std::uint64_t frames) {
-  return StatusText::tr("%Ln frames", nullptr, forPlural(frames));
-}
-
 QString loadWords(long percent) { return StatusText::tr("Load %1 %").arg(percent); }
 
 QString rateWords(long frames) { return StatusText::tr("%L1 frames/s").arg(frames); }
 
 QString errorWords(std::uint64_t errors) {
   return StatusText::tr("%Ln error frames", nullptr, forPlural(errors));
-}
-
-QString recordingWords(bool isRunning, const QString& length, std::uint64_t frames) {
-  return (isRunning ? StatusText::tr("Recording %1 · %2") : StatusText::tr("Recorded %1 · %2"))
-      .arg(length, frameCountText(frames));
 }
 
 int loadBitRate(const SourceStatus& source) { return source.bitRate != 0 ? source.bitRate : kJ1939BitRate; }
@@ -317,99 +265,6 @@ StatusFact lockFact(const Snapshot& snapshot) {
                        "Only its own listen-only mode keeps it off the bus electrically.");
   }
   return {Severity::Plain, StatusText::tr("Transmit locked"), story, Glyph::Locked};
-}
-
-QString recordingFaultText(const JournalStatus& recording) {
-  const QString why = QString::fromStdString(recording.fault.detail);
-  if (recording.path.empty()) return StatusText::tr("No file can be made for this recording: %1").arg(why);
-  const QString path = QFile::decodeName(recording.path.c_str());
-  if (recording.fault.kind == JournalFault::Kind::NoAnswer)
-    return StatusText::tr("%1 cannot be written: the disk does not answer").arg(path);
-  return StatusText::tr("%1 cannot be written: %2").arg(path, why);
-}
-
-StatusFact recordingFact(const Snapshot& snapshot) {
-  const LogView& view = snapshot.view;
-  const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : view.end - view.begin);
-  const QString shortLength = length.left(length.size() - 4);
-  if (snapshot.source.kind == From::File) {
-    const QString frames = frameCountText(view.frameCount);
-    const bool hasTimes = view.frameCount == 0 || view.document->frames.hasTimes();
-    if (snapshot.source.progress == Progress::Opening)
-      return {Severity::Plain, frames, StatusText::tr("%1 have been read so far.").arg(frames)};
-    return {Severity::Plain, frames,
-            hasTimes ? StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)
-                     : StatusText::tr("The log holds %1, without times.").arg(frames)};
-  }
-  const SourceStatus& source = snapshot.source;
-  const bool isRunning = source.progress == Progress::Running && source.isRecorded();
-  StatusFact fact;
-  fact.text = recordingWords(isRunning, shortLength, view.frameCount);
-  fact.glyph = isRunning ? Glyph::On : Glyph::Off;
-  if (source.recording && source.recording->fault) {
-    fact.tone = Severity::Fault;
-    fact.glyph.reset();
-    fact.text = source.recording->fault.kind == JournalFault::Kind::DiskFull
-                    ? StatusText::tr("Not recorded: disk full")
-                    : StatusText::tr("Not recorded");
-    fact.story = StatusText::tr(
-                     "%1\nWhat is received is kept in memory until another source is opened, and "
-                     "written once the disk takes it; that is tried every 10 s.")
-                     .arg(recordingFaultText(*source.recording));
-  } else if (source.isRecorded()) {
-    fact.story = StatusText::tr(
-                     "Everything that is received is written to\n%1\n"
-                     "File > Recordings lists it; File > Save log writes a copy of your own. "
-                     "Pausing stops only what is shown.")
-                     .arg(QFile::decodeName(source.recording->path.c_str()));
-  } else {
-    fact.story = StatusText::tr(
-        "What is received is kept in memory until another source is opened;\n"
-        "File > Save log writes it to a file. Pausing stops only what is shown.");
-  }
-  return fact;
-}
-
-StatusFact completenessFact(const Snapshot& snapshot) {
-  const SourceStatus& source = snapshot.source;
-  QStringList words, story;
-  const auto miss = [&](const QString& what, const QString& why) {
-    words += what;
-    story += why;
-  };
-  if (source.kind == From::File && !isReadWhole(source))
-    miss(StatusText::tr("Not whole"),
-         StatusText::tr("Not all of the log could be read; what is missing is said below the strip."));
-  if (std::holds_alternative<StoreFull>(source.error))
-    miss(StatusText::tr("Store full"),
-         StatusText::tr("What came after the last frame is missing here: there was no room for more."));
-  const LinkOutages outages = outagesOf(snapshot);
-  if (outages.isDown)
-    miss(StatusText::tr("Link lost"),
-         StatusText::tr("What is sent on the bus while the link is lost is missing here."));
-  if (outages.count > 0)
-    miss((outages.count == 1 ? StatusText::tr("1 gap of %1")
-                             : StatusText::tr("%Ln gaps, %1 in all", nullptr, outages.count))
-             .arg(briefAge(outages.length)),
-         StatusText::tr("The link was down in between: what was sent on the bus then is missing here."));
-  if (source.unreadable > 0)
-    miss(StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable)),
-         StatusText::tr("Lines that are no frames are left out; what they were is said below the strip."));
-  if (source.notKept > 0)
-    miss(StatusText::tr("%Ln frames missing", nullptr, forPlural(source.notKept)),
-         source.kind == From::File
-             ? StatusText::tr(
-                   "They were lost while it was recorded, or are CAN FD or CAN XL, which are not held.")
-             : StatusText::tr(
-                   "Frames that came faster than they could be read, or are no classic CAN frames."));
-  if (!words.isEmpty())
-    return {Severity::Warning, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
-  if (source.progress == Progress::Opening)
-    return {Severity::Plain, StatusText::tr("Not complete yet"),
-            StatusText::tr("Nothing is known to be missing in what has come so far.")};
-  return {Severity::Fine, StatusText::tr("Complete"),
-          source.kind == From::File ? StatusText::tr("Every line of the log was read and is held.")
-                                    : StatusText::tr("No frame is known to be lost since the link came up.")};
 }
 
 }  // namespace deckpipe

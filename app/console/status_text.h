@@ -35,6 +35,12 @@ StatusFact recordingFact(const Snapshot& snapshot);
 // Why a recording is not written at the moment.
 QString recordingFaultText(const JournalStatus& recording);
 StatusFact completenessFact(const Snapshot& snapshot);
+// Frames that came and are not in a log, by what is known of them; without text if there are none.
+struct MissingFrames {
+  std::uint64_t count = 0;  // 0 where the recorder does not say how many it lost
+  QString text{};
+};
+MissingFrames missingFrames(const LogDocument& log);
 
 // The words alone, for how wide they may become.
 QString loadWords(long percent);

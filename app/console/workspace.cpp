@@ -61,7 +61,6 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   // Only a person closes a dock; that it is hidden while there is nothing to show is no intent of theirs.
   dock("decodeDock").dock->installEventFilter(this);
   connect(dock("decodeDock").action, &QAction::triggered, this, [this](bool isOn) { m_decodeWanted = isOn; });
-  connect(m_trace, &TracePanel::cursorRequested, this, &Workspace::frameRequested);
   m_view.labels = m_labels;
 }
 
@@ -89,6 +88,7 @@ void Workspace::showPageOf(const DeviceKey& key) {
 void Workspace::editLabel(const Pin& pin, const QString& label) {
   if (!m_labels.set(pin, label)) return;
   m_labelStorage.write(m_labels);
+  Q_EMIT labelsEdited(m_labels);
   showLabels();
 }
 

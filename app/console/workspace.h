@@ -62,6 +62,8 @@ class Workspace : public QMainWindow {
   void unlockRequested();
   void simulatorIntended(const deckpipe::SimulatorIntent& intent);
   void labelsChanged(const deckpipe::DeviceLabels& labels);
+  // The person's own, after an edit.
+  void labelsEdited(const deckpipe::DeviceLabels& labels);
 
  public Q_SLOTS:
   // Of the demo; its dock is there only while one runs.

@@ -41,7 +41,6 @@ LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, C
   if (before == nullptr) return;
   const Published last = before->latest();
   m_state = *last.state;
-  m_notKept = m_board->m_published.notKept = last.notKept;
   m_board->m_published.state = last.state;
 }
 
@@ -166,7 +165,6 @@ void LiveBus::framesReceived(std::span<const Frame> frames) {
 }
 
 void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
-  m_notKept += count;
   switch (reason) {
     case NotKept::Overflow:
       write(note::Dropped{m_settings.channel, count});
@@ -233,7 +231,6 @@ void LiveBus::publish() {
   published.state = std::move(state);
   if (m_link != nullptr) published.link = m_link->status();
   published.services = std::move(services);
-  published.notKept = m_notKept;
   published.storeFull = m_storeFull;
 }
 

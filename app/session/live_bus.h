@@ -35,7 +35,6 @@ class LiveBus : public QObject, private PortListener {
     std::shared_ptr<const State> state;  // never null
     LinkStatus link;
     std::shared_ptr<const ServiceStatus> services;  // never null
-    std::uint64_t notKept = 0;
     bool storeFull = false;
   };
 
@@ -109,7 +108,6 @@ class LiveBus : public QObject, private PortListener {
   State m_state;
   LogTimes m_times;
   LinkState m_linkState = LinkState::Closed;
-  std::uint64_t m_notKept = 0;
   std::vector<note::LeftOut> m_leftOut;  // of each reason, since the last note
   Instant m_nextLeftOut = kNotYet;       // no note of it before
   bool m_storeFull = false;

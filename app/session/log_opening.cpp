@@ -3,11 +3,12 @@
 
 #include <QFile>
 
+#include "session/mark_keeper.h"
+
 namespace deckpipe {
 
 LogOpening::LogOpening(std::shared_ptr<LogDocument> document, const QString& path, bool addsUpTimes)
-    : m_thread([this, addsUpTimes, document = std::move(document),
-                file = QFile::encodeName(path).toStdString()](const std::stop_token& stop) {
+    : m_thread([this, addsUpTimes, document = std::move(document), path](const std::stop_token& stop) {
         ReadOptions options;
         options.addsUpTimes = addsUpTimes;
         options.threads = 2;
@@ -19,6 +20,8 @@ LogOpening::LogOpening(std::shared_ptr<LogDocument> document, const QString& pat
           }
           return !stop.stop_requested();
         };
+        m_sidecarTime = deckpipe::sidecarTime(path);
+        const std::string file = QFile::encodeName(path).toStdString();
         m_outcome.emplace(openLog(file, {document->frames, document->skipped, &document->notes}, options));
         m_ended.store(true, std::memory_order_release);
       }) {}

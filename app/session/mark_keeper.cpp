@@ -4,43 +4,117 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "log/sidecar.h"
+#include "session/clocks.h"
 
 namespace deckpipe {
 namespace {
+
+QString sidecarOf(const QString& logPath) {
+  return QFile::decodeName(sidecarPath(QFile::encodeName(logPath).toStdString()).c_str());
+}
 
 QDateTime modifiedOf(const QString& path) { return QFileInfo(path).lastModified(); }
 
 }  // namespace
 
-void MarkKeeper::opened(const QString& path, const ReadSummary& read) {
-  *this = {};
-  m_path = QFile::decodeName(sidecarPath(QFile::encodeName(path).toStdString()).c_str());
-  m_modified = modifiedOf(m_path);
-  if (!read.mayHaveSidecar) {
-    m_reason = tr("nothing is added to a recording that is opened");
-  } else if (read.sidecarFault) {
-    m_reason = tr("the file of notes beside the log could not be used, and is not replaced");
-  } else if (read.newerParts > 0) {
-    m_reason = tr("the file of notes beside the log is of a newer version, and is not replaced");
-  } else if (m_modified.isValid() != read.hasSidecar) {
-    m_reason = tr("the file of notes beside the log was changed meanwhile, and is not replaced");
+QDateTime sidecarTime(const QString& logPath) { return modifiedOf(sidecarOf(logPath)); }
+
+struct MarkKeeper::Work {
+  const QString path;      // of the sidecar
+  const QString mayNot;    // why it must not be written; empty if it may
+  QDateTime modified;      // when it was read or written; invalid if there was none. The thread's own
+  const Write writeWhole;  // the thread's own
+
+  std::mutex lock{};
+  std::condition_variable ended{};
+  std::shared_ptr<const LogDocument> wanted{};  // null: its marks are in the file, or are being written
+  Instant busySince = kNotYet;                  // kNotYet: no thread
+  QString reason{};
+
+  void run() {
+    std::unique_lock guard(lock);
+    while (const auto log = std::exchange(wanted, nullptr)) {
+      busySince = bootTime();
+      guard.unlock();
+      const QString why = write(*log);
+      guard.lock();
+      reason = why;
+    }
+    busySince = kNotYet;
+    ended.notify_all();
+  }
+
+  QString write(const LogDocument& log) {
+    if (modifiedOf(path) != modified)
+      return tr("the file of notes beside the log was changed meanwhile, and is not replaced");
+    const QString why = writeWhole(path, SidecarMaker::textOf(log.frames, log.notes));
+    if (why.isEmpty()) modified = modifiedOf(path);
+    return why;
+  }
+};
+
+MarkKeeper::~MarkKeeper() {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  for (const auto& work : m_works) {
+    std::unique_lock guard(work->lock);
+    work->ended.wait_until(guard, end, [&] { return work->busySince == kNotYet; });
   }
 }
 
-QString MarkKeeper::keep(const LogDocument& log) {
-  if (!m_reason.isEmpty()) return m_reason;
-  if (modifiedOf(m_path) != m_modified)
-    return tr("the file of notes beside the log was changed meanwhile, and is not replaced");
-  const std::string text = SidecarMaker::textOf(log.frames, log.notes);
-  QSaveFile file(m_path);
+void MarkKeeper::opened(const QString& path, const ReadSummary& read, const QDateTime& sidecarTime) {
+  QString mayNot;
+  if (!read.mayHaveSidecar) {
+    mayNot = tr("nothing is added to a recording that is opened");
+  } else if (read.sidecarFault) {
+    mayNot = tr("the file of notes beside the log could not be used, and is not replaced");
+  } else if (read.newerParts > 0) {
+    mayNot = tr("the file of notes beside the log is of a newer version, and is not replaced");
+  } else if (sidecarTime.isValid() != read.hasSidecar) {
+    mayNot = tr("the file of notes beside the log was changed meanwhile, and is not replaced");
+  }
+  std::erase_if(m_works, [](const auto& work) {
+    const std::lock_guard guard(work->lock);
+    return work->busySince == kNotYet;
+  });
+  m_works.push_back(std::make_shared<Work>(sidecarOf(path), mayNot, sidecarTime, m_write));
+}
+
+void MarkKeeper::keep(std::shared_ptr<const LogDocument> log) {
+  const std::shared_ptr<Work> work = m_works.back();
+  const std::lock_guard guard(work->lock);
+  work->reason = work->mayNot;
+  if (!work->mayNot.isEmpty()) return;
+  work->wanted = std::move(log);
+  if (work->busySince != kNotYet) return;
+  work->busySince = bootTime();
+  std::thread([work] { work->run(); }).detach();
+}
+
+void MarkKeeper::forget() {
+  const std::lock_guard guard(m_works.back()->lock);
+  m_works.back()->reason.clear();
+}
+
+MarkKeeper::Status MarkKeeper::status(Instant now) const {
+  const Work& work = *m_works.back();
+  const std::lock_guard guard(m_works.back()->lock);
+  if (work.busySince == kNotYet) return {.reason = work.reason};
+  if (now - work.busySince <= kHangs) return {.isBusy = true};
+  return {.reason = tr("the disk does not answer")};
+}
+
+QString MarkKeeper::writeFile(const QString& path, const std::string& text) {
+  QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly)) return file.errorString();
   file.write(text.data(), static_cast<qint64>(text.size()));
-  if (!file.commit()) return file.errorString();
-  m_modified = modifiedOf(m_path);
-  return {};
+  return file.commit() ? QString() : file.errorString();
 }
 
 }  // namespace deckpipe

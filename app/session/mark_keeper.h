@@ -1,30 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps the marks that a person makes in a log of a file: writes the sidecar beside the log (sidecar.h) anew, with all
-// notes of the log. The session calls it after each mark. A sidecar that is not the one that was read, or that was not
-// read whole, is never replaced.
+// notes of the log, on a thread of its own. Marks that are made while it writes are written together after that. The
+// session calls keep() after each mark and asks for the status on its tick. A sidecar that is not the one that was
+// read, or that was not read whole, is never replaced.
 #pragma once
 
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QString>
+#include <functional>
+#include <memory>
+#include <vector>
 
 #include "log/reading.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
 
+// When the sidecar beside a log was written; invalid if there is none.
+QDateTime sidecarTime(const QString& logPath);
+
 class MarkKeeper {
   Q_DECLARE_TR_FUNCTIONS(MarkKeeper)
  public:
-  // The log of this file was read. Before the first keep().
-  void opened(const QString& path, const ReadSummary& read);
-  // The reason why the notes are in memory alone; empty if they are in the file.
-  QString keep(const LogDocument& log);
+  // Writes a whole file, or leaves it as it was. The reason why not; empty if it is on the disk.
+  using Write = std::function<QString(const QString& path, const std::string& text)>;
+  // A disk that takes longer is said not to answer.
+  static constexpr Duration kHangs = 2s;
+  static constexpr std::chrono::milliseconds kPatience{2'000};
+
+  struct Status {
+    bool isBusy = false;  // marks are being written
+    QString reason{};  // why marks are in memory alone; empty if they are in the file, or are being written
+    friend bool operator==(const Status&, const Status&) = default;
+  };
+
+  explicit MarkKeeper(Write write = writeFile) : m_write(std::move(write)) {}
+  // Waits for the disk so long as kPatience; what hangs longer is left to itself.
+  ~MarkKeeper();
+  MarkKeeper(const MarkKeeper&) = delete;
+  MarkKeeper& operator=(const MarkKeeper&) = delete;
+
+  // The log of this file was read; the time of its sidecar is that of before. What is kept of an earlier log is still
+  // written.
+  void opened(const QString& path, const ReadSummary& read, const QDateTime& sidecarTime);
+  // Neither this nor the rest waits for the disk.
+  void keep(std::shared_ptr<const LogDocument> log);
+  // The marks so far are in another file.
+  void forget();
+  // Of the log that was opened last. `now`: bootTime().
+  Status status(Instant now) const;
 
  private:
-  QString m_path;        // of the sidecar
-  QString m_reason;      // why it must not be written; empty if it may
-  QDateTime m_modified;  // when it was read or written; invalid if there was none
+  struct Work;
+  static QString writeFile(const QString& path, const std::string& text);
+
+  Write m_write;
+  std::vector<std::shared_ptr<Work>> m_works;  // their threads' too; the last is that of the open log
 };
 
 }  // namespace deckpipe

@@ -11,8 +11,6 @@
 #include "session/clocks.h"
 #include "session/live_bus.h"
 #include "session/log_opening.h"
-#include "session/recorder.h"
-#include "session/simulator_runner.h"
 #include "session/source_status.h"
 #include "session/state_walker.h"
 
@@ -79,6 +77,7 @@ void Session::forgetSaid() {
 void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   closeSource();
   m_document = std::move(document);
+  m_labels.begin();
   m_indexed = {};
   m_walker = std::make_unique<StateWalker>(m_document);
   m_playback = Playback(&m_document->frames);
@@ -86,16 +85,12 @@ void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   m_timer.start(LiveBus::kTick);
 }
 
-void Session::beginRecording() {
-  if (m_recordingFolder.isEmpty()) return;
-  m_recorders.begin(m_document, recordingIn(m_recordingFolder), m_snapshot.source.simulated);
-  m_snapshot.source.recording.emplace();
-}
-
 bool Session::holdsUnwritten() const { return m_recorders.holdUnwritten(); }
 
 void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
-  if (document == m_document && frames >= document->frames.count()) m_snapshot.source.unkeptMarks.reset();
+  if (document == m_document && frames >= document->frames.count() &&
+      std::exchange(m_snapshot.source.unkeptMarks, {}) && isRead())
+    m_marks.forget();
   if (m_recorders.setSaved(document, frames)) return;
   // A recording of earlier that is open as a file.
   const SourceStatus& source = m_snapshot.source;
@@ -144,108 +139,6 @@ void Session::followCandidate() {
   if (!*outcome) m_snapshot.notOpened->error = outcome->error();
   m_candidate.reset();
   Q_EMIT changed();
-}
-
-void Session::openLink(const LinkSettings& wanted) {
-  const LinkSettings settings = wanted;  // may be our own last ones
-  beginDocument(std::make_shared<LogDocument>());
-  m_lastLink = settings;
-  m_snapshot.source.kind = SourceStatus::Kind::Link;
-  m_snapshot.source.progress = SourceStatus::Progress::Opening;
-  m_snapshot.source.plugin = settings.plugin;
-  m_snapshot.source.interfaceName = settings.interfaceName;
-  m_snapshot.source.name = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
-  m_snapshot.source.bitRate = settings.bitRate;
-  beginRecording();
-  m_buses->whenEnded([this] { startLink(m_lastLink, m_lastLink.interfaceName); });
-  Q_EMIT changed();
-}
-
-void Session::startLink(LinkSettings settings, const QString& channelName) {
-  settings.channel = {m_document->frames.channel(channelName.toStdString())};
-  m_live = new LiveBus(m_document, settings, m_claim, m_board);
-  m_board = m_live->board();
-  connect(m_live, &LiveBus::ticked, this, &Session::tick);
-  m_buses->start(
-      m_live, [live = m_live] { live->start(); }, [live = m_live] { live->stop(); });
-}
-
-void Session::reconnect() {
-  if (m_snapshot.source.simulated) return openDemo();
-  if (m_board == nullptr || m_board->latest().storeFull) return openLink(m_lastLink);
-  forgetSaid();
-  endBus();
-  m_snapshot.source.progress = SourceStatus::Progress::Opening;
-  m_snapshot.source.error = {};
-  m_snapshot.services = std::make_shared<const ServiceStatus>();
-  m_buses->whenEnded([this] {
-    if (!m_buses->isWriting(m_document)) return startLink(m_lastLink, m_lastLink.interfaceName);
-    // A bus that hangs may still write into the log, and one log has one writer.
-    std::optional<Candidate> candidate = std::exchange(m_candidate, {});
-    openLink(m_lastLink);
-    m_candidate = std::move(candidate);
-  });
-  Q_EMIT changed();
-}
-
-void Session::openDemo() {
-  beginDocument(std::make_shared<LogDocument>());
-  m_snapshot.source.kind = SourceStatus::Kind::Link;
-  m_snapshot.source.progress = SourceStatus::Progress::Opening;
-  m_snapshot.source.simulated = true;
-  m_snapshot.source.name = tr("Simulated truck");
-  m_snapshot.source.plugin = QStringLiteral("virtualcan");
-  m_snapshot.source.interfaceName = QStringLiteral("can0");
-  m_snapshot.source.bitRate = LinkSettings{}.bitRate;
-  beginRecording();
-  m_simulator = new SimulatorRunner;
-  // The simulator is on the bus first: frames written before the other end listens reach nobody.
-  // A signal of a simulator that was closed meanwhile may still be on its way: it is not for what is open now.
-  const std::weak_ptr<LogDocument> own = m_document;
-  connect(m_simulator, &SimulatorRunner::busReady, this, [this, own](const QString& interfaceName) {
-    if (m_document == nullptr || own.lock() != m_document || m_live != nullptr) return;
-    startLink({QStringLiteral("virtualcan"), interfaceName, LinkSettings{}.bitRate, {}},
-              QStringLiteral("can0"));
-  });
-  connect(m_simulator, &SimulatorRunner::simulatorChanged, this, [this, own](const SimulatorStatus& status) {
-    if (m_document != nullptr && own.lock() == m_document) Q_EMIT simulatorChanged(status);
-  });
-  connect(m_simulator, &SimulatorRunner::failed, this, [this, own](const QString& reason) {
-    if (m_document == nullptr || own.lock() != m_document) return;
-    m_snapshot.source.progress = SourceStatus::Progress::Failed;
-    m_snapshot.source.error = LinkError{LinkFault::Other, reason.toStdString()};
-    Q_EMIT changed();
-  });
-  m_buses->start(
-      m_simulator, [simulator = m_simulator] { simulator->startDemo(); }, [] {});
-  Q_EMIT changed();
-}
-
-std::uint64_t Session::want(Intent intent) {
-  const auto refusal = [&] {
-    if (onlyStops(intent)) return Refusal::None;
-    if (m_live == nullptr) return Refusal::NoLink;
-    if (!m_snapshot.view.atEnd) return Refusal::NotLive;
-    return m_live->latest().storeFull ? Refusal::LogFull : Refusal::None;
-  }();
-  if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
-  if (refusal != Refusal::None || m_live == nullptr) return 0;
-  const StampedIntent stamped{std::move(intent), bootTime(), ++m_serial};
-  QMetaObject::invokeMethod(
-      m_live, [live = m_live, stamped] { live->apply(stamped); }, Qt::QueuedConnection);
-  return stamped.serial;
-}
-
-void Session::sayDrive(Address address, bool isDrive) {
-  if (m_live == nullptr) return;
-  QMetaObject::invokeMethod(
-      m_live, [live = m_live, address, isDrive] { live->sayDrive(address, isDrive); }, Qt::QueuedConnection);
-}
-
-void Session::wantOfSimulator(const SimulatorIntent& intent) {
-  if (m_simulator == nullptr) return;
-  QMetaObject::invokeMethod(
-      m_simulator, [simulator = m_simulator, intent] { simulator->obey(intent); }, Qt::QueuedConnection);
 }
 
 Cursor Session::endCursor() const {
@@ -324,15 +217,25 @@ void Session::mark(Cursor at, const QString& text) {
 void Session::keepMarks() {
   SourceStatus& source = m_snapshot.source;
   if (source.kind != SourceStatus::Kind::File) return;
-  QString reason;
   if (source.progress == SourceStatus::Progress::Opening) {
-    reason = tr("the log is still being read");
-  } else if (source.progress == SourceStatus::Progress::Failed) {
-    reason = tr("the log could not be read to its end");
+    source.unkeptMarks = tr("the log is still being read");
+  } else if (!isRead()) {
+    source.unkeptMarks = tr("the log could not be read to its end");
   } else {
-    reason = m_marks.keep(*m_document);
+    m_marks.keep(m_document);
+    followMarks();
   }
-  source.unkeptMarks = reason.isEmpty() ? std::nullopt : std::optional(reason);
+}
+
+void Session::followMarks() {
+  const MarkKeeper::Status status = m_marks.status(bootTime());
+  m_snapshot.source.isKeepingMarks = status.isBusy;
+  m_snapshot.source.unkeptMarks = status.reason.isEmpty() ? std::nullopt : std::optional(status.reason);
+}
+
+void Session::setLabels(LabelsByPin labels) {
+  m_labels.set(std::move(labels));
+  if (grows()) m_labels.note(*m_document, *m_board->latest().state);
 }
 
 void Session::setSpeed(double speed) {
@@ -345,25 +248,26 @@ void Session::updateSource() {
   SourceStatus& source = m_snapshot.source;
   if (m_opening != nullptr) {
     source.fraction = m_opening->fraction();
-    const SkippedPlaces skipped = m_document->skipped.content();
-    source.unreadable = skipped.unreadable();
-    source.notKept = skipped.skipped();
-    if (const auto* outcome = m_opening->outcome()) {
-      const bool isNews = source.progress == SourceStatus::Progress::Opening;
-      if (isNews && *outcome && outcome->value().hasSidecar) m_walker->notesCame();
-      source.fraction = 1;
-      source.progress = *outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
-      if (*outcome) {
-        source.read = outcome->value();
-        source.notKept += m_document->notes.missedFrames();
-      } else {
-        source.error = outcome->error();
-      }
-      if (isNews && *outcome) m_marks.opened(source.name, source.read);
-      if (isNews && source.unkeptMarks) keepMarks();
-    }
+    source.unreadable = m_document->skipped.content().unreadable();
+    const auto* outcome = m_opening->outcome();
+    if (outcome != nullptr && source.progress == SourceStatus::Progress::Opening) takeOutcome(*outcome);
+    if (isRead()) followMarks();
   }
   if (const auto recording = m_recorders.status()) source.recording = recording;
+}
+
+void Session::takeOutcome(const LogOpening::Outcome& outcome) {
+  SourceStatus& source = m_snapshot.source;
+  source.fraction = 1;
+  source.progress = outcome ? SourceStatus::Progress::Done : SourceStatus::Progress::Failed;
+  if (outcome) {
+    source.read = outcome.value();
+    if (source.read.hasSidecar) m_walker->notesCame();
+    m_marks.opened(source.name, source.read, m_opening->sidecarTime());
+  } else {
+    source.error = outcome.error();
+  }
+  if (source.unkeptMarks) keepMarks();
 }
 
 // While a log is played the state is a tick behind: it moves on. Far from every keyframe it stands still until it is
@@ -387,6 +291,7 @@ void Session::tick() {
     takeLink(m_snapshot.source, published);
   }
   updateSource();
+  if (grows()) m_labels.note(*m_document, *published.state);
   const Cursor end = grows() ? published.state->cursor() : endCursor();
   m_playback.reach(end, grows());
   m_playback.timeCame(monotonicTime());

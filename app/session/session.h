@@ -17,7 +17,9 @@
 #include "control/simulator_control.h"
 #include "link/can_link.h"
 #include "service/claim_service.h"
+#include "session/label_notes.h"
 #include "session/live_bus.h"
+#include "session/log_opening.h"
 #include "session/mark_keeper.h"
 #include "session/playback.h"
 #include "session/recorders.h"
@@ -27,7 +29,6 @@ namespace deckpipe {
 
 class SimulatorRunner;
 class BusThreads;
-class LogOpening;
 class StateWalker;
 
 class Session : public QObject {
@@ -51,9 +52,11 @@ class Session : public QObject {
   // window goes on without.
   void waitForEnd();
 
-  // A person's note at a place of the log. In a log of a file it is kept at once beside it (mark_keeper.h); the snapshot
-  // says where that cannot be.
+  // A person's note at a place of the log. In a log of a file it is kept beside it, on a worker (mark_keeper.h); the
+  // snapshot says while it is being written, and where that cannot be.
   void mark(Cursor at, const QString& text);
+  // What the person calls devices. The log of a link has it noted (label_notes.h).
+  void setLabels(LabelsByPin labels);
   // Links that are opened from now on are recorded there; empty, as at first: they are not.
   void setRecordingFolder(const QString& folder) { m_recordingFolder = folder; }
   QString recordingFolder() const { return m_recordingFolder; }
@@ -112,7 +115,11 @@ class Session : public QObject {
   void tick();
   void followWalk();
   void updateSource();
+  void takeOutcome(const LogOpening::Outcome& outcome);
+  // The open log is that of a file, and was read to its end.
+  bool isRead() const { return m_snapshot.source.progress == SourceStatus::Progress::Done; }
   void keepMarks();
+  void followMarks();
   // Takes into the snapshot where the playback stands.
   void place();
   Cursor endCursor() const;
@@ -127,7 +134,8 @@ class Session : public QObject {
   std::unique_ptr<StateWalker> m_walker;
   Playback m_playback;  // of m_document
   std::unique_ptr<LogOpening> m_opening;
-  MarkKeeper m_marks;  // of the log of a file that was read
+  MarkKeeper m_marks;  // of the logs of files that were read
+  LabelNotes m_labels;
   std::optional<Candidate> m_candidate;
   BusThreads* m_buses;
   LiveBus* m_live = nullptr;

@@ -55,14 +55,15 @@ struct SourceStatus {
   std::uint64_t unreadable = 0;  // lines of a file
   ReadSummary read{};            // of a file, once it was read
   bool addsUpTimes = false;      // of a file: its times are differences, and were added up
-  std::uint64_t notKept = 0;     // frames that the store cannot hold, or that were dropped
   int bitRate = 0;               // bit/s that it runs at, or that was asked for; 0 = not applicable
   QString plugin;                // of a link
   QString interfaceName;
   bool isListenOnly = false;  // the driver says so
   ControllerState controller = ControllerState::Unknown;
   bool simulated = false;  // behind it is the simulator
-  // The reason why marks that a person made in a file are in memory alone; nothing if there are no such marks.
+  // Marks that a person made in a file are being written beside it.
+  bool isKeepingMarks = false;
+  // The reason why they are in memory alone; nothing if there are no such marks.
   std::optional<QString> unkeptMarks{};
   // Of a link: how it is written down. A recording without a path has no frame yet, or could not be begun.
   std::optional<JournalStatus> recording{};

@@ -14,7 +14,6 @@ SourceError errorOf(const LiveBus::Published& published) {
 }  // namespace
 
 void takeLink(SourceStatus& source, const LiveBus::Published& published) {
-  source.notKept = published.notKept;
   source.error = errorOf(published);
   if (const auto& hardware = published.link.hardware) {
     source.isListenOnly = hardware->isListenOnly;

@@ -58,7 +58,8 @@ struct SidecarFault {
 // English, for the headless tool; windows translate the kind.
 constexpr std::string_view sidecarFaultText(SidecarFault::Kind kind) {
   switch (kind) {
-    case SidecarFault::Kind::CannotRead: return "cannot be read";
+    case SidecarFault::Kind::CannotRead:
+      return "expected a file that begins with 'Deckpipe notes 1', which cannot be read";
     case SidecarFault::Kind::NoSidecar: return "expected 'Deckpipe notes 1'";
     case SidecarFault::Kind::NewerVersion: return "written by a newer version of Deckpipe";
     case SidecarFault::Kind::BadLine: return "not a line that Deckpipe writes";

@@ -226,7 +226,7 @@ std::optional<SidecarFault> applySidecar(const Sidecar& sidecar, FrameStore& fra
 
 bool hasSidecar(const std::string& logPath) {
   std::error_code none;
-  return std::filesystem::is_regular_file(sidecarPath(logPath), none);
+  return std::filesystem::exists(std::filesystem::symlink_status(sidecarPath(logPath), none));
 }
 
 void readSidecar(const std::string& logPath, FrameStore& frames, NoteStore& notes, ReadSummary& summary) {

@@ -69,7 +69,7 @@ Result<Sidecar, SidecarFault> parseSidecar(std::string_view text);
 // Appends the notes of a log that was read whole. A fault, if it is the sidecar of another log.
 std::optional<SidecarFault> applySidecar(const Sidecar& sidecar, FrameStore& frames, NoteStore& notes);
 
-// Whether there is a sidecar beside a log.
+// Whether anything has the name of the sidecar beside a log, a folder or a link to nothing among them.
 bool hasSidecar(const std::string& logPath);
 // Reads the sidecar beside a log that was read whole, if there is one, and adds to the summary what came of it.
 void readSidecar(const std::string& logPath, FrameStore& frames, NoteStore& notes, ReadSummary& summary);

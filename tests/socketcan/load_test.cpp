@@ -17,7 +17,7 @@ std::uint64_t sentOn(const char* name) {
 // All that cangen sent is here or was counted as lost; waits until that is so.
 void expectAllAccountedFor(Console& console, const char* interfaceName, std::uint64_t sentBefore) {
   const auto heard = [&] { return console.document().frames.count(); };
-  const auto lost = [&] { return console.session.snapshot().source.notKept; };
+  const auto lost = [&] { return console.document().notes.missedFrames(); };
   const std::uint64_t sent = sentOn(interfaceName) - sentBefore;
   EXPECT_TRUE(console.waitUntil([&] { return heard() + lost() >= sent; }));
   QTest::qWait(300);  // more than was sent would be as wrong
@@ -95,7 +95,7 @@ TEST(Load, FramesOfEveryKindAreKeptOrCountedAsWhatTheyAre) {
   EXPECT_EQ(ours.join(QLatin1Char('\n')).toStdString(), classic.join(QLatin1Char('\n')).toStdString());
   EXPECT_GT(flexible, 50u);
   EXPECT_EQ(console.document().skipped.content().count(Skipped::CanFd), flexible);
-  EXPECT_TRUE(console.waitUntil([&] { return console.session.snapshot().source.notKept == flexible; }));
+  EXPECT_TRUE(console.waitUntil([&] { return console.document().notes.missedFrames() == flexible; }));
   EXPECT_TRUE(console.waitUntil([&] { return console.channel().remoteFrames >= 100; }));
   EXPECT_EQ(console.channel().dropped, 0u);
 }
@@ -152,7 +152,7 @@ TEST(LoadOnTheWire, WhatTheControllerGaveIsHereAndItsOverrunsAreCounted) {
   const auto given = [] { return counterOf(QStringLiteral("can0"), QStringLiteral("rx_packets")); };
   const auto overruns = [] { return counterOf(QStringLiteral("can0"), QStringLiteral("rx_over_errors")); };
   const auto heard = [&] { return console.channel().frames; };
-  const auto lost = [&] { return console.session.snapshot().source.notKept; };
+  const auto lost = [&] { return console.document().notes.missedFrames(); };
   // Each overrun is counted, and is a frame that we either hear or count as lost on its way from the driver
   // to us.
   const auto expected = [&] { return given() + 2 * overruns(); };

@@ -65,8 +65,8 @@ TEST_F(Simulator, DevicesAppearPositionsMoveAndOurLogIsCandumps) {
   // An emulated controller on a slow machine does lose some: exactly those that the driver counted.
   shell(QStringLiteral("ip -s -s link show can0"));
   EXPECT_TRUE(console.waitUntil([&] {
-    return console.session.snapshot().source.notKept == driverLost(QStringLiteral("can0"));
-  })) << console.session.snapshot().source.notKept
+    return console.document().notes.missedFrames() == driverLost(QStringLiteral("can0"));
+  })) << console.document().notes.missedFrames()
       << " counted, " << driverLost(QStringLiteral("can0")) << " lost by the driver";
 }
 

@@ -4,12 +4,12 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
-#include <climits>
 
 #include "protocol/device_types.h"
 #include "protocol/j1939.h"
 #include "text/device_text.h"
 #include "text/joystick_text.h"
+#include "text/plural.h"
 
 namespace deckpipe {
 namespace {
@@ -171,14 +171,14 @@ std::optional<DeviceRow> deviceRow(const State& state, const DeviceKey& key) {
 
 QString untrackedText(const State& state) {
   QStringList lines;
-  const auto most = [](std::uint64_t n) { return static_cast<int>(std::min<std::uint64_t>(n, INT_MAX)); };
   if (const std::uint64_t frames = state.untrackedFrames(); frames != 0) {
     lines << Row::tr("%Ln frames on channels beyond the first %1: their devices are not listed", nullptr,
-                     most(frames))
+                     forPlural(frames))
                  .arg(kMaxChannels);
   }
   if (const std::uint64_t frames = state.devices().untracked(); frames != 0) {
-    lines << Row::tr("%Ln frames of devices beyond the first %1, which are not listed", nullptr, most(frames))
+    lines << Row::tr("%Ln frames of devices beyond the first %1, which are not listed", nullptr,
+                     forPlural(frames))
                  .arg(kMaxDevices);
   }
   return lines.join(QLatin1Char('\n'));

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <climits>
 
 #include "base/overload.h"
 #include "model/field_text.h"
@@ -15,6 +14,7 @@
 #include "text/device_text.h"
 #include "text/fault_text.h"
 #include "text/joystick_text.h"
+#include "text/plural.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
@@ -126,7 +126,7 @@ QString whatHappened(const Event& event) {
     case EventKind::ErrorFrames: return EventText::tr("Error frames on the bus");
     case EventKind::ErrorFramesOver:
       return EventText::tr("No more error frames; there were %Ln", nullptr,
-                           static_cast<int>(std::min<std::int64_t>(event.now, INT_MAX)));
+                           forPlural(static_cast<std::uint64_t>(event.now)));
     case EventKind::BusOff: return EventText::tr("The adapter is bus-off");
     case EventKind::ErrorPassive: return EventText::tr("The adapter is error-passive");
     case EventKind::ErrorActive: return EventText::tr("The adapter is error-active again");
@@ -142,7 +142,7 @@ QString eventText(const Event& event) {
   const QString text = whatHappened(event);
   return event.folded == 0 ? text
                            : EventText::tr("%1 (%Ln changes right before it are not listed)", nullptr,
-                                           static_cast<int>(std::min<std::uint32_t>(event.folded, INT_MAX)))
+                                           forPlural(event.folded))
                                  .arg(text);
 }
 
@@ -221,8 +221,6 @@ QString ownAddressText(const note::OwnAddress& n) {
   return {};
 }
 
-int forPlural(std::uint64_t count) { return static_cast<int>(std::min<std::uint64_t>(count, INT_MAX)); }
-
 QString pipeText(const note::Pipe& n) {
   return n.file.isEmpty()
              ? EventText::tr("Data pipe: %1").arg(pipeEventText(n.event))
@@ -281,7 +279,8 @@ QString noteText(const LogDocument& log, const Note& note) {
                 .arg(busOf(n));
           },
           [](const note::Label& n) {
-            return EventText::tr("%1 is called “%2”", "PIN, label")
+            return (n.text.isEmpty() ? EventText::tr("%1 has no label any more", "PIN")
+                                     : EventText::tr("%1 is called “%2”", "PIN, label"))
                 .arg(toQString(n.pin.text()), toQString(n.text.str()));
           },
           [](const note::Added& n) {

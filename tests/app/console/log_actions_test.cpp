@@ -16,6 +16,7 @@
 #include "console/workspace.h"
 #include "log/journal_reader.h"
 #include "model/event_model.h"
+#include "panel/connect/connection_page.h"
 #include "panel/devices/device_list_panel.h"
 #include "panel/events/event_panel.h"
 #include "panel/trace/trace_panel.h"
@@ -164,6 +165,27 @@ TEST_F(LogActions, MarksAndLabelsComeBackWithASavedLogAndTheirOwnerKeepsHis) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return labelShown().empty(); }, kPatience)) << "no other log's";
 }
 
+TEST_F(LogActions, ALabelThatIsGivenDuringARecordingIsNotedInIt) {
+  const Pin pin = *Pin::parse("1032AE100801035");
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, QStringLiteral("before"));
+  m_session.openDemo();
+  const auto noted = [&] {
+    QStringList texts;
+    if (const auto& document = m_session.snapshot().view.document) {
+      for (const Note& note : document->notes.all())
+        if (const auto* label = std::get_if<note::Label>(&note.value))
+          texts += QString::fromStdString(label->text.str());
+    }
+    return texts;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !noted().isEmpty(); }, kPatience));
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, QStringLiteral("front bumper"));
+  EXPECT_EQ(noted(), (QStringList{QStringLiteral("before"), QStringLiteral("front bumper")}));
+  Q_EMIT only<DeviceListPanel>()->labelEdited(pin, {});
+  EXPECT_EQ(noted().size(), 3);
+  EXPECT_TRUE(only<Workspace>()->labels().of(pin).isEmpty()) << "the log's own has gone as well";
+}
+
 TEST_F(LogActions, ASidecarThatDoesNotFitIsSaidWithItsLine) {
   const QString path = writeLog(kTruck);
   QFile sidecar(path + QStringLiteral(".deckpipe-notes"));
@@ -233,22 +255,73 @@ TEST_F(LogActions, GoFromEventToEventByKeys) {
   EXPECT_EQ(cursor(), Instant{20'000'000'000});
 }
 
-TEST_F(LogActions, AskBeforeMarksAreLostThatNoFileTakes) {
+TEST_F(LogActions, AskOnEveryWayOutBeforeMarksAreLostThatNoFileTakes) {
+  ASSERT_TRUE(QDir().mkdir(m_dir.filePath(QStringLiteral("truck.log.deckpipe-notes"))));
   openLog(kTruck);
-  const QString path = m_session.snapshot().source.name;
-  ASSERT_TRUE(QDir(QFileInfo(path).path()).mkdir(path + QStringLiteral(".deckpipe-notes")));
+  EXPECT_TRUE(
+      text("noticeText").contains(QStringLiteral("truck.log.deckpipe-notes): Deckpipe's file of notes")))
+      << qPrintable(text("noticeText"));
   m_session.mark(m_session.snapshot().view.cursor, QStringLiteral("valve opened"));
   EXPECT_TRUE(m_session.snapshot().source.unkeptMarks);
-  named<QAction>("closeAction")->trigger();
-  auto* question = named<QMessageBox>("leaveQuestion");
-  ASSERT_TRUE(question);
-  EXPECT_TRUE(question->text().contains(QStringLiteral("Marks"))) << qPrintable(question->text());
-  EXPECT_TRUE(m_session.snapshot().view.document);
+  const QString other = writeLog(kTruck, QStringLiteral("other.log"));
+  const auto drop = [&] {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(other)});
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&m_window, &enter);
+    QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&m_window, &event);
+  };
+  auto* page = only<ConnectionPage>();
+  auto* bar = only<NoticeBar>();
+  const auto answer = [this](const char* name, QMessageBox::ButtonRole role) {
+    auto* question = named<QMessageBox>(name);
+    ASSERT_TRUE(question);
+    EXPECT_TRUE(question->text().contains(QStringLiteral("Marks"))) << qPrintable(question->text());
+    for (QAbstractButton* button : question->buttons())
+      if (question->buttonRole(button) == role) button->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.findChild<QMessageBox*>() == nullptr; }, kPatience));
+  };
+  for (const auto& [name, act] : std::initializer_list<std::pair<const char*, std::function<void()>>>{
+           {"close", [&] { trigger("closeAction"); }},
+           {"another log", [&] { Q_EMIT page->logRequested(other); }},
+           {"a dropped log", drop},
+           {"the demo", [&] { Q_EMIT page->demoRequested(); }},
+           {"a link", [&] { Q_EMIT page->connectRequested(QStringLiteral("none"), QStringLiteral("x"), 0); }},
+           {"connect again", [&] { Q_EMIT bar->actionRequested(Notice::Action::Reconnect); }},
+           {"add up times", [&] { Q_EMIT bar->actionRequested(Notice::Action::AddUpTimes); }}}) {
+    SCOPED_TRACE(name);
+    const auto open = m_session.snapshot().view.document;
+    act();
+    answer("leaveQuestion", QMessageBox::RejectRole);
+    EXPECT_EQ(m_session.snapshot().view.document, open);
+  }
   EXPECT_FALSE(m_window.close()) << "quitting asks as well";
-  EXPECT_TRUE(named<QMessageBox>("quitQuestion")->text().contains(QStringLiteral("Marks")));
-  for (QAbstractButton* button : question->buttons())
-    if (question->buttonRole(button) == QMessageBox::DestructiveRole) button->click();
+  answer("quitQuestion", QMessageBox::RejectRole);
+  trigger("closeAction");
+  answer("leaveQuestion", QMessageBox::DestructiveRole);
   EXPECT_FALSE(m_session.snapshot().view.document);
+}
+
+TEST_F(LogActions, LeavingAndQuittingWaitForMarksThatAreBeingWritten) {
+  openLog(kTruck);
+  Snapshot keeping = m_session.snapshot();
+  keeping.source.isKeepingMarks = true;
+  m_window.setSnapshot(keeping);
+  EXPECT_FALSE(m_window.close());
+  EXPECT_TRUE(m_window.isVisible());
+  EXPECT_FALSE(m_window.findChild<QMessageBox*>()) << "nothing is lost yet";
+  m_window.setSnapshot(m_session.snapshot());
+  EXPECT_FALSE(m_window.isVisible()) << "they are in the file";
+  m_window.show();
+  m_window.setSnapshot(keeping);
+  trigger("closeAction");
+  EXPECT_TRUE(m_session.snapshot().view.document);
+  keeping.source.isKeepingMarks = false;
+  keeping.source.unkeptMarks = QStringLiteral("the disk does not answer");
+  m_window.setSnapshot(keeping);
+  EXPECT_TRUE(m_session.snapshot().view.document);
+  EXPECT_TRUE(named<QMessageBox>("leaveQuestion")->text().contains(QStringLiteral("does not answer")));
 }
 
 TEST_F(LogActions, KeepNoMarkAfterEscape) {

@@ -252,9 +252,62 @@ TEST(NoticeText, SaysWhyAListenOnlyAdapterIsNotUnlocked) {
 TEST(CompletenessFact, CountsWhatIsMissing) {
   EXPECT_EQ(completenessFact(link(Progress::Running)).text.toStdString(), "Complete");
   Snapshot lossy = link(Progress::Running);
-  lossy.source.notKept = 12;
+  const auto log = logOfText(kTruck);
+  log->notes.append({.value = note::Dropped{{}, 12}});
+  lossy.view.document = log;
   EXPECT_EQ(completenessFact(lossy).text.toStdString(), "12 frames missing");
   EXPECT_EQ(completenessFact(lossy).tone, Severity::Warning);
+}
+
+TEST(MissingFrames, AreSaidByTheKindThatIsKnown) {
+  using Why = note::LeftOut::Why;
+  const auto missing = [](std::vector<NoteValue> notes, std::vector<Skipped> places) {
+    const auto log = logOfText(kTruck);
+    for (NoteValue& value : notes) log->notes.append({.frame = 1, .value = std::move(value)});
+    for (const Skipped place : places) log->skipped.add(1, place);
+    for (const From kind : {From::File, From::Link}) {
+      Snapshot snapshot = snapshotOf(kTruck, kind, kind == From::File ? Progress::Done : Progress::Running);
+      snapshot.view.document = log;
+      EXPECT_EQ(completenessFact(snapshot).tone == Severity::Fine, missingFrames(*log).text.isEmpty());
+      if (kind == From::File) {
+        EXPECT_EQ(notice(snapshot), missingFrames(*log).text.toStdString());
+      }
+    }
+    return missingFrames(*log).text.toStdString();
+  };
+  const std::string begins = "Missing in this log: ";
+  EXPECT_EQ(missing({}, {}), "");
+  EXPECT_EQ(missing({note::Dropped{{}, 3}}, {}),
+            begins + "3 frames that were lost before they could be recorded.");
+  EXPECT_EQ(missing({}, {Skipped::CanFd, Skipped::CanFd}), begins + "2 CAN FD frames, which are not held.");
+  EXPECT_EQ(missing({note::LeftOut{{}, Why::CanFd, 2}}, {Skipped::CanFd, Skipped::CanFd, Skipped::CanFd}),
+            begins + "3 CAN FD frames, which are not held.")
+      << "a live log has them in its notes a little later";
+  EXPECT_EQ(missing({}, {Skipped::CanXl, Skipped::CanXl}), begins + "2 CAN XL frames, which are not held.");
+  EXPECT_EQ(
+      missing({note::LeftOut{{}, Why::NotClassic, 4}}, {Skipped::RecorderDropped, Skipped::RecorderDropped}),
+      begins +
+          "what the recorder lost at 2 places, as it says; 4 frames that are not classic CAN, which are "
+          "not held.");
+}
+
+TEST(MissingFrames, AreNotCountedWhereTheRecorderDoesNotSayHowManyItLost) {
+  const auto log = logOfText(kTruck);
+  log->skipped.add(1, Skipped::RecorderDropped);
+  log->skipped.add(1, Skipped::CanFd);
+  Snapshot snapshot = file(kTruck);
+  snapshot.view.document = log;
+  EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Frames missing");
+}
+
+TEST(RecordingFact, StandsStillAtTheLastFrameWhereNoLinkIsUp) {
+  for (const Progress progress : {Progress::Running, Progress::Lost, Progress::Opening, Progress::Failed}) {
+    Snapshot snapshot = link(progress, "(10.000000) can0 123#\n(17.000000) can0 123#\n");
+    snapshot.view.end = snapshot.view.cursor.time = snapshot.view.end + 300s;
+    const std::string text = recordingFact(snapshot).text.toStdString();
+    EXPECT_TRUE(says(text, progress == Progress::Running ? "0:05:07 · 2 frames" : "0:00:07 · 2 frames"))
+        << text;
+  }
 }
 
 TEST(CompletenessFact, IsSaidOnlyOfWhatWasReadToItsEnd) {

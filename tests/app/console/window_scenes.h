@@ -176,7 +176,10 @@ inline std::vector<Scene> windowScenes() {
   add("live_foreign",
       snapshotOf("(1.0) can0 18FEF100#11\n(1.3) can0 0CF00400#11\n", Kind::Link, Progress::Running));
   Snapshot lossy = live;
-  lossy.source.notKept = 1'234;
+  const auto lossyLog = logOfText(truck);
+  lossyLog->notes.append({.value = note::Dropped{{}, 1'200}});
+  lossyLog->notes.append({.value = note::LeftOut{{}, note::LeftOut::Why::CanFd, 34}});
+  lossy.view.document = lossyLog;
   lossy.source.controller = ControllerState::ErrorPassive;
   add("live_lossy", lossy);
   Snapshot off = later(live, 4s);

@@ -318,6 +318,7 @@ TEST_F(SavedPartTest, ASidecarThatCannotBeWrittenIsSaidAndTheLogStays) {
   EXPECT_EQ(outcome.outcome, LogSaving::Outcome::Saved);
   EXPECT_NE(outcome.reason, QString());
   EXPECT_EQ(outcome.sidecar, QString());
+  QDir(dir.path()).rmdir(QStringLiteral("part.log.deckpipe-notes"));
   EXPECT_EQ(reopened()->frames.count(), 6u);
 }
 

@@ -325,6 +325,40 @@ TEST_F(RecordedDemo, IsWrittenDownAndReadsAsItWasLive) {
   EXPECT_TRUE(recording.pins.contains(QStringLiteral("1032AE100801035")));
 }
 
+TEST_F(RecordedDemo, HasThePersonsLabelsWhateverEndsIt) {
+  const Pin pin = *Pin::parse("1032AE100801035"), other = *Pin::parse("1032AE100801099");
+  const QString path = QString::fromStdString(session.snapshot().source.recording->path);
+  // As a kill would leave it.
+  const auto labels = [&] {
+    const QString cut = dir.filePath(QStringLiteral("cut.deckpipe"));
+    QFile::remove(cut);
+    EXPECT_TRUE(QFile::copy(path, cut));
+    test::Recording read;
+    read.result = openLog(cut.toStdString(), read.target());
+    std::vector<std::string> texts;
+    for (const Note& note : read.notes.all()) {
+      const auto* label = std::get_if<note::Label>(&note.value);
+      if (label == nullptr) continue;
+      EXPECT_EQ(label->pin, pin) << "no other is heard";
+      texts.push_back(label->text.str());
+    }
+    return texts;
+  };
+  using Texts = std::vector<std::string>;
+  session.setLabels({{pin, "front bumper"}, {other, "of another truck"}});
+  EXPECT_TRUE(waitFor([&] { return labels() == Texts{"front bumper"}; }));
+  session.setLabels({{pin, "roof"}});
+  EXPECT_TRUE(waitFor([&] { return labels() == (Texts{"front bumper", "roof"}); }));
+  session.setLabels({});
+  EXPECT_TRUE(waitFor([&] { return labels() == (Texts{"front bumper", "roof", ""}); }));
+  session.setLabels({{pin, "roof"}});
+  session.openDemo();
+  ASSERT_TRUE(waitFor([&] {
+    return std::ranges::any_of(session.snapshot().view.document->notes.all(),
+                               [](const Note& note) { return noteKey(note.value) == "label"; });
+  })) << "the next recording has those that were given before";
+}
+
 TEST_F(RecordedDemo, IsMarkedAsSavedAlsoOnceAnotherSourceIsOpen) {
   const auto log = session.snapshot().view.document;
   const QString path = QString::fromStdString(session.snapshot().source.recording->path);

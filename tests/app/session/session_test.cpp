@@ -76,9 +76,14 @@ QStringList marksIn(const QString& path) {
   return marks;
 }
 
+bool waitForMarks(const Session& session) {
+  return QTest::qWaitFor([&] { return !session.snapshot().source.isKeepingMarks; }, kPatience);
+}
+
 TEST_F(OpenedLog, KeepsAMarkBesideItAtOnce) {
   const QString path = m_session.snapshot().source.name;
   m_session.mark(view().cursor, QStringLiteral("water on"));
+  ASSERT_TRUE(waitForMarks(m_session));
   EXPECT_EQ(marksIn(path), QStringList{QStringLiteral("water on")});
   EXPECT_FALSE(m_session.snapshot().source.unkeptMarks);
 
@@ -87,6 +92,7 @@ TEST_F(OpenedLog, KeepsAMarkBesideItAtOnce) {
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return again.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
   again.mark({1, Instant{11'000'000'000}}, QStringLiteral("before"));
+  ASSERT_TRUE(waitForMarks(again));
   EXPECT_EQ(marksIn(path), (QStringList{QStringLiteral("before"), QStringLiteral("water on")}));
 
   // The first window does not know of it, and replaces nothing.
@@ -96,6 +102,7 @@ TEST_F(OpenedLog, KeepsAMarkBesideItAtOnce) {
   ASSERT_TRUE(file.setFileTime(QDateTime::currentDateTime().addSecs(-60), QFileDevice::FileModificationTime));
   file.close();
   m_session.mark(view().cursor, QStringLiteral("third"));
+  ASSERT_TRUE(waitForMarks(m_session));
   EXPECT_TRUE(m_session.snapshot().source.unkeptMarks);
   EXPECT_EQ(marksIn(path).size(), 2);
 }
@@ -117,6 +124,39 @@ TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
   EXPECT_EQ(file.readAll(), QByteArray("of somebody else\n"));
   session.setSaved(session.snapshot().view.document, 3);
   EXPECT_FALSE(session.snapshot().source.unkeptMarks) << "they are in the file that was saved";
+}
+
+TEST(SessionMarks, AreNotKeptAndThatIsSaidWhereSomethingElseHasTheNameOfTheSidecar) {
+  for (const bool isFolder : {true, false}) {
+    QTemporaryDir dir;
+    const QString path = writeLog(dir, kThreeFrames), sidecar = path + QStringLiteral(".deckpipe-notes");
+    ASSERT_TRUE(isFolder ? QDir().mkdir(sidecar) : QFile::link(QStringLiteral("/no/such/file"), sidecar));
+    Session session;
+    session.openLog(path);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+    const auto& fault = session.snapshot().source.read.sidecarFault;
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->kind, SidecarFault::Kind::CannotRead);
+    EXPECT_EQ(QString::fromStdString(fault->path), sidecar);
+    session.mark({1, Instant{11'000'000'000}}, QStringLiteral("mine"));
+    EXPECT_TRUE(session.snapshot().source.unkeptMarks);
+    EXPECT_FALSE(session.snapshot().source.isKeepingMarks);
+  }
+}
+
+TEST(SessionMarks, AreInTheFileOnceTheSessionHasEnded) {
+  QTemporaryDir dir;
+  const QString path = writeLog(dir, kThreeFrames);
+  {
+    Session session;
+    session.openLog(path);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+    session.mark({1, Instant{11'000'000'000}}, QStringLiteral("mine"));
+    session.closeSource();
+  }
+  EXPECT_EQ(marksIn(path), QStringList{QStringLiteral("mine")});
 }
 
 TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {

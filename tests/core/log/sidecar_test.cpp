@@ -4,6 +4,7 @@
 #include "log/sidecar.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -220,16 +221,34 @@ TEST_F(SidecarTest, OfANewerVersionIsTold) {
   EXPECT_EQ(fault->line, 1u);
 }
 
-TEST_F(SidecarTest, CannotBeReadButTheLogCan) {
-  put(savedAs(kCandumpFormat, written));
-  std::filesystem::permissions(sidecarPath(path), std::filesystem::perms::none);
-  if (std::ifstream(sidecarPath(path))) GTEST_SKIP() << "whoever runs this may read everything";
-  Recording read;
-  open(read);
-  ASSERT_TRUE(read.result);
-  EXPECT_EQ(read.frames.count(), 20u);
-  ASSERT_TRUE(read.result.value().sidecarFault);
-  EXPECT_EQ(read.result.value().sidecarFault->kind, Kind::CannotRead);
+TEST_F(SidecarTest, ThatCannotBeReadIsToldAndTheLogIsRead) {
+  const Saved files = savedAs(kCandumpFormat, written);
+  using Make = void (*)(const std::string&);
+  for (const auto& [name, make] :
+       {std::pair<const char*, Make>("folder", [](const auto& at) { std::filesystem::create_directory(at); }),
+        {"link to nothing", [](const auto& at) { std::filesystem::create_symlink("/no/such/file", at); }},
+        {"pipe", [](const auto& at) { ASSERT_EQ(mkfifo(at.c_str(), 0600), 0); }},
+        {"not ours", [](const auto& at) {
+           std::ofstream(at) << "x";
+           std::filesystem::permissions(at, std::filesystem::perms::none);
+         }}}) {
+    SCOPED_TRACE(name);
+    put(files);
+    std::filesystem::remove(sidecarPath(path));
+    make(sidecarPath(path));
+    Recording read;
+    open(read);
+    std::filesystem::remove(sidecarPath(path));
+    ASSERT_TRUE(read.result);
+    EXPECT_EQ(read.frames.count(), 20u);
+    const auto& fault = read.result.value().sidecarFault;
+    ASSERT_TRUE(fault);
+    // Whoever runs this may read everything.
+    if (fault->kind == Kind::NoSidecar && name == std::string_view("not ours")) continue;
+    EXPECT_EQ(fault->kind, Kind::CannotRead);
+    EXPECT_EQ(fault->path, sidecarPath(path));
+    EXPECT_FALSE(fault->detail.empty());
+  }
 }
 
 TEST_F(SidecarTest, IsNotLookedForBesideARecording) {

@@ -17,9 +17,9 @@
 
 #include "model/device_model.h"
 #include "model/device_order.h"
-#include "model/device_rows.h"
 #include "paint/app_style.h"
 #include "panel/common/label_text.h"
+#include "panel/common/untracked_label.h"
 #include "panel/devices/device_list.h"
 
 namespace deckpipe {
@@ -31,7 +31,7 @@ DeviceListPanel::DeviceListPanel(QWidget* parent)
       m_list(new DeviceList(this)),
       m_filter(new QLineEdit(this)),
       m_empty(new QLabel(this)),
-      m_untracked(new QLabel(this)),
+      m_untracked(new UntrackedLabel(QStringLiteral("untrackedDevices"), this)),
       m_pages(new QStackedWidget(this)) {
   setObjectName(QStringLiteral("devicePanel"));
   setAccessibleName(tr("Devices on the bus"));
@@ -45,12 +45,6 @@ DeviceListPanel::DeviceListPanel(QWidget* parent)
   m_empty->setAutoFillBackground(true);
   m_empty->setBackgroundRole(QPalette::Base);
   setInk(*m_empty, Ink::Secondary);
-  m_untracked->setObjectName(QStringLiteral("untrackedDevices"));
-  m_untracked->setAccessibleName(tr("What is not listed"));
-  m_untracked->setWordWrap(true);
-  setInk(*m_untracked, Ink::Warning);
-  m_untracked->setMargin(8);
-  m_untracked->hide();
   m_pages->setObjectName(QStringLiteral("devicePages"));
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_list);
@@ -119,9 +113,7 @@ void DeviceListPanel::setView(const PanelView& view) {
     m_model->setLabels(view.labels);
     m_model->setView(view.log);
   }
-  const QString untracked = view.log.state == nullptr ? QString() : untrackedText(*view.log.state);
-  setText(*m_untracked, untracked);
-  m_untracked->setVisible(!untracked.isEmpty());
+  m_untracked->setView(view.log);
   showSelection();
   showPage();
 }

@@ -18,6 +18,7 @@ namespace deckpipe {
 class DeviceList;
 class DeviceModel;
 class DeviceOrder;
+class UntrackedLabel;
 
 class DeviceListPanel : public QWidget {
   Q_OBJECT
@@ -51,7 +52,7 @@ class DeviceListPanel : public QWidget {
   DeviceList* m_list;
   QLineEdit* m_filter;
   QLabel* m_empty;
-  QLabel* m_untracked;  // what is counted and not listed; hidden where there is nothing
+  UntrackedLabel* m_untracked;
   QStackedWidget* m_pages;
   DeviceKey m_selected;
   bool m_isUpdating = false;  // the list's current row changes by itself then, not by a person

@@ -10,6 +10,7 @@
 
 #include "paint/app_style.h"
 #include "panel/common/label_text.h"
+#include "panel/common/untracked_label.h"
 #include "panel/page/monitor_tile.h"
 #include "panel/page/overview_grid.h"
 
@@ -18,7 +19,7 @@ namespace deckpipe {
 OverviewPanel::OverviewPanel(QWidget* parent)
     : QWidget(parent),
       m_empty(new QLabel(this)),
-      m_untracked(new QLabel(this)),
+      m_untracked(new UntrackedLabel(QStringLiteral("untrackedMonitors"), this)),
       m_scroll(new QScrollArea(this)),
       m_content(new QWidget) {
   setObjectName(QStringLiteral("overviewPanel"));
@@ -30,13 +31,6 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   m_empty->setAutoFillBackground(true);
   m_empty->setBackgroundRole(QPalette::Base);
   setInk(*m_empty, Ink::Secondary);
-  m_untracked->setObjectName(QStringLiteral("untrackedMonitors"));
-  m_untracked->setAccessibleName(tr("What is not shown"));
-  m_untracked->setWordWrap(true);
-  m_untracked->setMargin(8);
-  m_untracked->setAutoFillBackground(true);
-  m_untracked->setBackgroundRole(QPalette::Base);
-  setInk(*m_untracked, Ink::Warning);
   m_content->setObjectName(QStringLiteral("overviewContent"));
   m_scroll->setObjectName(QStringLiteral("overviewScroll"));
   m_scroll->setAccessibleName(tr("Monitors"));
@@ -83,9 +77,7 @@ void OverviewPanel::refresh() {
     m_tiles[i]->setChosen(monitors[i].key == m_view.device);
     m_tiles[i]->setAnimated(m_view.isMoving);
   }
-  const QString untracked = m_view.log.state == nullptr ? QString() : untrackedText(*m_view.log.state);
-  setText(*m_untracked, untracked);
-  m_untracked->setVisible(!untracked.isEmpty());
+  m_untracked->setView(m_view.log);
   if (count == 0) setText(*m_empty, emptyText());
   m_empty->setVisible(count == 0);
   m_scroll->setVisible(count != 0);

@@ -15,6 +15,7 @@ class QScrollArea;
 namespace deckpipe {
 
 class MonitorTile;
+class UntrackedLabel;
 
 class OverviewPanel : public QWidget {
   Q_OBJECT
@@ -45,7 +46,7 @@ class OverviewPanel : public QWidget {
   int m_count = 0;    // tiles in use, the first ones
   int m_columns = 1;  // as laid out
   QLabel* m_empty;
-  QLabel* m_untracked;  // what is counted and not shown; hidden where there is nothing
+  UntrackedLabel* m_untracked;
   QScrollArea* m_scroll;
   QWidget* m_content;
   std::vector<MonitorTile*> m_tiles;

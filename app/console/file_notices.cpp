@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is to be said of a log that was read from a file, or that could not be.
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
+
+#include "log/delta_times.h"
+#include "log/log_format.h"
+#include "status_text.h"
+#include "text/plural.h"
+#include "words.h"
+
+namespace deckpipe {
+namespace {
+
+constexpr Duration kClockBack = 1s;
+constexpr std::size_t kPlacesShown = 5;
+
+QString reasonText(Skipped reason) {
+  switch (reason) {
+    case Skipped::CanFd: return NoticeText::tr("CAN FD frame, not held");
+    case Skipped::CanXl: return NoticeText::tr("CAN XL frame, not held");
+    case Skipped::RecorderDropped: return NoticeText::tr("the recorder lost frames here");
+    case Skipped::Fraction: return NoticeText::tr("fraction of a time, as it has more than nine digits");
+    case Skipped::Layout: return NoticeText::tr("not a line of a known form");
+    case Skipped::Binary: return NoticeText::tr("control characters");
+    case Skipped::LineTooLong: return NoticeText::tr("line too long");
+    case Skipped::Time: return NoticeText::tr("unreadable time");
+    case Skipped::TimeRange: return NoticeText::tr("time out of range");
+    case Skipped::Interface: return NoticeText::tr("unreadable interface name");
+    case Skipped::Identifier: return NoticeText::tr("unreadable identifier");
+    case Skipped::Data: return NoticeText::tr("unreadable data");
+    case Skipped::DataTooLong: return NoticeText::tr("more than 8 data bytes");
+    case Skipped::LengthMismatch: return NoticeText::tr("data bytes and length differ");
+  }
+  return {};
+}
+
+Notice unreadable(const Snapshot& snapshot) {
+  const SkippedPlaces skipped = snapshot.view.document->skipped.content();
+  QStringList shown, all;
+  for (const SkippedPlace& place : skipped.places()) {
+    if (!isUnreadable(place.reason)) continue;
+    all += NoticeText::tr("line %1: %2").arg(place.place).arg(reasonText(place.reason));
+    if (shown.size() < static_cast<qsizetype>(kPlacesShown)) shown.append(all.last());
+  }
+  if (all.size() > shown.size()) shown += QStringLiteral("…");
+  const int count = forPlural(snapshot.source.unreadable);
+  Notice notice{Severity::Warning};
+  notice.text = NoticeText::tr("%Ln lines of this log could not be read and are left out: %1", nullptr, count)
+                    .arg(shown.join(QStringLiteral("; ")));
+  notice.action = Notice::Action::CopyDetails;
+  notice.details = all.join(QLatin1Char('\n'));
+  return notice;
+}
+
+// Where a log's clock does not run, ages, rates and load are no measure.
+Notice clockNotice(const LogDocument& log) {
+  if (!log.frames.hasTimes()) {
+    return {Severity::Warning, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
+                                              "rates, load and silence means nothing.")};
+  }
+  // Small steps back are usual where a log has several interfaces, and a leap ahead is a pause.
+  const auto& jumps = log.frames.jumps();
+  for (std::size_t i = 0; i < jumps.size(); ++i) {
+    const std::uint64_t at = jumps[i];
+    if (at >= log.frames.count() || !log.frames[at].hasStamp()) continue;
+    if (log.frames.timeAt(at) - Instant{log.frames[at].stamp} < kClockBack) continue;
+    return {Severity::Warning,
+            NoticeText::tr("The clock of this log goes back at frame %1: ages, rates and load from there on "
+                           "are not to be trusted. The places are marked in the trace.")
+                .arg(QLocale().toString(static_cast<qulonglong>(at + 1)))};
+  }
+  return {};
+}
+
+QString reasonText(const SidecarFault& fault) {
+  using Kind = SidecarFault::Kind;
+  const QString detail = QString::fromStdString(fault.detail);
+  switch (fault.kind) {
+    case Kind::CannotRead:
+      return NoticeText::tr("Deckpipe's file of notes is expected there, and it cannot be read: %1")
+          .arg(detail);
+    case Kind::NoSidecar: return NoticeText::tr("it does not begin with “Deckpipe notes 1”");
+    case Kind::NewerVersion: return NoticeText::tr("a newer version of Deckpipe wrote it");
+    case Kind::BadLine: return NoticeText::tr("that line is none that Deckpipe writes");
+    case Kind::Cut: return NoticeText::tr("its end is missing");
+    case Kind::Changed: return NoticeText::tr("it was changed since Deckpipe wrote it");
+    case Kind::OtherCount:
+      return NoticeText::tr("it is of a log with another number of frames (%1)").arg(detail);
+    case Kind::OtherFrame: return NoticeText::tr("it is of a log with another frame there: %1").arg(detail);
+  }
+  return {};
+}
+
+Notice sidecarNotice(const SidecarFault& fault) {
+  QString where = QFileInfo(QFile::decodeName(fault.path.c_str())).fileName();
+  if (fault.line > 0) where = NoticeText::tr("%1, line %2", "file").arg(where).arg(fault.line);
+  return {
+      Severity::Warning,
+      NoticeText::tr("The marks, notes and labels beside this log are left out (%1): %2.", "place, reason")
+          .arg(where, reasonText(fault))};
+}
+
+QString cutText(std::uint64_t bytes) {
+  return NoticeText::tr("The end of this recording is not whole: its last %Ln bytes could not be read.",
+                        nullptr, forPlural(bytes));
+}
+
+Notice damageNotice(const ReadSummary& read) {
+  const auto number = [](std::uint64_t n) { return QLocale().toString(static_cast<qulonglong>(n)); };
+  QStringList said{
+      NoticeText::tr("This recording is damaged in %Ln places, the first at byte %1; %2 bytes could not "
+                     "be read.",
+                     nullptr, forPlural(read.damage.places))
+          .arg(number(read.damage.firstAt), number(read.damage.bytes))};
+  if (read.damage.frames > 0)
+    said += NoticeText::tr("At least %Ln frames are missing.", nullptr, forPlural(read.damage.frames));
+  if (read.cutBytes > 0) said += cutText(read.cutBytes);
+  said += NoticeText::tr("Everything else is here; times across a damaged place are not to be trusted.");
+  return {Severity::Warning, said.join(QLatin1Char(' '))};
+}
+
+// What is missing of a log that was read.
+Notice readingNotice(const ReadSummary& read) {
+  if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
+  if (read.damage.places > 0) return damageNotice(read);
+  if (read.cutBytes > 0)
+    return {Severity::Warning,
+            cutText(read.cutBytes) + QLatin1Char(' ') + NoticeText::tr("Everything before them is here.")};
+  if (read.newerParts > 0)
+    return {Severity::Warning,
+            NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
+                           nullptr, forPlural(read.newerParts))};
+  if (read.isOpenEnded)
+    return {Severity::Warning,
+            NoticeText::tr("This recording has no end: it still goes on, or its end was lost.")};
+  return {};
+}
+
+}  // namespace
+
+QString unreadableText(const QString& path, const SourceError& why) {
+  const QString text =
+      NoticeText::tr("%1 cannot be read: %2").arg(QFileInfo(path).fileName(), sourceErrorText(why));
+  const auto* error = std::get_if<ReadError>(&why);
+  if (error == nullptr || error->kind != ReadError::Kind::UnknownFormat) return text;
+  return NoticeText::tr("%1. Deckpipe reads: %2.", "after a reason; names of formats")
+      .arg(text, QString::fromStdString(formatNames(LogUse::Read)));
+}
+
+Notice fileNotice(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  if (source.progress == Progress::Failed)
+    return {Severity::Fault, unreadableText(source.name, source.error)};
+  if (source.progress != Progress::Done) return {};
+  if (source.unkeptMarks)
+    return {Severity::Warning,
+            NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” keeps them.")
+                .arg(*source.unkeptMarks)};
+  // Before the rest, as nothing else that is said of times is true before they are added up.
+  if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
+    return {
+        .tone = Severity::Warning,
+        .text = NoticeText::tr("The times of this log look like differences, each to the frame before, as "
+                               "candump -t d prints them."),
+        .action = Notice::Action::AddUpTimes};
+  }
+  if (source.unreadable > 0) return unreadable(snapshot);
+  if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
+  if (snapshot.view.frameCount == 0) return {Severity::Warning, NoticeText::tr("This log holds no frames.")};
+  if (const auto cut = snapshot.view.document->skipped.content().count(Skipped::Fraction); cut > 0)
+    return {Severity::Warning,
+            NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
+                           "only their seconds are kept, so rates and ages are not to be "
+                           "trusted.",
+                           nullptr, forPlural(cut))};
+  if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
+    return {Severity::Warning, missing.text};
+  return clockNotice(*snapshot.view.document);
+}
+
+}  // namespace deckpipe

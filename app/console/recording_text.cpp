@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The facts about what is held: how much is recorded, and whether anything of it is missing.
+#include <QFile>
+#include <QStringList>
+#include <algorithm>
+
+#include "log/link_gaps.h"
+#include "status_text.h"
+#include "text/age_text.h"
+#include "text/elapsed_text.h"
+#include "text/plural.h"
+#include "words.h"
+
+namespace deckpipe {
+namespace {
+
+bool isReadWhole(const SourceStatus& source) {
+  const ReadSummary& read = source.read;
+  return read.isWhole() && !read.isOpenEnded && source.progress != Progress::Failed;
+}
+
+struct LinkOutages {
+  bool isDown = false;  // now
+  int count = 0;        // that are over
+  Duration length{};    // of all that are over
+};
+
+// A link that goes down at the end of a file is the file's end, no hole in it.
+LinkOutages outagesOf(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  LinkOutages outages{.isDown = source.kind == From::Link && source.progress == Progress::Lost};
+  for (const LinkGap& gap : linkGaps(snapshot.view.document->notes.all())) {
+    if (gap.isOpen()) {
+      outages.isDown = source.kind == From::Link;
+    } else {
+      ++outages.count;
+      outages.length += gap.end - gap.begin;
+    }
+  }
+  return outages;
+}
+
+}  // namespace
+
+QString frameCountText(std::uint64_t frames) {
+  return StatusText::tr("%Ln frames", nullptr, forPlural(frames));
+}
+
+QString recordingWords(bool isRunning, const QString& length, std::uint64_t frames) {
+  return (isRunning ? StatusText::tr("Recording %1 · %2") : StatusText::tr("Recorded %1 · %2"))
+      .arg(length, frameCountText(frames));
+}
+
+QString recordingFaultText(const JournalStatus& recording) {
+  const QString why = QString::fromStdString(recording.fault.detail);
+  if (recording.path.empty()) return StatusText::tr("No file can be made for this recording: %1").arg(why);
+  const QString path = QFile::decodeName(recording.path.c_str());
+  if (recording.fault.kind == JournalFault::Kind::NoAnswer)
+    return StatusText::tr("%1 cannot be written: the disk does not answer").arg(path);
+  return StatusText::tr("%1 cannot be written: %2").arg(path, why);
+}
+
+StatusFact recordingFact(const Snapshot& snapshot) {
+  const LogView& view = snapshot.view;
+  const SourceStatus& source = snapshot.source;
+  // The time of a live log goes on; without a link its recording ends with the last frame.
+  const bool isStill = source.kind == From::Link && source.progress != Progress::Running;
+  const Instant end = isStill ? view.document->frames.lastTime() : view.end;
+  const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : end - view.begin);
+  const QString shortLength = length.left(length.size() - 4);
+  if (source.kind == From::File) {
+    const QString frames = frameCountText(view.frameCount);
+    const bool hasTimes = view.frameCount == 0 || view.document->frames.hasTimes();
+    if (source.progress == Progress::Opening)
+      return {Severity::Plain, frames, StatusText::tr("%1 have been read so far.").arg(frames)};
+    return {Severity::Plain, frames,
+            hasTimes ? StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)
+                     : StatusText::tr("The log holds %1, without times.").arg(frames)};
+  }
+  const bool isRunning = source.progress == Progress::Running && source.isRecorded();
+  StatusFact fact;
+  fact.text = recordingWords(isRunning, shortLength, view.frameCount);
+  fact.glyph = isRunning ? Glyph::On : Glyph::Off;
+  if (source.recording && source.recording->fault) {
+    fact.tone = Severity::Fault;
+    fact.glyph.reset();
+    fact.text = source.recording->fault.kind == JournalFault::Kind::DiskFull
+                    ? StatusText::tr("Not recorded: disk full")
+                    : StatusText::tr("Not recorded");
+    fact.story = StatusText::tr(
+                     "%1\nWhat is received is kept in memory until another source is opened, and "
+                     "written once the disk takes it; that is tried every 10 s.")
+                     .arg(recordingFaultText(*source.recording));
+  } else if (source.isRecorded()) {
+    fact.story = StatusText::tr(
+                     "Everything that is received is written to\n%1\n"
+                     "File > Recordings lists it; File > Save log writes a copy of your own. "
+                     "Pausing stops only what is shown.")
+                     .arg(QFile::decodeName(source.recording->path.c_str()));
+  } else {
+    fact.story = StatusText::tr(
+        "What is received is kept in memory until another source is opened;\n"
+        "File > Save log writes it to a file. Pausing stops only what is shown.");
+  }
+  return fact;
+}
+
+// Where a live log leaves out CAN FD, its list of what is not kept and its notes tell of the same frames.
+MissingFrames missingFrames(const LogDocument& log) {
+  using Why = note::LeftOut::Why;
+  const SkippedPlaces skipped = log.skipped.content();
+  std::uint64_t lost = 0, flexible = 0, notClassic = 0;
+  for (const Note& note : log.notes.all()) {
+    if (const auto* dropped = std::get_if<note::Dropped>(&note.value)) lost += dropped->count;
+    if (const auto* leftOut = std::get_if<note::LeftOut>(&note.value))
+      (leftOut->why == Why::CanFd ? flexible : notClassic) += leftOut->count;
+  }
+  flexible = std::max(flexible, skipped.count(Skipped::CanFd));
+  const std::uint64_t canXl = skipped.count(Skipped::CanXl), places = skipped.count(Skipped::RecorderDropped);
+  QStringList kinds;
+  const auto add = [&kinds](std::uint64_t count, QString (*text)(int)) {
+    if (count > 0) kinds += text(forPlural(count));
+  };
+  add(lost, [](int n) {
+    return StatusText::tr("%Ln frames that were lost before they could be recorded", nullptr, n);
+  });
+  add(places,
+      [](int n) { return StatusText::tr("what the recorder lost at %Ln places, as it says", nullptr, n); });
+  add(flexible, [](int n) { return StatusText::tr("%Ln CAN FD frames, which are not held", nullptr, n); });
+  add(canXl, [](int n) { return StatusText::tr("%Ln CAN XL frames, which are not held", nullptr, n); });
+  add(notClassic, [](int n) {
+    return StatusText::tr("%Ln frames that are not classic CAN, which are not held", nullptr, n);
+  });
+  if (kinds.isEmpty()) return {};
+  return {places > 0 ? 0 : lost + flexible + canXl + notClassic,
+          StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
+}
+
+StatusFact completenessFact(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  QStringList words, story;
+  const auto miss = [&](const QString& what, const QString& why) {
+    words += what;
+    story += why;
+  };
+  if (source.kind == From::File && !isReadWhole(source))
+    miss(StatusText::tr("Not whole"),
+         StatusText::tr("Not all of the log could be read; what is missing is said below the strip."));
+  if (std::holds_alternative<StoreFull>(source.error))
+    miss(StatusText::tr("Store full"),
+         StatusText::tr("What came after the last frame is missing here: there was no room for more."));
+  const LinkOutages outages = outagesOf(snapshot);
+  if (outages.isDown)
+    miss(StatusText::tr("Link lost"),
+         StatusText::tr("What is sent on the bus while the link is lost is missing here."));
+  if (outages.count > 0)
+    miss((outages.count == 1 ? StatusText::tr("1 gap of %1")
+                             : StatusText::tr("%Ln gaps, %1 in all", nullptr, outages.count))
+             .arg(briefAge(outages.length)),
+         StatusText::tr("The link was down in between: what was sent on the bus then is missing here."));
+  if (source.unreadable > 0)
+    miss(StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable)),
+         StatusText::tr("Lines that are no frames are left out; what they were is said below the strip."));
+  if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
+    miss(missing.count == 0 ? StatusText::tr("Frames missing")
+                            : StatusText::tr("%Ln frames missing", nullptr, forPlural(missing.count)),
+         missing.text);
+  if (!words.isEmpty())
+    return {Severity::Warning, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
+  if (source.progress == Progress::Opening)
+    return {Severity::Plain, StatusText::tr("Not complete yet"),
+            StatusText::tr("Nothing is known to be missing in what has come so far.")};
+  return {Severity::Fine, StatusText::tr("Complete"),
+          source.kind == From::File ? StatusText::tr("Every line of the log was read and is held.")
+                                    : StatusText::tr("No frame is known to be lost since the link came up.")};
+}
+
+}  // namespace deckpipe
