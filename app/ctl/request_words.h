@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of deckpipectl for what is asked, how that ended, and what became of our own address. They stand on command lines and in JSON: a
-// word never changes once shipped.
+// The words of deckpipectl for what is asked, how that ended, what became of our own address, and why frames are
+// not in a log. They stand on command lines and in JSON: a word never changes once shipped.
 #pragma once
 
 #include <string_view>
@@ -42,6 +42,15 @@ constexpr std::string_view ownAddressWord(note::OwnAddress::How how) {
     case How::LinkLost: return "link lost";
     case How::InUse: return "in use";
     case How::Disputed: return "disputed";
+  }
+  return {};
+}
+
+constexpr std::string_view leftOutWord(note::LeftOut::Why why) {
+  using Why = note::LeftOut::Why;
+  switch (why) {
+    case Why::CanFd: return "can_fd";
+    case Why::NotClassic: return "not_classic";
   }
   return {};
 }
