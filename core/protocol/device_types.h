@@ -116,15 +116,9 @@ constexpr unsigned soleSenderOf(MessageId id) {
   return number;
 }
 
-// Part numbers by SDO 5000.01 and type 05 of which the manuals say what they are; there are many more. Both are of
-// the 6032.
-inline constexpr ValueName kNamedParts[] = {
-    {60320014, "Trident with Novotechnik sensors"},
-    {60320022, "Firefox, style 3463, with Novotechnik sensors"},
-};
 // PIN digits 1-4 of what has that part; 0 where the manuals do not name it.
 constexpr unsigned deviceTypeOfPart(std::uint32_t part) {
-  return std::ranges::find(kNamedParts, part, &ValueName::value) == std::end(kNamedParts) ? 0u : 1032u;
+  return nameOf(akron::kParts, part).empty() ? 0u : 1032u;
 }
 
 namespace checks {
