@@ -3,6 +3,7 @@
 // not in a log. They stand on command lines and in JSON: a word never changes once shipped.
 #pragma once
 
+#include <QString>
 #include <string_view>
 
 #include "control/status.h"
@@ -11,6 +12,11 @@
 namespace deckpipe::ctl {
 
 constexpr std::string_view requestWord(Request request) { return kRequestFacts[request].key; }
+
+inline QString requestWordText(Request request) {
+  const std::string_view word = requestWord(request);
+  return QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()));
+}
 
 constexpr std::string_view endWord(Request request, RequestEnd end) {
   switch (end) {
