@@ -51,34 +51,34 @@ void Changes::noteCame(const Note& note) {
   JsonLine line;
   line.add("event", noteKey(note.value)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
   const bool isSaid = std::visit(
-      Overload{[&](const note::LinkUp& n) {
-                 if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
-                 return true;
-               },
-               [](const note::Locked&) { return true; }, [](const note::Unlocked&) { return true; },
-               [&](const note::LinkDown& n) {
-                 line.add("reason", kLinkFaultKeys[n.fault]);
-                 if (!n.words.isEmpty()) line.add("words", n.words.str());
-                 return true;
-               },
-               [&](const note::Dropped& n) {
-                 return line.add("frames", static_cast<std::int64_t>(n.count)), true;
-               },
-               [&](const note::LeftOut& n) {
-                 return line.add("frames", static_cast<std::int64_t>(n.count))
-                            .add("reason", n.why == note::LeftOut::Why::CanFd ? "can_fd" : "not_classic"),
-                        true;
-               },
-               [&](const note::OwnAddress& n) {
-                 return line.add("address", n.address).add("reason", ownAddressWord(n.how)), true;
-               },
-               [&](const note::StillWaits& n) {
-                 return line.add("frames", static_cast<std::int64_t>(n.count)), true;
-               },
-               [](const note::Mark&) { return false; }, [](const note::DriveSaid&) { return false; },
-               [](const note::Asked&) { return false; }, [](const note::RequestWaits&) { return false; },
-               [](const note::RequestEnded&) { return false; }, [](const note::Pipe&) { return false; },
-               [](const note::Label&) { return false; }, [](const note::Added&) { return false; }},
+      Overload{
+          [&](const note::LinkUp& n) {
+            if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
+            return true;
+          },
+          [](const note::Locked&) { return true; }, [](const note::Unlocked&) { return true; },
+          [&](const note::LinkDown& n) {
+            line.add("reason", kLinkFaultKeys[n.fault]);
+            if (!n.words.isEmpty()) line.add("words", n.words.str());
+            return true;
+          },
+          [&](const note::Dropped& n) {
+            return line.add("frames", static_cast<std::int64_t>(n.count)), true;
+          },
+          [&](const note::LeftOut& n) {
+            return line.add("frames", static_cast<std::int64_t>(n.count)).add("reason", leftOutWord(n.why)),
+                   true;
+          },
+          [&](const note::OwnAddress& n) {
+            return line.add("address", n.address).add("reason", ownAddressWord(n.how)), true;
+          },
+          [&](const note::StillWaits& n) {
+            return line.add("frames", static_cast<std::int64_t>(n.count)), true;
+          },
+          [](const note::Mark&) { return false; }, [](const note::DriveSaid&) { return false; },
+          [](const note::Asked&) { return false; }, [](const note::RequestWaits&) { return false; },
+          [](const note::RequestEnded&) { return false; }, [](const note::Pipe&) { return false; },
+          [](const note::Label&) { return false; }, [](const note::Added&) { return false; }},
       note.value);
   if (isSaid) m_out += line.text();
 }

@@ -47,7 +47,8 @@ QString logArgumentHelp() {
 }
 
 QCommandLineOption deltasOption() {
-  return {QStringLiteral("deltas"), QStringLiteral("The times are differences (candump -t d): add them up.")};
+  return {QStringLiteral("deltas"),
+          QStringLiteral("The times are differences, each to the frame before: add them up.")};
 }
 
 ExitStatus LogInput::read(const std::function<bool()>& more) {
@@ -161,7 +162,7 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const 
   const SkippedPlaces content = skipped.content();
   saySkipped(content);
   if (!addsUpTimes && hasDeltaTimes(frames))
-    complain(name(), "its times look like differences (candump -t d), not times; --deltas adds them up");
+    complain(name(), "its times look like differences, each to the frame before; --deltas adds them up");
   if (!outcome) {
     complain(name(), textOf(outcome.error()));
     return frames.count() > 0 ? kNotWhole : kCannotRead;

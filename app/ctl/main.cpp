@@ -31,7 +31,7 @@ constexpr Command kCommands[] = {
     {"watch", "say what changes on a bus, as it happens", deckpipe::ctl::watchCommand},
     {"poll", "ask devices for faults, versions and settings", deckpipe::ctl::pollCommand},
     {"pipe", "talk to a device over its data pipe, send it a file", deckpipe::ctl::pipeCommand},
-    {"command", "zero axes, reset, setup mode", deckpipe::ctl::commandCommand},
+    {"command", "change something in a device, once", deckpipe::ctl::commandCommand},
 };
 
 std::string helpText() {

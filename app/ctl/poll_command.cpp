@@ -14,6 +14,13 @@
 namespace deckpipe::ctl {
 namespace {
 
+// "fault,firmware,…"
+QString pollWords() {
+  QStringList words;
+  kPolls.forEach([&](Request request) { words << requestWordText(request); });
+  return words.join(QLatin1Char(','));
+}
+
 std::optional<RequestSet> parseKinds(const QString& text) {
   RequestSet set;
   for (const QString& word : text.split(QLatin1Char(','))) {
@@ -107,7 +114,7 @@ ExitStatus pollCommand(const QStringList& arguments) {
   const DeviceOptions device(parser, true);
   const QCommandLineOption kinds(
       QStringLiteral("kinds"),
-      QStringLiteral("Some of fault,firmware,pcode,config,vista; by default all that the device takes."),
+      QStringLiteral("Some of %1; by default all that the device takes.").arg(pollWords()),
       QStringLiteral("KINDS"));
   const QCommandLineOption every(QStringLiteral("every"),
                                  QStringLiteral("Ask again so often, from round to round; until Ctrl+C."),
@@ -122,8 +129,8 @@ ExitStatus pollCommand(const QStringList& arguments) {
   if (parser.isSet(kinds)) {
     plan.kinds = parseKinds(parser.value(kinds));
     if (!plan.kinds)
-      return badUsage(QStringLiteral("poll: --kinds '%1' is not some of fault,firmware,pcode,config,vista")
-                          .arg(parser.value(kinds)));
+      return badUsage(
+          QStringLiteral("poll: --kinds '%1' is not some of %2").arg(parser.value(kinds), pollWords()));
   }
   if (parser.isSet(every)) {
     const auto seconds = parseSeconds(parser.value(every));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of deckpipectl for what is asked, how that ended, and what became of our own address. They stand on command lines and in JSON: a
-// word never changes once shipped.
+// The words of deckpipectl for what is asked, how that ended, what became of our own address, and why frames are
+// not in a log. They stand on command lines and in JSON: a word never changes once shipped.
 #pragma once
 
+#include <QString>
 #include <string_view>
 
 #include "control/status.h"
@@ -11,6 +12,11 @@
 namespace deckpipe::ctl {
 
 constexpr std::string_view requestWord(Request request) { return kRequestFacts[request].key; }
+
+inline QString requestWordText(Request request) {
+  const std::string_view word = requestWord(request);
+  return QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()));
+}
 
 constexpr std::string_view endWord(Request request, RequestEnd end) {
   switch (end) {
@@ -42,6 +48,15 @@ constexpr std::string_view ownAddressWord(note::OwnAddress::How how) {
     case How::LinkLost: return "link lost";
     case How::InUse: return "in use";
     case How::Disputed: return "disputed";
+  }
+  return {};
+}
+
+constexpr std::string_view leftOutWord(note::LeftOut::Why why) {
+  using Why = note::LeftOut::Why;
+  switch (why) {
+    case Why::CanFd: return "can_fd";
+    case Why::NotClassic: return "not_classic";
   }
   return {};
 }

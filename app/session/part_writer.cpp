@@ -10,6 +10,19 @@
 
 namespace deckpipe {
 
+namespace {
+
+// What the file of a log had of the frames that a live log notes so.
+Skipped skippedAs(note::LeftOut::Why why) {
+  switch (why) {
+    case note::LeftOut::Why::CanFd: return Skipped::CanFd;
+    case note::LeftOut::Why::NotClassic: return Skipped::CanXl;
+  }
+  return Skipped::CanFd;
+}
+
+}  // namespace
+
 PartWriter::PartWriter(const LogDocument& log, const Span& span, const LabelsByPin& labels, LogWriter& writer,
                        std::string& out)
     : m_log(log),
@@ -102,9 +115,9 @@ void PartWriter::noteLeftOut() {
   const SkippedPlaces skipped = m_log.skipped.content();
   const std::uint64_t count = m_log.frames.count();
   const Instant time = count > 0 ? m_log.frames.timeAt(count - 1) : Instant{};
-  for (const auto& [why, kind] :
-       {std::pair(Why::CanFd, Skipped::CanFd), std::pair(Why::NotClassic, Skipped::CanXl)}) {
-    std::uint64_t leftOut = skipped.count(kind);
+  // They are numbered from 1 without a gap.
+  for (Why why{1}; isKnown(why); why = static_cast<Why>(static_cast<unsigned>(why) + 1)) {
+    std::uint64_t leftOut = skipped.count(skippedAs(why));
     for (const Note& note : m_notes) {
       const auto* noted = std::get_if<note::LeftOut>(&note.value);
       if (noted != nullptr && noted->why == why) leftOut -= std::min(leftOut, noted->count);

@@ -10,13 +10,16 @@
 //   kTeeth[Gear::High]
 //
 // A row that is left out, doubled or out of order does not compile. An enum counts its enumerators by a last
-// one called `Count`, or by kLastOf, which is specialised right below it.
+// one called `Count`, or by kLastOf, which is specialised right below it. One that stands behind either does not
+// compile.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 namespace deckpipe {
@@ -24,8 +27,22 @@ namespace deckpipe {
 template <typename E>
 inline constexpr E kLastOf = static_cast<E>(static_cast<std::size_t>(E::Count) - 1);
 
+// Whether an enumerator has this value: compilers write "deckpipe::Gear::Low", or "(deckpipe::Gear)3" if none has.
+template <auto kValue>
+constexpr bool isEnumerator() {
+  constexpr std::string_view kText = __PRETTY_FUNCTION__;
+  return kText[kText.rfind(" = ") + 3] != '(';
+}
+// Whether no enumerator stands behind the last one, and behind Count.
 template <typename E>
-inline constexpr std::size_t kCountOf = static_cast<std::size_t>(kLastOf<E>) + 1;
+inline constexpr bool kEndsAtLast = !isEnumerator<static_cast<E>(static_cast<std::size_t>(kLastOf<E>) + 1 +
+                                                                 (requires { E::Count; } ? 1 : 0))>();
+
+template <typename E>
+inline constexpr std::size_t kCountOf = [] {
+  static_assert(kEndsAtLast<E>, "an enumerator stands behind the last one");
+  return static_cast<std::size_t>(kLastOf<E>) + 1;
+}();
 
 // Every enumerator in order, to loop over.
 template <typename E>
@@ -113,6 +130,11 @@ class EnumSet {
 
   constexpr bool has(E e) const { return (m_words[wordOf(e)] & bitOf(e)) != 0; }
   constexpr bool isEmpty() const { return *this == EnumSet(); }
+  constexpr std::size_t count() const {
+    std::size_t count = 0;
+    for (const std::uint64_t word : m_words) count += static_cast<std::size_t>(std::popcount(word));
+    return count;
+  }
   constexpr void add(E e) { m_words[wordOf(e)] |= bitOf(e); }
   constexpr void remove(E e) { m_words[wordOf(e)] &= ~bitOf(e); }
   constexpr EnumSet& operator|=(const EnumSet& other) {
@@ -121,6 +143,11 @@ class EnumSet {
   }
   friend constexpr EnumSet operator&(EnumSet a, const EnumSet& b) {
     for (std::size_t i = 0; i < a.m_words.size(); ++i) a.m_words[i] &= b.m_words[i];
+    return a;
+  }
+  // Those of `a` that `b` has not.
+  friend constexpr EnumSet operator-(EnumSet a, const EnumSet& b) {
+    for (std::size_t i = 0; i < a.m_words.size(); ++i) a.m_words[i] &= ~b.m_words[i];
     return a;
   }
   // In the enum's order.

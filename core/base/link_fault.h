@@ -9,17 +9,18 @@
 
 namespace deckpipe {
 
-// Numbers stand in files: never renumber one, never use one again.
+// Numbers stand in files: never renumber one, never use one again. They count from 0 without a gap, as tables are
+// indexed by them.
 enum class LinkFault : std::uint8_t {
-  None,
-  NoPlugin,  // not installed, or its library is missing
-  NoInterface,
-  InterfaceDown,   // needs: ip link set NAME up type can bitrate RATE
-  WrongBitRate,    // the interface runs at another rate than asked for
-  BitRateRefused,  // the adapter cannot do the rate asked for
-  NoAnswer,
-  Gone,   // unplugged, or its other end went away
-  Other,  // in the adapter's words
+  None = 0,
+  NoPlugin = 1,  // not installed, or its library is missing
+  NoInterface = 2,
+  InterfaceDown = 3,   // needs: ip link set NAME up type can bitrate RATE
+  WrongBitRate = 4,    // the interface runs at another rate than asked for
+  BitRateRefused = 5,  // the adapter cannot do the rate asked for
+  NoAnswer = 6,
+  Gone = 7,   // unplugged, or its other end went away
+  Other = 8,  // in the adapter's words
 };
 template <>
 inline constexpr LinkFault kLastOf<LinkFault> = LinkFault::Other;
@@ -37,6 +38,19 @@ inline constexpr EnumTable<LinkFault, std::string_view> kLinkFaultKeys{{
     {LinkFault::Other, "other"},
 }};
 
-constexpr bool isKnown(LinkFault fault) { return fault <= kLastOf<LinkFault>; }
+constexpr bool isKnown(LinkFault fault) {
+  switch (fault) {
+    case LinkFault::None:
+    case LinkFault::NoPlugin:
+    case LinkFault::NoInterface:
+    case LinkFault::InterfaceDown:
+    case LinkFault::WrongBitRate:
+    case LinkFault::BitRateRefused:
+    case LinkFault::NoAnswer:
+    case LinkFault::Gone:
+    case LinkFault::Other: return true;
+  }
+  return false;
+}
 
 }  // namespace deckpipe

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/device_key.h"
+#include "base/overload.h"
 #include "base/time.h"
 #include "control/request.h"
 
@@ -69,12 +70,27 @@ using Intent =
 
 // Whether it only holds or ends what is under way: that is offered whatever the cursor shows. What begins
 // something wants the live edge.
-inline bool onlyStops(const Intent& intent) {
+constexpr bool onlyStops(intent::PipeAction::What what) {
   using What = intent::PipeAction::What;
-  if (const auto* repeat = std::get_if<intent::Repeat>(&intent)) return repeat->period == Duration{0};
-  if (const auto* action = std::get_if<intent::PipeAction>(&intent))
-    return action->what == What::Pause || action->what == What::Cancel || action->what == What::Abort;
-  return std::holds_alternative<intent::Lock>(intent) || std::holds_alternative<intent::Cancel>(intent);
+  switch (what) {
+    case What::Pause:
+    case What::Cancel:
+    case What::Abort: return true;
+    case What::Resume:
+    case What::Resend:
+    case What::Skip: return false;
+  }
+  return false;
+}
+inline bool onlyStops(const Intent& intent) {
+  return std::visit(
+      Overload{[](const intent::Lock&) { return true; }, [](const intent::Cancel&) { return true; },
+               [](const intent::Repeat& repeat) { return repeat.period == Duration{0}; },
+               [](const intent::PipeAction& action) { return onlyStops(action.what); },
+               [](const intent::Unlock&) { return false; }, [](const intent::RequestNames&) { return false; },
+               [](const intent::SendRequests&) { return false; },
+               [](const intent::PipeWrite&) { return false; }, [](const intent::PipeFile&) { return false; }},
+      intent);
 }
 
 struct StampedIntent {

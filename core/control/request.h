@@ -27,8 +27,8 @@ struct RequestFacts {
   unsigned tries;     // commands are never repeated by themselves
 };
 
-// To add a poll: a Request, its row here, its messages in the catalogue, its words in text/service_text.cpp, and in
-// protocol/device_types.h who takes it, unless every device does.
+// To add a poll: a Request, its row here, its messages in the catalogue, its words in text/service_text.cpp, and who
+// takes it in protocol/device_types.h.
 inline constexpr EnumTable<Request, RequestFacts> kRequestFacts{{
     {Request::Fault, {"fault", RequestKind::Poll, 500ms, 3}},
     {Request::Firmware, {"firmware", RequestKind::Poll, 500ms, 3}},

@@ -143,6 +143,8 @@ struct PipeStatus {
   bool isSendingFile() const { return !file.empty() && fileEnd == FileEnd::None; }
   friend bool operator==(const PipeStatus&, const PipeStatus&) = default;
 };
+template <>
+inline constexpr PipeStatus::Progress kLastOf<PipeStatus::Progress> = PipeStatus::Progress::Stalled;
 
 struct DeviceServices {
   DeviceKey device;

@@ -175,7 +175,11 @@ constexpr bool isKnown(OwnAddress::How how) {
   return false;
 }
 constexpr bool isKnown(LeftOut::Why why) {
-  return why == LeftOut::Why::CanFd || why == LeftOut::Why::NotClassic;
+  switch (why) {
+    case LeftOut::Why::CanFd:
+    case LeftOut::Why::NotClassic: return true;
+  }
+  return false;
 }
 
 }  // namespace note

@@ -24,7 +24,7 @@ struct ReadProgress {
 };
 
 struct ReadOptions {
-  // Of a text: its times are differences (candump -t d), each to the frame before, and are added up.
+  // Of a text: its times are differences, each to the frame before, and are added up (delta_times.h).
   bool addsUpTimes = false;
   unsigned threads = 1;  // 1 or 2; the outcome is the same
   // Called after each block that was published, never twice at once but perhaps from a reader's own thread.

@@ -154,10 +154,20 @@ constexpr Field faultNumbers(BitRange bits) {
           .view = true};
 }
 
+// The manuals name these numbers by example; there are many more.
+inline constexpr std::array<ValueName, 1> kPcodeErrors{{{11, "rotation sensor error"}}};
+inline constexpr std::array<ValueName, 1> kStyles{{{3356, "Trident"}}};
+inline constexpr std::array<ValueName, 1> kSubtypes{{{14, "analog sensors"}}};
+// By SDO 5000.01 and type 05. Both are of the 6032.
+inline constexpr std::array<ValueName, 2> kParts{{
+    {60320014, "Trident with Novotechnik sensors"},
+    {60320022, "Firefox, style 3463, with Novotechnik sensors"},
+}};
+
 inline constexpr std::array kFaultResponseFields{
     faultNames(big(2, 8, 32)),
     faultNumbers(big(2, 8, 32)),
-    number("pcode_error", "pCode error code", big(6, 8, 16)),
+    named(kPcodeErrors, number("pcode_error", "pCode error code", big(6, 8, 16))),
 };
 
 inline constexpr std::array kFirmwareResponseFields{
@@ -167,13 +177,13 @@ inline constexpr std::array kFirmwareResponseFields{
 };
 
 inline constexpr std::array kPcodeResponseFields{
-    number("style", "Style number", big(2, 8, 16)),
-    number("subtype", "Subtype number", big(4, 8, 16)),
+    named(kStyles, number("style", "Style number", big(2, 8, 16))),
+    named(kSubtypes, number("subtype", "Subtype number", big(4, 8, 16))),
     version("version", "pCode version", 6),
 };
 
 inline constexpr std::array kConfigResponseFields{
-    number("config_type", "Config type (part number)", big(2, 8, 32)),
+    named(kParts, number("config_type", "Config type (part number)", big(2, 8, 32))),
     version("version", "Config version", 6),
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole catalogue: every message the console knows, in the order of MessageId, checked at compile time.
 // To add a message: give it a MessageId, a line in its family's table with its fields, and a sample
-// (samples.h). The compiler then asks for its words (text/catalogue_words.cpp) and, if it stands in a new
-// group of the page, for its drawing (model/page_lamps.cpp).
+// (samples.h). The compiler then asks for its words (text/catalogue_words.cpp, text/number_words.cpp) and, if it
+// stands in a new group of the page, for its drawing (model/page_lamps.cpp).
 #pragma once
 
 #include "base/enum_table.h"
@@ -112,6 +112,20 @@ constexpr bool keysAreUnique() {
   return true;
 }
 
+constexpr bool namesAreOfNumbers() {
+  for (const Message& message : kCatalogue) {
+    for (const Field& field : message.fields) {
+      if (field.names.empty()) continue;
+      if (field.kind != Kind::Number && field.kind != Kind::SdoValue) return false;
+      for (const ValueName& name : field.names) {
+        if (name.word.empty() || nameOf(field.names, name.value) != name.word) return false;
+      }
+    }
+  }
+  return true;
+}
+
+static_assert(namesAreOfNumbers(), "a number has one name, and only numbers have them");
 static_assert(idsAreInOrder(), "every MessageId has its line in a family's table, in the order of MessageId");
 static_assert(keysAreUnique(), "a key names one thing");
 static_assert(everyBitIsAccountedFor(), "fields overlap, leave the payload, or leave bits unsaid");

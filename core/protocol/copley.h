@@ -17,7 +17,23 @@ inline constexpr std::uint8_t kResponseBit = 0x80;
 constexpr BitRange word(unsigned byte, unsigned width) { return little(byte, width); }
 
 inline constexpr std::array<ValueName, 2> kBanks{{{0, "ram"}, {1, "flash"}}};
-inline constexpr Field kParameter = number("parameter", "Parameter", word(2, 10));
+inline constexpr std::array<ValueName, 14> kParameters{{
+    {0x02, "programmed current"},
+    {0x24, "desired state"},
+    {0x2F, "programmed velocity"},
+    {0xA0, "event status"},
+    {0xC1, "network id and bit rate"},
+    {0xC8, "trajectory configuration"},
+    {0xCA, "position"},
+    {0xCB, "velocity"},
+    {0xCC, "acceleration"},
+    {0xCD, "deceleration"},
+    {0xCE, "jerk"},
+    {0x10C, "heartbeat time"},
+    {0x121, "network options"},
+    {0x159, "watchdog action"},
+}};
+inline constexpr Field kParameter = named(kParameters, number("parameter", "Parameter", word(2, 10)));
 inline constexpr std::array<Field, 4> kParameterWord{
     kParameter,
     reserved(little(3, 2, 3)),
@@ -37,7 +53,29 @@ constexpr Field signed32(std::string_view key, std::string_view name, unsigned b
 constexpr Field real32(std::string_view key, std::string_view name, Unit unit) {
   return scaled(key, name, Kind::Float32, word(2, 32), 0, unit);
 }
-inline constexpr Field kErrorCode = number("error_code", "Error code", big(2, 8, 8));
+inline constexpr std::array<ValueName, 20> kErrors{{
+    {0, "success"},
+    {1, "too much data"},
+    {3, "unknown command"},
+    {4, "not enough data"},
+    {5, "too much data"},
+    {9, "unknown parameter"},
+    {10, "out of range"},
+    {11, "read only"},
+    {14, "unknown axis state"},
+    {15, "not on that page"},
+    {18, "already moving"},
+    {19, "velocity limit"},
+    {20, "acceleration limit"},
+    {21, "deceleration limit"},
+    {22, "jerk limit"},
+    {25, "trajectory mode"},
+    {27, "CVM program running"},
+    {32, "CAN failure"},
+    {36, "bad axis"},
+    {46, "encoder"},
+}};
+inline constexpr Field kErrorCode = named(kErrors, number("error_code", "Error code", big(2, 8, 8)));
 
 inline constexpr auto kSetParameterFields = joinFields(kParameterWord, std::array{tail(4), tailSize(4)});
 inline constexpr std::array kSetRegisterFields{

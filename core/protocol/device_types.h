@@ -87,16 +87,8 @@ constexpr bool isOfUse(unsigned number, DeviceUse use) {
   return type != nullptr && type->use == use;
 }
 
-// What a device takes that is of none of the types, or of which no type is known: all that no type has for itself.
-inline constexpr EnumSet<Request> kTakenByAll = [] {
-  EnumSet<Request> all;
-  for (const Request request : kAllOf<Request>) {
-    const bool isOfSome =
-        std::ranges::any_of(kDeviceTypes, [request](const auto& t) { return t.takes.has(request); });
-    if (!isOfSome) all.add(request);
-  }
-  return all;
-}();
+// What every device of Akron's takes, of whatever type.
+inline constexpr EnumSet kTakenByAll(Request::Fault, Request::Firmware, Request::Pcode, Request::Config);
 
 // What a device repeats that sent `heard` of what devices repeat: of those types that may send all of it, what
 // all of them repeat. Nothing where no type does, as of the 6039 CAN I/O module, which has no number.
@@ -124,15 +116,9 @@ constexpr unsigned soleSenderOf(MessageId id) {
   return number;
 }
 
-// Part numbers by SDO 5000.01 and type 05 of which the manuals say what they are; there are many more. Both are of
-// the 6032.
-inline constexpr ValueName kNamedParts[] = {
-    {60320014, "Trident with Novotechnik sensors"},
-    {60320022, "Firefox, style 3463, with Novotechnik sensors"},
-};
 // PIN digits 1-4 of what has that part; 0 where the manuals do not name it.
 constexpr unsigned deviceTypeOfPart(std::uint32_t part) {
-  return std::ranges::find(kNamedParts, part, &ValueName::value) == std::end(kNamedParts) ? 0u : 1032u;
+  return nameOf(akron::kParts, part).empty() ? 0u : 1032u;
 }
 
 namespace checks {
@@ -147,6 +133,13 @@ constexpr bool typesRepeatWhatTheCatalogueCallsPeriodic() {
   }
   return true;
 }
+constexpr bool isTakenByAllOrBySome(Request request) {
+  const bool isOfSome =
+      std::ranges::any_of(kDeviceTypes, [request](const auto& t) { return t.takes.has(request); });
+  return kTakenByAll.has(request) != isOfSome;
+}
+static_assert(std::ranges::all_of(kAllOf<Request>, isTakenByAllOrBySome),
+              "a request is taken by every device, or by those types that name it");
 static_assert(typesRepeatWhatTheCatalogueCallsPeriodic());
 static_assert(std::ranges::is_sorted(kDeviceTypes, {}, &DeviceTypeFacts::number));
 

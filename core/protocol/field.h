@@ -48,6 +48,14 @@ struct ValueName {
   std::string_view word;
 };
 
+// Empty where the number has no name.
+constexpr std::string_view nameOf(std::span<const ValueName> names, std::int64_t number) {
+  for (const ValueName& name : names) {
+    if (name.value == number) return name.word;
+  }
+  return {};
+}
+
 struct Field {
   std::string_view key{};   // frozen contract
   std::string_view name{};  // for people, translatable
@@ -58,6 +66,7 @@ struct Field {
   BitRange plus{}, minus{};            // AxisPercent, Position, PositionState
   std::span<const ValueName> words{};  // Word
   std::string_view otherwise{};        // Word: what an unnamed number is called, if not by its number
+  std::span<const ValueName> names{};  // Number, SdoValue: for people, translatable; the value stays a number
   Missing missing = Missing::Null;
   std::uint16_t lengths = 0;    // only in frames of these lengths (bit n = n bytes); 0 = in all
   std::uint32_t sdoObject = 0;  // only for this object (index << 8 | sub-index); 0 = for all
@@ -96,6 +105,10 @@ constexpr Field status2(std::string_view key, std::string_view name, unsigned by
 }
 constexpr Field version(std::string_view key, std::string_view name, unsigned byte) {
   return {.key = key, .name = name, .kind = Kind::Version, .bits = big(byte, 8, 16)};
+}
+constexpr Field named(std::span<const ValueName> names, Field field) {
+  field.names = names;
+  return field;
 }
 constexpr Field reserved(BitRange bits) { return {.kind = Kind::Reserved, .bits = bits}; }
 constexpr Field onlyIn(std::uint16_t lengths, Field field) {

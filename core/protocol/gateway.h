@@ -13,9 +13,15 @@
 
 namespace deckpipe::gateway {
 
+inline constexpr std::array<ValueName, 5> kNmtCommands{{{0x01, "start"},
+                                                        {0x02, "stop"},
+                                                        {0x80, "enter pre-operational"},
+                                                        {0x81, "reset node"},
+                                                        {0x82, "reset communication"}}};
+inline constexpr std::array<ValueName, 1> kNmtNodes{{{0, "all nodes"}}};
 inline constexpr std::array kNmtCommandFields{
-    number("command", "Command", big(1, 8, 8)),
-    number("node", "Node (0 = all)", big(2, 8, 8)),
+    named(kNmtCommands, number("command", "Command", big(1, 8, 8))),
+    named(kNmtNodes, number("node", "Node (0 = all)", big(2, 8, 8))),
 };
 
 inline constexpr std::uint8_t kBooting = 0x00, kOperational = 0x05;
@@ -54,7 +60,8 @@ inline constexpr std::array kSdoReadResponseFields{
     forObject(sdo::kOperationalError, {.key = "error_code",
                                        .name = "Operational error code",
                                        .kind = Kind::SdoValue,
-                                       .bits = little(5, 32)}),
+                                       .bits = little(5, 32),
+                                       .names = akron::kPcodeErrors}),
 };
 inline constexpr std::array kSdoAbortFields{
     kIndex,

@@ -12,22 +12,36 @@ namespace deckpipe::j1939 {
 
 // A request is three bytes; some tools pad it to eight.
 inline constexpr unsigned kRequestLength = 3;
+inline constexpr std::array<ValueName, 1> kRequestedPgns{{{pgn::kAddressClaimed, "NAME"}}};
 inline constexpr std::array kRequestFields{
-    number("pgn", "Requested PGN", little(1, 24)),
+    named(kRequestedPgns, number("pgn", "Requested PGN", little(1, 24))),
     reserved(little(4, 40)),
 };
+
+// Akron's manufacturer code, the only part of a NAME that identifies the maker (S0, Name Field).
+inline constexpr unsigned kAkronManufacturer = 326;
+inline constexpr std::array<ValueName, 1> kManufacturers{{{kAkronManufacturer, "Akron Brass"}}};
+// All there are by SAE J1939-81.
+inline constexpr std::array<ValueName, 6> kIndustryGroups{{
+    {0, "global"},
+    {1, "on-highway equipment"},
+    {2, "agricultural and forestry equipment"},
+    {3, "construction equipment"},
+    {4, "marine"},
+    {5, "industrial process control"},
+}};
 
 // One 64-bit number, low byte first.
 inline constexpr std::array kNameFields{
     number("identity_number", "Identity number", {ByteOrder::Little, 0, 21}),
-    number("manufacturer_code", "Manufacturer code", {ByteOrder::Little, 21, 11}),
+    named(kManufacturers, number("manufacturer_code", "Manufacturer code", {ByteOrder::Little, 21, 11})),
     number("ecu_instance", "ECU instance", {ByteOrder::Little, 32, 3}),
     number("function_instance", "Function instance", {ByteOrder::Little, 35, 5}),
     number("function", "Function", {ByteOrder::Little, 40, 8}),
     reserved({ByteOrder::Little, 48, 1}),
     number("vehicle_system", "Vehicle system", {ByteOrder::Little, 49, 7}),
     number("system_instance", "System instance", {ByteOrder::Little, 56, 4}),
-    number("industry_group", "Industry group", {ByteOrder::Little, 60, 3}),
+    named(kIndustryGroups, number("industry_group", "Industry group", {ByteOrder::Little, 60, 3})),
     flag("arbitrary_address_capable", "Arbitrary address capable", 8, 8),
 };
 
@@ -86,9 +100,6 @@ inline constexpr auto kExtendedJoystickFields = joinFields(
         status2("switch_15", "Switch 15", 8, 4),
         status2("switch_16", "Switch 16", 8, 2),
     });
-
-// Akron's manufacturer code, the only part of a NAME that identifies the maker (S0, Name Field).
-inline constexpr unsigned kAkronManufacturer = 326;
 
 inline constexpr std::array kMessages{
     Message{.id = MessageId::Request,

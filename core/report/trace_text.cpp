@@ -7,6 +7,14 @@
 
 namespace deckpipe {
 
+namespace {
+
+void appendName(std::string& out, std::string_view name) {
+  if (!name.empty()) out.append(" (").append(name).append(")");
+}
+
+}  // namespace
+
 void appendIdentifier(std::string& out, const Frame& frame) {
   if (frame.isError()) {
     appendHex(out, frame.identifier() | kErrorBit, 8);
@@ -35,6 +43,7 @@ void appendSummary(std::string& out, const Frame& frame, const Classified& what)
       const std::size_t before = out.size();
       appendText(out, value);
       if (out.size() == before) out += "none";
+      if (value.type() == Value::Type::Integer) appendName(out, nameOf(field.names, value.number()));
     }
   }
 }

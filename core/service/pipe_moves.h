@@ -25,8 +25,6 @@ enum class PipeMove : std::uint8_t {
   Joined,    // another pipe to the same device was under way: an ack of its packet may come yet
   Count,
 };
-template <>
-inline constexpr PipeStatus::Progress kLastOf<PipeStatus::Progress> = PipeStatus::Progress::Stalled;
 inline constexpr std::size_t kPipeMoves = kCountOf<PipeMove>;
 inline constexpr std::size_t kPipeStates = kCountOf<PipeStatus::Progress>;
 

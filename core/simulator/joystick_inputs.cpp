@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/joystick_inputs.h"
 
+#include <tuple>
+
 namespace deckpipe::simulator {
 namespace {
 
-constexpr Functions functions(std::initializer_list<Function> members) {
-  unsigned long bits = 0;
-  for (const Function f : members) bits |= 1ul << static_cast<unsigned>(f);
-  return Functions(bits);
-}
+static_assert(kCountOf<Function> == std::tuple_size_v<decltype(BasicJoystick::switches)>);
 
 // Functions of which only one can be had at a time.
-const Functions kConflicts[] = {
-    functions({Function::Stream, Function::Fog}),
-    functions({Function::DischargeOn, Function::DischargeOff}),
-    functions({Function::FlowHigh, Function::FlowLow}),
-    functions({Function::Deploy, Function::Stow}),
-    functions({Function::CafsDry, Function::CafsWet}),
-    functions({Function::OscillateSet}),
-    functions({Function::OscillatePause}),
+constexpr Functions kConflicts[] = {
+    Functions(Function::Stream, Function::Fog),
+    Functions(Function::DischargeOn, Function::DischargeOff),
+    Functions(Function::FlowHigh, Function::FlowLow),
+    Functions(Function::Deploy, Function::Stow),
+    Functions(Function::CafsDry, Function::CafsWet),
+    Functions(Function::OscillateSet),
+    Functions(Function::OscillatePause),
 };
 
 }  // namespace
@@ -37,8 +35,10 @@ void JoystickInputs::received(Instant now, const J1939Id& id, const Frame& frame
     source.heard = now;
     source.rotation = stick.x.tenths.value_or(0);
     source.elevation = -stick.y.tenths.value_or(0);  // back is up
-    for (std::size_t i = 0; i < stick.switches.size(); ++i)
-      source.functions[i] = stick.switches[i] == Status2::On;
+    source.functions = {};
+    for (const Function f : kAllOf<Function>) {
+      if (stick.switches[static_cast<std::size_t>(f)] == Status2::On) source.functions.add(f);
+    }
   } else if (id.pgn == pgn::kExtendedJoystick) {
     const ExtendedJoystick stick = ExtendedJoystick::of(frame);
     source.heard = now;
@@ -67,7 +67,7 @@ Demand JoystickInputs::demand() const {
     axis(source.elevation, source.aimElevation, demand.elevation, demand.aimElevation);
     for (const Functions& group : kConflicts) {
       const Functions asked = source.functions & group;
-      if (asked.none() || (decided & group).any()) continue;
+      if (asked.isEmpty() || !(decided & group).isEmpty()) continue;
       decided |= group;
       if (asked.count() == 1) demand.functions |= asked;
     }

@@ -10,9 +10,9 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <optional>
 
+#include "base/enum_table.h"
 #include "base/time.h"
 #include "bus/j1939.h"
 #include "protocol/address_use.h"
@@ -20,7 +20,7 @@
 
 namespace deckpipe::simulator {
 
-// Switches 1..12 of the basic joystick message, as bits of Demand::functions.
+// Switches 1..12 of the basic joystick message, in their order.
 enum class Function : std::uint8_t {
   Stream,
   Fog,
@@ -34,9 +34,9 @@ enum class Function : std::uint8_t {
   DischargeOff,
   CafsDry,
   CafsWet,
+  Count,
 };
-using Functions = std::bitset<12>;
-inline bool has(const Functions& set, Function f) { return set[static_cast<std::size_t>(f)]; }
+using Functions = EnumSet<Function>;
 
 struct Demand {
   int rotation = 0, elevation = 0;  // speed in 0.1 %, right and up positive

@@ -20,7 +20,7 @@ MiniUniversal6033::MiniUniversal6033(std::string_view pin, std::uint64_t seed)
 
 void MiniUniversal6033::started(Instant) {
   m_inputs.clear();
-  m_before.reset();
+  m_before = {};
   m_riser.drive(0);
 }
 
@@ -28,16 +28,16 @@ void MiniUniversal6033::heard(Instant now, const J1939Id& id, const Frame& frame
   m_inputs.expire(now);
   m_inputs.received(now, id, frame);
   const Functions functions = m_inputs.demand().functions;
-  const Functions pressed = functions & ~m_before;
+  const Functions pressed = functions - m_before;
   m_before = functions;
   if (misbehaviour().enableOff) return;
-  if (has(pressed, Function::Deploy)) m_riser.drive(1000);
-  if (has(pressed, Function::Stow)) m_riser.drive(-1000);
+  if (pressed.has(Function::Deploy)) m_riser.drive(1000);
+  if (pressed.has(Function::Stow)) m_riser.drive(-1000);
 }
 
 void MiniUniversal6033::tick(Instant now) {
   m_inputs.expire(now);
-  m_before &= m_inputs.demand().functions;
+  m_before = m_before & m_inputs.demand().functions;
   if (misbehaviour().enableOff) m_riser.halt();
   m_riser.step();
   MiniOutputs outputs;

@@ -150,7 +150,7 @@ void Monitor6032::answerVista(Instant now, Address to) {
   constexpr int kVolts = 552;
   const Demand demand = m_inputs.demand();
   const auto raw = [](int tenths) { return Value::integer(std::abs(tenths)); };
-  const auto on = [&](Function f) { return Value::flag(has(demand.functions, f)); };
+  const auto on = [&](Function f) { return Value::flag(demand.functions.has(f)); };
   answer(now, MessageId::VistaStatus,
          encoded(MessageId::VistaStatus, {{"system_voltage_raw", Value::integer(kVolts)},
                                           {"digital_output_1", Value::flag(m_control.isDischargeOpen())},

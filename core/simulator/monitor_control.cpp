@@ -69,7 +69,7 @@ void MonitorControl::zero() {
 }
 
 void MonitorControl::step(const Demand& demand, const Conditions& conditions) {
-  const Functions pressed = demand.functions & ~m_before;
+  const Functions pressed = demand.functions - m_before;
   m_before = demand.functions;
   if (!conditions.enabled) {
     stop();
@@ -98,17 +98,17 @@ void MonitorControl::step(const Demand& demand, const Conditions& conditions) {
 }
 
 void MonitorControl::start(const Functions& pressed, const Conditions& conditions) {
-  if (has(pressed, Function::OscillateSet) && conditions.rotationFeedback) {
+  if (pressed.has(Function::OscillateSet) && conditions.rotationFeedback) {
     m_started = Started::Nothing;
     m_oscillation.set(m_settings.softLeft * kTenth, m_settings.softRight * kTenth);
   }
-  if (has(pressed, Function::OscillatePause)) m_oscillation.pauseOrResume();
-  if (has(pressed, Function::Stow) || has(pressed, Function::Deploy)) {
+  if (pressed.has(Function::OscillatePause)) m_oscillation.pauseOrResume();
+  if (pressed.has(Function::Stow) || pressed.has(Function::Deploy)) {
     m_oscillation.stop();
-    m_started = has(pressed, Function::Stow) ? Started::Stow : Started::Deploy;
+    m_started = pressed.has(Function::Stow) ? Started::Stow : Started::Deploy;
   }
-  if (has(pressed, Function::DischargeOn)) m_valve = 1;
-  if (has(pressed, Function::DischargeOff)) m_valve = -1;
+  if (pressed.has(Function::DischargeOn)) m_valve = 1;
+  if (pressed.has(Function::DischargeOff)) m_valve = -1;
 }
 
 void MonitorControl::handMoved(const Demand& demand) {
@@ -178,7 +178,7 @@ void MonitorControl::commandStow() {
 
 void MonitorControl::commandValves(const Functions& functions) {
   const auto held = [&](Function plus, Function minus) {
-    return 1000 * (has(functions, plus) ? 1 : has(functions, minus) ? -1 : 0);
+    return 1000 * (functions.has(plus) ? 1 : functions.has(minus) ? -1 : 0);
   };
   m_axes[2].drive(held(Function::Stream, Function::Fog));
   m_axes[3].drive(held(Function::FlowHigh, Function::FlowLow));

@@ -202,51 +202,65 @@ bool DeviceWatch::isAsCompared(const Device& device, MessageId id, const Payload
 // A frame that the state did not take, as one of a wrong length, says nothing. Answers of nodes are no reports.
 void DeviceWatch::compareNew(const State& state, const Device& device, MessageId id, const Payload& data,
                              std::vector<Event>& out) {
-  if (id != MessageId::SdoReadResponse) {
-    if (device.report(id).at != state.cursor().time) return;
-    m_compared[kReportPlaces[id]] = bitsOf(id, data);
-  }
+  if (id == MessageId::SdoReadResponse) return compareFaults(state, device, out);
+  if (device.report(id).at != state.cursor().time) return;
+  m_compared[kReportPlaces[id]] = bitsOf(id, data);
   compare(state, device, id, out);
 }
 
 void DeviceWatch::compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out) {
+  using Compare = void (DeviceWatch::*)(const State&, const Device&, std::vector<Event>&);
+  constexpr Compare kNoEvents = nullptr;
+  static constexpr KeyTable<kReports, Compare> kCompares{{
+      {MessageId::PositionLimitStatus, &DeviceWatch::comparePosition},
+      {MessageId::RotationSoftLimits, &DeviceWatch::compareRotationLimits},
+      {MessageId::ElevationSoftLimits, &DeviceWatch::compareElevationLimits},
+      {MessageId::DigitalOutputs, &DeviceWatch::compareOutputs},
+      {MessageId::MiniDigitalOutputs, &DeviceWatch::compareMiniOutputs},
+      {MessageId::DigitalInputs, kNoEvents},
+      {MessageId::SoePermissive, &DeviceWatch::comparePermissive},
+      {MessageId::FaultResponse, &DeviceWatch::compareFaults},
+      {MessageId::FirmwareResponse, kNoEvents},
+      {MessageId::PcodeResponse, kNoEvents},
+      {MessageId::ConfigResponse, kNoEvents},
+      {MessageId::Heartbeat, &DeviceWatch::compareHeartbeat},
+  }};
+  if (const Compare found = *kCompares.find(id); found != kNoEvents) (this->*found)(state, device, out);
+}
+
+void DeviceWatch::compareRotationLimits(const State& state, const Device& device, std::vector<Event>& out) {
   const Event event = eventOf(state);
-  switch (id) {
-    case MessageId::PositionLimitStatus: comparePosition(state, device, out); break;
-    case MessageId::RotationSoftLimits: {
-      const SoftLimits limits = device.rotationLimits().value();
-      if (limits.oscillating) break;  // then these are the oscillation's
-      compareLimit(0, limits.low, onAxis(event, kRotationAxis, false), out);
-      compareLimit(1, limits.high, onAxis(event, kRotationAxis, true), out);
-      break;
-    }
-    case MessageId::ElevationSoftLimits: {
-      const SoftLimits limits = device.elevationLimits().value();
-      compareLimit(2, limits.low, onAxis(event, kElevationAxis, false), out);
-      compareLimit(3, limits.high, onAxis(event, kElevationAxis, true), out);
-      break;
-    }
-    case MessageId::DigitalOutputs: {
-      const DigitalOutputs outputs = device.outputs().value();
-      compareFlag(m_enable, outputs.enable, EventKind::Enabled, EventKind::Disabled, event, out);
-      compareFlag(m_remote, outputs.remoteMode, EventKind::RemoteMode, EventKind::RemoteModeOver, event, out);
-      compareFlag(m_stowed, outputs.stowed, EventKind::Stowed, EventKind::NotStowed, event, out);
-      break;
-    }
-    case MessageId::MiniDigitalOutputs:
-      compareFlag(m_deviceFaulted, device.miniOutputs().value().deviceFaulted, EventKind::DeviceFaulted,
-                  EventKind::DeviceFaultedOver, event, out);
-      break;
-    case MessageId::SoePermissive: comparePermissive(state, device, out); break;
-    case MessageId::FaultResponse:
-    case MessageId::SdoReadResponse: compareFaults(state, device, out); break;
-    case MessageId::Heartbeat:
-      lookAtIdentity(state, device, out);
-      compareFlag(m_operational, device.heartbeat().value() == gateway::kOperational, EventKind::Operational,
-                  EventKind::NotOperational, event, out);
-      break;
-    default: break;
-  }
+  const SoftLimits limits = device.rotationLimits().value();
+  if (limits.oscillating) return;  // then these are the oscillation's
+  compareLimit(0, limits.low, onAxis(event, kRotationAxis, false), out);
+  compareLimit(1, limits.high, onAxis(event, kRotationAxis, true), out);
+}
+
+void DeviceWatch::compareElevationLimits(const State& state, const Device& device, std::vector<Event>& out) {
+  const Event event = eventOf(state);
+  const SoftLimits limits = device.elevationLimits().value();
+  compareLimit(2, limits.low, onAxis(event, kElevationAxis, false), out);
+  compareLimit(3, limits.high, onAxis(event, kElevationAxis, true), out);
+}
+
+void DeviceWatch::compareOutputs(const State& state, const Device& device, std::vector<Event>& out) {
+  const Event event = eventOf(state);
+  const DigitalOutputs outputs = device.outputs().value();
+  compareFlag(m_enable, outputs.enable, EventKind::Enabled, EventKind::Disabled, event, out);
+  compareFlag(m_remote, outputs.remoteMode, EventKind::RemoteMode, EventKind::RemoteModeOver, event, out);
+  compareFlag(m_stowed, outputs.stowed, EventKind::Stowed, EventKind::NotStowed, event, out);
+}
+
+void DeviceWatch::compareMiniOutputs(const State& state, const Device& device, std::vector<Event>& out) {
+  compareFlag(m_deviceFaulted, device.miniOutputs().value().deviceFaulted, EventKind::DeviceFaulted,
+              EventKind::DeviceFaultedOver, eventOf(state), out);
+}
+
+void DeviceWatch::compareHeartbeat(const State& state, const Device& device, std::vector<Event>& out) {
+  const Event event = eventOf(state);
+  lookAtIdentity(state, device, out);
+  compareFlag(m_operational, device.heartbeat().value() == gateway::kOperational, EventKind::Operational,
+              EventKind::NotOperational, event, out);
 }
 
 void DeviceWatch::comparePosition(const State& state, const Device& device, std::vector<Event>& out) {

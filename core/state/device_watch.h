@@ -61,6 +61,11 @@ class DeviceWatch {
   void lookAtSilence(const State& state, const Device& device, std::vector<Event>& out);
   void compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out);
   void comparePosition(const State& state, const Device& device, std::vector<Event>& out);
+  void compareRotationLimits(const State& state, const Device& device, std::vector<Event>& out);
+  void compareElevationLimits(const State& state, const Device& device, std::vector<Event>& out);
+  void compareOutputs(const State& state, const Device& device, std::vector<Event>& out);
+  void compareMiniOutputs(const State& state, const Device& device, std::vector<Event>& out);
+  void compareHeartbeat(const State& state, const Device& device, std::vector<Event>& out);
   void compareFaults(const State& state, const Device& device, std::vector<Event>& out);
   void comparePermissive(const State& state, const Device& device, std::vector<Event>& out);
   void compareFlag(EventSlot& slot, bool value, EventKind on, EventKind off, Event event,

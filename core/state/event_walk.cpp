@@ -2,6 +2,7 @@
 #include "state/event_walk.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "bus/canopen.h"
@@ -11,33 +12,43 @@
 namespace deckpipe {
 namespace {
 
-// The message that the first byte of a frame of PGN EF00 stands for, of those that are looked at; Count for any
-// other. Whether the frame is that message is for the state to say: then the device has a new report.
-constexpr std::array<MessageId, 256> kByType = [] {
-  std::array<MessageId, 256> ids{};
+// Of each message that `indexOf` gives a place below N, the message at that place; Count where there is none.
+template <std::size_t N, typename F>
+constexpr std::array<MessageId, N> messagesBy(F&& indexOf) {
+  std::array<MessageId, N> ids{};
   ids.fill(MessageId::Count);
-  for (const MessageId id :
-       {MessageId::PositionLimitStatus, MessageId::RotationSoftLimits, MessageId::ElevationSoftLimits,
-        MessageId::DigitalOutputs, MessageId::MiniDigitalOutputs, MessageId::SoePermissive,
-        MessageId::FaultResponse, MessageId::AddressAnnouncement})
-    ids[typeOf(id)] = id;
-  return ids;
-}();
-
-// The same of a CANopen node's frames, by function.
-MessageId messageOfNode(CobFunction function) {
-  switch (function) {
-    case CobFunction::Tpdo1: return MessageId::PositionLimitStatus;
-    case CobFunction::Tpdo2: return MessageId::DigitalOutputs;
-    case CobFunction::SdoResponse: return MessageId::SdoReadResponse;
-    case CobFunction::Heartbeat: return MessageId::Heartbeat;
-    case CobFunction::Nmt:
-    case CobFunction::Emergency:
-    case CobFunction::Rpdo1:
-    case CobFunction::SdoRequest: break;
+  for (const Message& message : kCatalogue) {
+    const std::size_t index = indexOf(message);
+    if (index >= N) continue;
+    if (ids[index] != MessageId::Count) throw "two messages at one place";
+    ids[index] = message.id;
   }
-  return MessageId::Count;
+  return ids;
 }
+
+// The message that the first byte of a frame of PGN EF00 stands for, of reports and of what tells who sends them.
+// Whether the frame is that message is for the state to say: then the device has a new report.
+constexpr auto kByType = messagesBy<256>([](const Message& message) -> std::size_t {
+  const bool isLookedAt = message.family == Family::Akron && (isReport(message) || isIdentity(message));
+  return isLookedAt ? typeOf(message.id) : 256;
+});
+
+// The same of a CANopen node's frames, by function: what the gateway sends of a monitor's reports, and what stands
+// on the page of a node.
+constexpr std::size_t kCobFunctions = 16;
+constexpr std::size_t functionPlace(std::uint32_t function) { return function >> 7; }
+constexpr auto kByFunction = messagesBy<kCobFunctions>([](const Message& message) {
+  if (message.pdo != 0 && isReport(message)) return functionPlace(message.pdo);
+  const bool isOnPage = message.family == Family::Canopen && !message.page.isEmpty();
+  return isOnPage ? functionPlace(message.selector) : kCobFunctions;
+});
+
+constexpr bool everyReportIsLookedAt() {
+  return std::ranges::all_of(kReports, [](MessageId id) {
+    return std::ranges::count(kByType, id) + std::ranges::count(kByFunction, id) > 0;
+  });
+}
+static_assert(everyReportIsLookedAt());
 
 }  // namespace
 
@@ -153,7 +164,7 @@ void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {
     m_due = std::min(m_due, bus.due());
     message = MessageId::Count;
   }
-  const bool isToDevice = message == MessageId::SoePermissive;
+  const bool isToDevice = message != MessageId::Count && messageOf(message).device == DeviceEnd::Receiver;
   const Device* device = m_state->devices().byAddress(channel, isToDevice ? id.destination : id.source);
   if (device != nullptr) look(*device, message, frame.data, bus);
 }
@@ -166,7 +177,7 @@ void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
   // Other buses use these identifiers too: nothing is told of a node that was not heard as one.
   const bool isNode = device->heartbeat().isKnown() || device->faults().isKnown() ||
                       m_state->channel({frame.channel}).book.isAkronNode(cob.node);
-  const MessageId message = messageOfNode(CobFunction{cob.function});
+  const MessageId message = kByFunction[functionPlace(cob.function)];
   if (isNode && message != MessageId::Count) look(*device, message, frame.data, bus);
 }
 

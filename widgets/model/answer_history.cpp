@@ -87,9 +87,8 @@ AnswerHistory::Row AnswerHistory::read(const Exchange& exchange) {
     QStringList changes;
     for (const Field& field : message.fields) {
       if (field.key.empty() || !isPresent(field, frame)) continue;
-      const QString now = valueText(message, field, valueOf(field, frame));
-      const QString then =
-          isPresent(field, before) ? valueText(message, field, valueOf(field, before)) : QString();
+      const QString now = valueText(field, valueOf(field, frame));
+      const QString then = isPresent(field, before) ? valueText(field, valueOf(field, before)) : QString();
       if (now != then)
         changes.append(tr("%1 was %2").arg(fieldName(field), then.isEmpty() ? tr("not sent") : then));
     }

@@ -136,7 +136,7 @@ void addField(std::vector<DecodeRow>& rows, const Frame& frame, const Message& m
   DecodeRow row;
   row.kind = Line::Field;
   row.name = fieldName(field);
-  row.value = valueText(message, field, value);
+  row.value = valueText(field, value);
   row.raw = field.kind == Kind::Bytes ? toQString(toText(value)) : rawText(range, frame.data);
   row.place = placeText(range);
   row.tip = toQString(message.source);

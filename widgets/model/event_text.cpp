@@ -227,6 +227,19 @@ QString pipeText(const note::Pipe& n) {
              : EventText::tr("Data pipe, %1: %2").arg(toQString(n.file.str()), pipeEventText(n.event));
 }
 
+// With the bus's name to be put in.
+QString leftOutText(const note::LeftOut& n) {
+  using Why = note::LeftOut::Why;
+  switch (n.why) {
+    case Why::CanFd:
+      return EventText::tr("%1: %Ln CAN FD frames came and are not held", nullptr, forPlural(n.count));
+    case Why::NotClassic:
+      return EventText::tr("%1: %Ln frames came that are not classic CAN and are not held", nullptr,
+                           forPlural(n.count));
+  }
+  return {};
+}
+
 }  // namespace
 
 QString noteText(const LogDocument& log, const Note& note) {
@@ -270,14 +283,7 @@ QString noteText(const LogDocument& log, const Note& note) {
                 .arg(busOf(n));
           },
           [](const note::Pipe& n) { return pipeText(n); },
-          [&](const note::LeftOut& n) {
-            return (n.why == note::LeftOut::Why::CanFd
-                        ? EventText::tr("%1: %Ln CAN FD frames came and are not held", nullptr,
-                                        forPlural(n.count))
-                        : EventText::tr("%1: %Ln frames came that are not classic CAN and are not held",
-                                        nullptr, forPlural(n.count)))
-                .arg(busOf(n));
-          },
+          [&](const note::LeftOut& n) { return leftOutText(n).arg(busOf(n)); },
           [](const note::Label& n) {
             return (n.text.isEmpty() ? EventText::tr("%1 has no label any more", "PIN")
                                      : EventText::tr("%1 is called “%2”", "PIN, label"))

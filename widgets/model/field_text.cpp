@@ -20,66 +20,6 @@ struct FieldText {
   Q_DECLARE_TR_FUNCTIONS(FieldText)
 };
 
-// Numbers that a manual gives a name to.
-struct NumberWords {
-  Family family;
-  std::string_view key;
-  std::int64_t number;
-  const char* text;
-};
-constexpr NumberWords kNumbers[] = {
-    {Family::J1939, "manufacturer_code", j1939::kAkronManufacturer, "Akron Brass"},
-    {Family::Akron, "pcode_error", 11, QT_TRANSLATE_NOOP("Numbers", "rotation sensor error")},
-    {Family::Canopen, "error_code", 11, QT_TRANSLATE_NOOP("Numbers", "rotation sensor error")},
-    {Family::Akron, "style", 3356, "Trident"},
-    {Family::Akron, "subtype", 14, QT_TRANSLATE_NOOP("Numbers", "analog sensors")},
-    {Family::Akron, "config_type", 60320014, QT_TRANSLATE_NOOP("Numbers", "Trident, Novotechnik sensors")},
-    {Family::Akron, "config_type", 60320022,
-     QT_TRANSLATE_NOOP("Numbers", "style 3463 Firefox, Novotechnik sensors")},
-    {Family::Canopen, "command", 0x01, QT_TRANSLATE_NOOP("Numbers", "start")},
-    {Family::Canopen, "command", 0x02, QT_TRANSLATE_NOOP("Numbers", "stop")},
-    {Family::Canopen, "command", 0x80, QT_TRANSLATE_NOOP("Numbers", "enter pre-operational")},
-    {Family::Canopen, "command", 0x81, QT_TRANSLATE_NOOP("Numbers", "reset node")},
-    {Family::Canopen, "command", 0x82, QT_TRANSLATE_NOOP("Numbers", "reset communication")},
-    {Family::Canopen, "node", 0, QT_TRANSLATE_NOOP("Numbers", "all nodes")},
-    {Family::Copley, "error_code", 0, QT_TRANSLATE_NOOP("Numbers", "success")},
-    {Family::Copley, "error_code", 1, QT_TRANSLATE_NOOP("Numbers", "too much data")},
-    {Family::Copley, "error_code", 3, QT_TRANSLATE_NOOP("Numbers", "unknown command")},
-    {Family::Copley, "error_code", 4, QT_TRANSLATE_NOOP("Numbers", "not enough data")},
-    {Family::Copley, "error_code", 5, QT_TRANSLATE_NOOP("Numbers", "too much data")},
-    {Family::Copley, "error_code", 9, QT_TRANSLATE_NOOP("Numbers", "unknown parameter")},
-    {Family::Copley, "error_code", 10, QT_TRANSLATE_NOOP("Numbers", "out of range")},
-    {Family::Copley, "error_code", 11, QT_TRANSLATE_NOOP("Numbers", "read only")},
-    {Family::Copley, "error_code", 14, QT_TRANSLATE_NOOP("Numbers", "unknown axis state")},
-    {Family::Copley, "error_code", 15, QT_TRANSLATE_NOOP("Numbers", "not on that page")},
-    {Family::Copley, "error_code", 18, QT_TRANSLATE_NOOP("Numbers", "already moving")},
-    {Family::Copley, "error_code", 19, QT_TRANSLATE_NOOP("Numbers", "velocity limit")},
-    {Family::Copley, "error_code", 20, QT_TRANSLATE_NOOP("Numbers", "acceleration limit")},
-    {Family::Copley, "error_code", 21, QT_TRANSLATE_NOOP("Numbers", "deceleration limit")},
-    {Family::Copley, "error_code", 22, QT_TRANSLATE_NOOP("Numbers", "jerk limit")},
-    {Family::Copley, "error_code", 25, QT_TRANSLATE_NOOP("Numbers", "trajectory mode")},
-    {Family::Copley, "error_code", 27, QT_TRANSLATE_NOOP("Numbers", "CVM program running")},
-    {Family::Copley, "error_code", 32, QT_TRANSLATE_NOOP("Numbers", "CAN failure")},
-    {Family::Copley, "error_code", 36, QT_TRANSLATE_NOOP("Numbers", "bad axis")},
-    {Family::Copley, "error_code", 46, QT_TRANSLATE_NOOP("Numbers", "encoder")},
-    {Family::Copley, "parameter", 0x02, QT_TRANSLATE_NOOP("Numbers", "programmed current")},
-    {Family::Copley, "parameter", 0x24, QT_TRANSLATE_NOOP("Numbers", "desired state")},
-    {Family::Copley, "parameter", 0x2F, QT_TRANSLATE_NOOP("Numbers", "programmed velocity")},
-    {Family::Copley, "parameter", 0xA0, QT_TRANSLATE_NOOP("Numbers", "event status")},
-    {Family::Copley, "parameter", 0xC1, QT_TRANSLATE_NOOP("Numbers", "network id and bit rate")},
-    {Family::Copley, "parameter", 0xC8, QT_TRANSLATE_NOOP("Numbers", "trajectory configuration")},
-    {Family::Copley, "parameter", 0xCA, QT_TRANSLATE_NOOP("Numbers", "position")},
-    {Family::Copley, "parameter", 0xCB, QT_TRANSLATE_NOOP("Numbers", "velocity")},
-    {Family::Copley, "parameter", 0xCC, QT_TRANSLATE_NOOP("Numbers", "acceleration")},
-    {Family::Copley, "parameter", 0xCD, QT_TRANSLATE_NOOP("Numbers", "deceleration")},
-    {Family::Copley, "parameter", 0xCE, QT_TRANSLATE_NOOP("Numbers", "jerk")},
-    {Family::Copley, "parameter", 0x10C, QT_TRANSLATE_NOOP("Numbers", "heartbeat time")},
-    {Family::Copley, "parameter", 0x121, QT_TRANSLATE_NOOP("Numbers", "network options")},
-    {Family::Copley, "parameter", 0x159, QT_TRANSLATE_NOOP("Numbers", "watchdog action")},
-};
-
-static_assert(std::ranges::all_of(kNumbers, isFieldKey, &NumberWords::key), "a number of no field");
-
 struct ObjectWords {
   std::uint32_t object;
   const char* text;
@@ -128,7 +68,7 @@ QString decimalText(std::int64_t number, unsigned decimals) {
   return number < 0 ? kMinus + digits : digits;
 }
 
-QString numberText(const Message& message, const Field& field, std::int64_t number, unsigned decimals) {
+QString numberText(const Field& field, std::int64_t number, unsigned decimals) {
   QString text;
   const auto* inHex = std::find_if(std::begin(kHexKeys), std::end(kHexKeys),
                                    [&field](const HexKey& k) { return k.key == field.key; });
@@ -140,7 +80,7 @@ QString numberText(const Message& message, const Field& field, std::int64_t numb
   } else {
     text = decimalText(number, decimals) + unitText(field.unit);
   }
-  const QString name = numberName(message, field, number);
+  const QString name = numberName(field, number);
   return name.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, name);
 }
 
@@ -171,13 +111,9 @@ QString hexText(std::uint64_t number, int digits) {
   return QString::number(number, 16).toUpper().rightJustified(digits, QLatin1Char('0'));
 }
 
-QString numberName(const Message& message, const Field& field, std::int64_t number) {
+QString numberName(const Field& field, std::int64_t number) {
   if (field.key == "device_type") return toQString(deviceTypeName(static_cast<unsigned>(number)));
-  if (field.key == "pgn" && number == pgn::kAddressClaimed) return FieldText::tr("NAME");
-  const auto* found = std::find_if(std::begin(kNumbers), std::end(kNumbers), [&](const NumberWords& words) {
-    return words.family == message.family && words.key == field.key && words.number == number;
-  });
-  return found == std::end(kNumbers) ? QString() : QCoreApplication::translate("Numbers", found->text);
+  return numberName(field.names, number);
 }
 
 QString objectText(unsigned index, unsigned subindex) {
@@ -191,11 +127,11 @@ QString objectName(unsigned index, unsigned subindex) {
   return found == std::end(kObjects) ? QString() : QCoreApplication::translate("Objects", found->text);
 }
 
-QString valueText(const Message& message, const Field& field, const Value& value) {
+QString valueText(const Field& field, const Value& value) {
   switch (value.type()) {
     case Value::Type::Null: return FieldText::tr("no value");
     case Value::Type::Integer:
-    case Value::Type::Decimal: return numberText(message, field, value.number(), value.decimals());
+    case Value::Type::Decimal: return numberText(field, value.number(), value.decimals());
     case Value::Type::Real: {
       QString text = QLocale().toString(value.real(), 'g', 7);
       return text.replace(QLatin1Char('-'), kMinus) + unitText(field.unit);

@@ -18,10 +18,10 @@ QString toQString(std::string_view text);
 QString hexText(std::uint64_t number, int digits);
 
 // "47.3°", "−40.0 %", "on", "11 (rotation sensor error)", "“A?\r\n”"; "no value" for null.
-QString valueText(const Message& message, const Field& field, const Value& value);
+QString valueText(const Field& field, const Value& value);
 
 // What a manual calls this value of this field, empty where none does.
-QString numberName(const Message& message, const Field& field, std::int64_t number);
+QString numberName(const Field& field, std::int64_t number);
 // "5001.02", and what the gateway's manual calls it (empty for others).
 QString objectText(unsigned index, unsigned subindex);
 QString objectName(unsigned index, unsigned subindex);

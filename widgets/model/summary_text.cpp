@@ -143,7 +143,7 @@ class Summary {
 
  private:
   void say(Rank rank, const QString& text) { m_parts.push_back({rank, text}); }
-  QString words(const Field& field, const Value& value) const { return valueText(m_message, field, value); }
+  QString words(const Field& field, const Value& value) const { return valueText(field, value); }
 
   void add(const Field& field, const Value& value) {
     if (addSpecial(field, value)) return;
@@ -220,12 +220,12 @@ class Summary {
       return true;
     }
     if (field.key == "device_type") {
-      const QString name = numberName(m_message, field, value.number());
+      const QString name = numberName(field, value.number());
       if (!name.isEmpty()) say(Rank::Value, name);
       return true;
     }
     if (m_message.id == MessageId::NmtCommand) {
-      const QString name = numberName(m_message, field, value.number());
+      const QString name = numberName(field, value.number());
       const bool isNode = field.key == "node";
       if (name.isEmpty() && !isNode) return false;
       say(Rank::Value, name.isEmpty() ? SummaryText::tr("node %1").arg(words(field, value)) : name);

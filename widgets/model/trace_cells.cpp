@@ -90,8 +90,7 @@ QString detailText(const TraceRow& row) {
     const Message& message = messageOf(row.what.message);
     for (const Field& field : message.fields) {
       if (!isPresent(field, row.frame)) continue;
-      lines += TraceCells::tr("%1: %2").arg(fieldName(field),
-                                            valueText(message, field, valueOf(field, row.frame)));
+      lines += TraceCells::tr("%1: %2").arg(fieldName(field), valueText(field, valueOf(field, row.frame)));
     }
   }
   if (const QString source = sourceText(row.what.message); !source.isEmpty()) lines += source;

@@ -29,9 +29,14 @@ QString wordText(std::string_view key) {
   return found == wordTexts().end() ? asItIs(key) : QCoreApplication::translate("Word", found->text);
 }
 
+QString numberName(std::span<const ValueName> names, std::int64_t number) {
+  const std::string_view name = nameOf(names, number);
+  return name.empty() ? QString() : translated("Numbers", numberNameTexts(), name);
+}
+
 QString abortText(std::uint32_t code) {
-  const auto found = std::ranges::find(sdo::kAbortCodes, code, &ValueName::value);
-  if (found != sdo::kAbortCodes.end()) return translated("SdoAbort", abortTexts(), found->word);
+  const std::string_view reason = nameOf(sdo::kAbortCodes, code);
+  if (!reason.empty()) return translated("SdoAbort", abortTexts(), reason);
   return QCoreApplication::translate("SdoAbort", "code %1 hex")
       .arg(QStringLiteral("%1").arg(code, 8, 16, QLatin1Char('0')).toUpper());
 }

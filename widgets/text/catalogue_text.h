@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The catalogue's names and words in the person's language. Core says keys and English names and knows no
-// translation; in catalogue_words.cpp every one of them stands once more where lupdate finds it. The compiler
+// translation; in catalogue_words.cpp and number_words.cpp each stands once more where lupdate finds it. The compiler
 // compares the two, so that no name can be added or changed in the catalogue without its text.
 #pragma once
 
@@ -19,6 +19,8 @@ QString fieldName(const Field& field);
 // Words that fields take, fault keys and the console's own keys: "internal_fuse" is "Internal fuse". A key
 // without a text is given back as it is.
 QString wordText(std::string_view key);
+// What a manual calls this number; empty where it has no name.
+QString numberName(std::span<const ValueName> names, std::int64_t number);
 // CiA 301's reason for an abort code; "code 0504FFFF" for one that has none.
 QString abortText(std::uint32_t code);
 
@@ -29,6 +31,7 @@ struct WordText {
 };
 const char* messageNameText(MessageId id);
 std::span<const char* const> fieldNameTexts();
+std::span<const char* const> numberNameTexts();
 std::span<const char* const> abortTexts();
 std::span<const WordText> wordTexts();
 

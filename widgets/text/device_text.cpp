@@ -39,43 +39,24 @@ static_assert(std::ranges::equal(kTypes, kDeviceTypes, [](const NumberName& ours
   return ours.number == theirs.number && ours.name == theirs.name;
 }));
 
-// kNamedParts once more, for lupdate.
-constexpr NumberName kParts[] = {
-    {60320014, QT_TRANSLATE_NOOP("Part", "Trident with Novotechnik sensors")},
-    {60320022, QT_TRANSLATE_NOOP("Part", "Firefox, style 3463, with Novotechnik sensors")},
-};
-static_assert(std::ranges::equal(kParts, kNamedParts, [](const NumberName& ours, const ValueName& theirs) {
-  return ours.number == theirs.value && ours.name == theirs.word;
-}));
-// The numbers that the manuals name by example; there are many more that they do not.
-constexpr NumberName kStyles[] = {{3356, QT_TRANSLATE_NOOP("Style", "Trident")}};
-constexpr NumberName kSubtypes[] = {{14, QT_TRANSLATE_NOOP("Subtype", "analog sensors")}};
-
-// SAE J1939-81. Of the functions only the one that our sources name; the industry groups are all there are.
+// SAE J1939-81, of the global industry group. Only the one that our sources name.
 constexpr NumberName kFunctions[] = {{129, QT_TRANSLATE_NOOP("Function", "off-board service tool")}};
-constexpr NumberName kIndustryGroups[] = {
-    {0, QT_TRANSLATE_NOOP("IndustryGroup", "global")},
-    {1, QT_TRANSLATE_NOOP("IndustryGroup", "on-highway equipment")},
-    {2, QT_TRANSLATE_NOOP("IndustryGroup", "agricultural and forestry equipment")},
-    {3, QT_TRANSLATE_NOOP("IndustryGroup", "construction equipment")},
-    {4, QT_TRANSLATE_NOOP("IndustryGroup", "marine")},
-    {5, QT_TRANSLATE_NOOP("IndustryGroup", "industrial process control")},
-};
+// "3356: Trident"
+QString named(std::span<const ValueName> names, std::uint32_t number) {
+  const QString name = numberName(names, number);
+  return name.isEmpty() ? QString::number(number) : Words::tr("%1: %2").arg(number).arg(name);
+}
 
-template <std::size_t N>
-QString named(const char* context, const NumberName (&names)[N], std::uint32_t number) {
-  const auto found = std::ranges::find(names, number, &NumberName::number);
-  if (found == std::end(names)) return QString::number(number);
-  return Words::tr("%1: %2").arg(number).arg(QCoreApplication::translate(context, found->name));
+QString functionName(std::uint32_t function) {
+  const auto found = std::ranges::find(kFunctions, function, &NumberName::number);
+  return found == std::end(kFunctions) ? QString() : QCoreApplication::translate("Function", found->name);
 }
 
 // "1, on-highway equipment"
-template <std::size_t N>
-QString numberedName(const char* context, const NumberName (&names)[N], std::uint32_t number) {
-  const auto found = std::ranges::find(names, number, &NumberName::number);
-  if (found == std::end(names)) return QString::number(number);
-  return Words::tr("%1, %2", "a number and what it means")
-      .arg(QString::number(number), QCoreApplication::translate(context, found->name));
+QString withName(std::uint32_t number, const QString& name) {
+  return name.isEmpty()
+             ? QString::number(number)
+             : Words::tr("%1, %2", "a number and what it means").arg(QString::number(number), name);
 }
 
 }  // namespace
@@ -105,19 +86,18 @@ QString deviceTypeText(unsigned type) {
                                    : QCoreApplication::translate("DeviceType", found->name);
 }
 
-QString partText(std::uint32_t part) { return named("Part", kParts, part); }
+QString partText(std::uint32_t part) { return named(akron::kParts, part); }
 
-QString styleText(unsigned style) { return named("Style", kStyles, style); }
-QString subtypeText(unsigned subtype) { return named("Subtype", kSubtypes, subtype); }
+QString styleText(unsigned style) { return named(akron::kStyles, style); }
+QString subtypeText(unsigned subtype) { return named(akron::kSubtypes, subtype); }
 
 QString versionText(std::uint16_t version) {
   return QStringLiteral("%1.%2").arg(version >> 8).arg(version & 0xFF);
 }
 
 QString makerText(unsigned manufacturerCode) {
-  return manufacturerCode == j1939::kAkronManufacturer
-             ? Words::tr("Akron Brass")
-             : Words::tr("other maker, code %1").arg(manufacturerCode);
+  const QString name = numberName(j1939::kManufacturers, manufacturerCode);
+  return name.isEmpty() ? Words::tr("other maker, code %1").arg(manufacturerCode) : name;
 }
 
 QStringList nameLines(Name name) {
@@ -126,10 +106,9 @@ QStringList nameLines(Name name) {
   const auto add = [&](std::string_view key) {
     const auto field = std::ranges::find(j1939::kNameFields, key, &Field::key);
     const std::uint32_t number = name.part(field->bits);
-    QString text = QString::number(number);
-    if (key == "industry_group") text = numberedName("IndustryGroup", kIndustryGroups, number);
-    if (key == "function" && isGlobal) text = numberedName("Function", kFunctions, number);
-    lines << Words::tr("%1: %2").arg(fieldName(*field), text);
+    const QString name =
+        key == "function" && isGlobal ? functionName(number) : numberName(field->names, number);
+    lines << Words::tr("%1: %2").arg(fieldName(*field), withName(number, name));
   };
   lines << Words::tr("Maker: %1").arg(makerText(name.manufacturerCode()));
   for (const std::string_view key : {"identity_number", "function", "function_instance", "ecu_instance",

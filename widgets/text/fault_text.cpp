@@ -38,9 +38,8 @@ QStringList faultLines(std::uint32_t map) {
 }
 
 QString pcodeErrorText(unsigned code) {
-  constexpr unsigned kRotationSensor = 11;
-  return code == kRotationSensor ? Fault::tr("Error 11: rotation sensor error")
-                                 : Fault::tr("Error %1").arg(code);
+  const QString name = numberName(akron::kPcodeErrors, code);
+  return name.isEmpty() ? Fault::tr("Error %1").arg(code) : Fault::tr("Error %1: %2").arg(code).arg(name);
 }
 
 }  // namespace deckpipe

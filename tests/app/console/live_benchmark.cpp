@@ -30,6 +30,7 @@
 #include "console/main_window.h"
 #include "link/virtual_bus.h"
 #include "paint/dial.h"
+#include "support/child.h"
 
 namespace deckpipe {
 namespace {
@@ -203,7 +204,7 @@ BENCHMARK(aLiveBus)
 // Sees when a pixel of the dial, as the screen has it, takes the colour that a new position gives it.
 class PixelWatch : public QObject {
  public:
-  explicit PixelWatch(MainWindow& window) : m_window(window), m_dial(window.findChild<Dial*>()) {
+  explicit PixelWatch(MainWindow& window) : m_window(window), m_dial(test::child<Dial>(window)) {
     m_dial->installEventFilter(this);
     m_clock.start();
   }

@@ -95,6 +95,15 @@ INSTANTIATE_TEST_SUITE_P(
             R"("fields":{"left_deg":0,"right_deg":-0.1,"oscillating":true}})"}),
     [](const auto& row) { return std::string(row.param.name); });
 
+TEST(Decode, NamesNumbersInTextAlone) {
+  const QByteArray log = "(1.0) can0 18EF0580#0200000000000B\n(2.0) can0 000#8100\n";
+  const Outcome text = run(decode({QStringLiteral("--format"), QStringLiteral("text")}), log);
+  EXPECT_TRUE(text.lines()[0].endsWith("pcode_error 11 (rotation sensor error)")) << text.out.constData();
+  EXPECT_TRUE(text.lines()[1].endsWith("command 129 (reset node), node 0 (all nodes)"))
+      << text.out.constData();
+  EXPECT_TRUE(run(decode({}), log).lines()[0].endsWith(R"("pcode_error":11}})"));
+}
+
 TEST(Decode, TakesDrivesOnOneChannelOrAll) {
   const QByteArray log = "(1.0) can0 18EF2105#022101\n(1.0) can1 18EF2105#022101\n";
   const Outcome all = run(decode({QStringLiteral("--drive"), QStringLiteral("21")}), log);

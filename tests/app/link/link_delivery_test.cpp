@@ -23,6 +23,16 @@ QCanBusFrame echoOf(const Frame& frame) {
 }
 QCanBusFrame flexible() { return QCanBusFrame(0x102, QByteArray(64, 'b')); }
 
+const char* wordOf(NotKept reason) {
+  switch (reason) {
+    case NotKept::FlexibleDataRate: return "flexible";
+    case NotKept::Invalid: return "invalid";
+    case NotKept::Overflow: return "overflow";
+    case NotKept::Overrun: return "overrun";
+  }
+  return "?";
+}
+
 // What the listener was told, in order: "101" a frame, "+" behind an own one, "++" if confirmed; losses by
 // their number.
 struct Story : PortListener {
@@ -38,8 +48,7 @@ struct Story : PortListener {
     onFrames();
   }
   void framesNotKept(NotKept reason, std::uint32_t count) override {
-    const char* names[] = {"flexible", "invalid", "overflow", "overrun"};
-    told.push_back(std::string(names[static_cast<int>(reason)]) + ' ' + std::to_string(count));
+    told.push_back(std::string(wordOf(reason)) + ' ' + std::to_string(count));
   }
   void linkChanged(LinkState, const std::string& reason) override { told.push_back(reason); }
 };

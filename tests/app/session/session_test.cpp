@@ -14,6 +14,7 @@
 #include "link/virtual_bus.h"
 #include "log/log_format.h"
 #include "log/sidecar.h"
+#include "support/child.h"
 #include "support/frames.h"
 #include "support/patience.h"
 #include "support/recording_listener.h"
@@ -417,7 +418,7 @@ TEST(Link, ConnectedAgainGoesOnInTheSameLogAndFileAfterAGap) {
 // Keeps a bus thread from its event loop, as an adapter's library can that does not return.
 class HeldBus {
  public:
-  explicit HeldBus(Session& session) : m_thread(session.findChild<QThread*>(QStringLiteral("bus"))) {
+  explicit HeldBus(Session& session) : m_thread(test::child<QThread>(session, "bus")) {
     auto* onThread = new QObject;
     onThread->moveToThread(m_thread);
     QObject::connect(m_thread, &QThread::finished, onThread, &QObject::deleteLater);

@@ -9,6 +9,15 @@ enum class Gear : std::uint8_t { Low, Middle, High };
 template <>
 inline constexpr Gear kLastOf<Gear> = Gear::High;
 
+// Their last enumerators were added without a thought of the count.
+enum class Grown : std::uint8_t { Low, High, Reverse };
+template <>
+inline constexpr Grown kLastOf<Grown> = Grown::High;
+enum class Overgrown : std::uint8_t { Low, Count, High };
+
+static_assert(!kEndsAtLast<Grown> && !kEndsAtLast<Overgrown>);
+static_assert(kEndsAtLast<Gear>);
+
 namespace {
 
 enum class Wide : std::uint8_t { First, Last = 99, Count };
@@ -43,6 +52,8 @@ TEST(EnumSet, HoldsMoreThanAWordOfEnumerators) {
   EXPECT_TRUE((set & other).isEmpty());
   other |= set;
   EXPECT_EQ(other, (EnumSet<Wide>{Wide::First, Wide::Last}));
+  EXPECT_EQ(other.count(), 2u);
+  EXPECT_EQ(other - set, EnumSet(Wide::First));
   other.remove(Wide::First);
   EXPECT_EQ(other, set);
 }

@@ -126,7 +126,9 @@ TEST(LatestRequestWorker, EndsInTheMidstOfWorkAndBeginsNoOther) {
 }
 
 TEST(LatestRequestWorker, EndsWithoutAnyWork) {
-  for (int i = 0; i < 100; ++i) LatestRequestWorker<int> worker([](int, const auto&) {});
+  int begun = 0;
+  for (int i = 0; i < 100; ++i) LatestRequestWorker<int> worker([&](int, const auto&) { ++begun; });
+  EXPECT_EQ(begun, 0);
 }
 
 }  // namespace

@@ -103,6 +103,14 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
     EXPECT_EQ(bytes[bytes.size() - 2], n);
   }
   EXPECT_EQ(test::allOf<PipeEvent>().size(), std::size(events));
+  const LinkFault faults[] = {LinkFault::None,          LinkFault::NoPlugin,     LinkFault::NoInterface,
+                              LinkFault::InterfaceDown, LinkFault::WrongBitRate, LinkFault::BitRateRefused,
+                              LinkFault::NoAnswer,      LinkFault::Gone,         LinkFault::Other};
+  for (std::uint8_t n = 0; n < std::size(faults); ++n) {
+    const Bytes bytes = bytesOf(note::LinkDown{{}, faults[n], {}});
+    EXPECT_EQ(bytes[bytes.size() - 2], n);
+  }
+  EXPECT_EQ(test::allOf<LinkFault>().size(), std::size(faults));
 }
 
 TEST(NoteCodec, KeepsTheNumbersOfWhyFramesAreLeftOut) {

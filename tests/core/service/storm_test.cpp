@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "simulator/random.h"
+#include "support/enums.h"
 #include "support/pair.h"
 
 namespace deckpipe::test {
@@ -16,6 +17,9 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
   simulator::Random random(static_cast<std::uint64_t>(GetParam()));
   TruckPair pair(random.next());
   const auto chance = [&](int percent) { return random.between(0, 99) < percent; };
+  const auto oneOf = [&](const auto& values) {
+    return values[static_cast<std::size_t>(random.between(0, static_cast<int>(std::size(values)) - 1))];
+  };
   const int lost = random.between(0, 30), late = random.between(0, 30), doubled = random.between(0, 20);
   pair.wire = [&](const Frame&) {
     if (chance(lost)) return Pair::Fate{0, 0ns};
@@ -28,15 +32,11 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
   for (int i = 0; i < 30; ++i) {
     switch (random.between(0, 9)) {
       case 0: pair.want(intent::SendRequests{{}, kPolls}); break;
-      case 1:
-        pair.want(intent::SendRequests{monitor, RequestSet{static_cast<Request>(random.between(0, 7))}});
-        break;
+      case 1: pair.want(intent::SendRequests{monitor, RequestSet{oneOf(kAllOf<Request>)}}); break;
       case 2: pair.want(intent::Repeat{monitor, kPolls, random.between(0, 3) * Duration(1s)}); break;
       case 3: pair.want(intent::PipeWrite{monitor, "0123456789"}); break;
       case 4: pair.want(intent::PipeFile{monitor, "f", std::make_shared<const std::string>(200, 'f')}); break;
-      case 5:
-        pair.want(intent::PipeAction{monitor, static_cast<intent::PipeAction::What>(random.between(0, 5))});
-        break;
+      case 5: pair.want(intent::PipeAction{monitor, oneOf(allOf<intent::PipeAction::What>())}); break;
       case 6:
         pair.inject(frame(chance(50) ? "18EEFFF9" : "18EEFFFA",
                           chance(50) ? "0100000000000000" : "FFFFFFFFFFFFFFFF"));

@@ -375,7 +375,7 @@ TEST_F(Terminal, TheLinesOfATextFileGoWithTheChosenEndUnlessTheyAreToGoAsTheyAre
     auto* chooser = child<QFileDialog>("pipeFileDialog");
     Q_EMIT chooser->fileSelected(file.fileName());
     chooser->close();
-    auto* asked = panel.findChild<QDialog*>(QStringLiteral("dangerDialog"));
+    auto* asked = test::child<QDialog>(panel, "dangerDialog");
     if (auto* option = asked->findChild<QCheckBox*>(QStringLiteral("dangerOption"))) {
       if (unticks) option->click();
     }

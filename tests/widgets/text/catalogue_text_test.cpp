@@ -13,6 +13,8 @@ TEST(CatalogueText, SaysNamesAndWords) {
   EXPECT_EQ(fieldName(akron::kPositionLimitStatusFields[0]), QStringLiteral("Rotation"));
   EXPECT_EQ(wordText("pre_operational"), QStringLiteral("pre-operational"));
   EXPECT_EQ(wordText("no_such_key"), QStringLiteral("no_such_key"));
+  EXPECT_EQ(numberName(akron::kPcodeErrors, 11), QStringLiteral("rotation sensor error"));
+  EXPECT_TRUE(numberName(akron::kPcodeErrors, 12).isEmpty());
   EXPECT_EQ(abortText(0x06090011), QStringLiteral("Sub-index does not exist"));
   EXPECT_EQ(abortText(0x0504FFFF), QStringLiteral("code 0504FFFF hex"));
 }
