@@ -19,10 +19,14 @@ struct Subject {
   Address address;       // null: lost, or a CANopen node
   const Device* device;  // null: there is none
 
-  // What was known when the link went down is said until it is up again.
+  // While the link is down, answers get no older than they were then.
   Instant now() const { return channel.heardUntil(state.cursor().time); }
-  // How long nothing came after `last`, although it could have been heard.
-  Duration missed(Instant last) const { return now() - std::max(last, channel.linkUp); }
+  // Whether nothing came for so long after `last` that it is missing. What was missing when the link went down is
+  // missing until it is heard; all else has as long again once the link is up.
+  bool isMissing(Instant last) const {
+    return last == kNotYet || last <= channel.missingUpTo ||
+           now() - std::max(last, channel.linkUp) >= kSilentAfter;
+  }
   bool hasAddress() const { return address != kNullAddress; }
   const Joystick* joystick() const { return hasAddress() ? channel.joysticks.find(address) : nullptr; }
   bool isNode() const { return device != nullptr && device->kind == Device::Kind::Node; }
@@ -84,7 +88,7 @@ Instant lastBeat(const Subject& s) {
 bool isSilent(const Subject& s) {
   // One that has sent nothing of the kind yet has as long for it.
   const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
-  return sendsByItself(s) && (last == kNotYet || s.missed(last) >= kSilentAfter);
+  return sendsByItself(s) && s.isMissing(last);
 }
 
 AnswerAge ageOf(const Subject& s, Instant answered) {
@@ -247,11 +251,10 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return canBeRequested(s) && s.device->hasRefused(Request::Fault) &&
               !isUnanswered(*s.device, Request::Fault, s.now());
      }},
+    {HealthCause::LinkDown,
+     [](const Subject& s, const Health&) { return s.channel.link == ChannelLink::Down; }},
     {HealthCause::Idle,
-     [](const Subject& s, const Health&) {
-       const Instant last = s.lastHeard();
-       return !sendsByItself(s) && (last == kNotYet || s.missed(last) >= kSilentAfter);
-     }},
+     [](const Subject& s, const Health&) { return !sendsByItself(s) && s.isMissing(s.lastHeard()); }},
     {HealthCause::FaultsAwaited,
      [](const Subject& s, const Health& h) {
        return canBeRequested(s) && h.answered == kNotYet &&
@@ -275,7 +278,15 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      }},
 }};
 
+Health unknownSince(Instant linkDown) {
+  Health h;
+  h.causes.add(HealthCause::LinkDown);
+  h.since = linkDown;
+  return h;
+}
+
 Health judge(const Subject& s) {
+  if (kRules[HealthCause::LinkDown](s, {})) return unknownSince(s.channel.linkDown);
   Health h = factsOf(s);
   for (const HealthCause cause : kAllOf<HealthCause>) {
     if (kRules[cause](s, h)) h.causes.add(cause);

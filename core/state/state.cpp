@@ -261,6 +261,9 @@ void State::linkIs(Channel channelId, ChannelLink link) {
   channel.link = link;
   const bool isDown = link == ChannelLink::Down;
   (isDown ? channel.linkDown : channel.linkUp) = m_cursor.time;
+  // Behind a link that was up for less, what was missing before it is missing still, and nothing else.
+  if (isDown && m_cursor.time - channel.linkUp >= kSilentAfter)
+    channel.missingUpTo = m_cursor.time - kSilentAfter;
   const Instant since = isDown ? kNever : m_cursor.time;
   channel.joysticks.listensSince(since);
   for (Device& device : m_devices.all()) {

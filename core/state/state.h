@@ -55,6 +55,8 @@ struct ChannelState {
   // When the link last came up, and when it last went down: nothing can be heard in between.
   Instant linkUp = kNotYet, linkDown = kNotYet;
   // The last instant at or before `now` at which this channel could be heard.
+  // Whatever was heard last at this time or before was missing when the link last went down.
+  Instant missingUpTo = kNotYet;
   Instant heardUntil(Instant now) const { return link == ChannelLink::Down ? linkDown : now; }
   Address ownAddress;        // of the console that recorded this; null while it held none
   std::bitset<256> wereOwn;  // addresses that it ever held

@@ -61,6 +61,7 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
                  ? HealthWords::tr("None of its periodic messages has come")
                  : HealthWords::tr("Its periodic messages stopped %1").arg(agoOf(health.since, now));
     case HealthCause::Idle: return agoOf(health.since, now);
+    case HealthCause::LinkDown:
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
     case HealthCause::TwoAtOneAddress: return sharedText(health);
     case HealthCause::FaultsNamed: return faultSummary(health.faults.map, health.faults.errorCode);
