@@ -102,7 +102,7 @@ AnswerAge ageOf(const Subject& s, Instant answered) {
 // That two devices send from one address.
 struct Shared {
   Instant since = kNotYet;  // kNotYet: they do not
-  bool isCertain = false;   // not by equal statuses alone
+  bool isCertain = false;   // not by the pace of statuses alone
 };
 
 // They do if their PINs or NAMEs say so in turn (AddressBook::sharedSince), if their statuses come twice a period
@@ -118,7 +118,11 @@ Shared sharedAt(const Subject& s, Address address) {
   for (const Device& d : s.state.devices().all()) {
     if (d.kind != Device::Kind::Pin && d.kind != Device::Kind::Address) continue;
     if (&s.state.channel(d.channel) != &s.channel || d.address != address) continue;
-    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor) found(d.doubledSince, !d.isOnlyEqual);
+    // Two that say different things are one, heard by two loggers, if what these wrote was put into one log with more than
+    // a period between. Only a log whose link is known was not made so.
+    const bool isFromOneLink = s.channel.link != ChannelLink::Unknown;
+    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor)
+      found(d.doubledSince, !d.isOnlyEqual && isFromOneLink);
     const Name holder = book.holder(address);
     if (d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
         book.claim(address, d.announced) == ClaimState::Claimed)

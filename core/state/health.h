@@ -53,7 +53,7 @@ struct Health {
   Instant answered = kNotYet;             // FaultsOld: when the answer came
   AnswerAge answer = AnswerAge::Current;  // FaultsOld: why it is old
   Address sharedAddress;                  // TwoAtOneAddress: which; null otherwise
-  // TwoAtOneAddress: the two say the same, or there is one and the log holds its frames twice.
+  // TwoAtOneAddress: nothing but the pace of statuses tells: there may be one, whose frames the log holds twice.
   bool isOnlyEqual = false;
 
   bool isFine() const { return causes.isEmpty(); }
