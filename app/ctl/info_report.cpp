@@ -263,7 +263,7 @@ std::string InfoReport::spanText() const {
   switch (m_times) {
     case Times::None: return "without times";
     case Times::Deltas:
-      return "over a time that is not known, as their times look like differences (candump -t d; "
+      return "over a time that is not known, as their times look like differences ("
              "--deltas adds them up),";
     case Times::Known: break;
   }
