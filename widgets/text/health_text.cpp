@@ -67,7 +67,7 @@ constexpr EnumTable<HealthCause, Texts> kTexts{{
       QT_TRANSLATE_NOOP("Health", "Last heard %1; no periodic message is expected of it.")}},
     {HealthCause::FaultsAwaited,
      {QT_TRANSLATE_NOOP("Health", "asked"),
-      QT_TRANSLATE_NOOP("Health", "Asked for its faults just now; no answer yet.")}},
+      QT_TRANSLATE_NOOP("Health", "Asked for its faults; no answer yet.")}},
     {HealthCause::FaultsOld, {QT_TRANSLATE_NOOP("Health", "old answer"), QT_TRANSLATE_NOOP("Health", "%1.")}},
     {HealthCause::FaultsNeverAsked,
      {QT_TRANSLATE_NOOP("Health", "not asked"), QT_TRANSLATE_NOOP("Health", "Its faults were never asked.")}},
