@@ -101,17 +101,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>This recording is damaged in %Ln places, the first at byte %1; %2 bytes could not be read.</source>
-        <translation>
-            <numerusform>This recording is damaged in one place, at byte %1; %2 bytes could not be read.</numerusform>
-            <numerusform>This recording is damaged in %Ln places, the first at byte %1; %2 bytes could not be read.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>At least %Ln frames are missing.</source>
         <translation>
             <numerusform>At least one frame is missing.</numerusform>
             <numerusform>At least %Ln frames are missing.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>This recording is damaged in %Ln places, the first at byte %1.</source>
+        <translation>
+            <numerusform>This recording is damaged in one place, at byte %1.</numerusform>
+            <numerusform>This recording is damaged in %Ln places, the first at byte %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln bytes could not be read.</source>
+        <translation>
+            <numerusform>One byte could not be read.</numerusform>
+            <numerusform>%Ln bytes could not be read.</numerusform>
         </translation>
     </message>
 </context>
@@ -241,6 +248,30 @@
     </message>
 </context>
 <context>
+    <name>deckpipe::FileSendBar</name>
+    <message numerus="yes">
+        <source>%n packets skipped, %1 sent again</source>
+        <translation>
+            <numerusform>1 packet skipped, %1 sent again</numerusform>
+            <numerusform>%n packets skipped, %1 sent again</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Gone through, but %n packets skipped and %1 sent again: what arrived is not known</source>
+        <translation>
+            <numerusform>Gone through, but 1 packet skipped and %1 sent again: what arrived is not known</numerusform>
+            <numerusform>Gone through, but %n packets skipped and %1 sent again: what arrived is not known</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %Ln bytes</source>
+        <translation>
+            <numerusform>%1 of 1 byte</numerusform>
+            <numerusform>%1 of %Ln bytes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::OverviewPanel</name>
     <message numerus="yes">
         <source>No monitor heard up to this place of the log.
@@ -330,6 +361,30 @@ Other devices in the list: %n.</numerusform>
         <translation>
             <numerusform>%Ln row</numerusform>
             <numerusform>%Ln rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %Ln frames, %2</source>
+        <translation>
+            <numerusform>%1 of 1 frame, %2</numerusform>
+            <numerusform>%1 of %Ln frames, %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %Ln frames of further identifiers have none</source>
+        <translation>
+            <numerusform>%1; 1 frame of a further identifier has none</numerusform>
+            <numerusform>%1; %Ln frames of further identifiers have none</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::TransportBar</name>
+    <message numerus="yes">
+        <source>%1 s, %Ln frames, %2/s</source>
+        <translation>
+            <numerusform>%1 s, 1 frame, %2/s</numerusform>
+            <numerusform>%1 s, %Ln frames, %2/s</numerusform>
         </translation>
     </message>
 </context>

@@ -110,11 +110,10 @@ QString cutText(std::uint64_t bytes) {
 
 Notice damageNotice(const ReadSummary& read) {
   const auto number = [](std::uint64_t n) { return QLocale().toString(static_cast<qulonglong>(n)); };
-  QStringList said{
-      NoticeText::tr("This recording is damaged in %Ln places, the first at byte %1; %2 bytes could not "
-                     "be read.",
-                     nullptr, forPlural(read.damage.places))
-          .arg(number(read.damage.firstAt), number(read.damage.bytes))};
+  QStringList said{NoticeText::tr("This recording is damaged in %Ln places, the first at byte %1.", nullptr,
+                                  forPlural(read.damage.places))
+                       .arg(number(read.damage.firstAt)),
+                   NoticeText::tr("%Ln bytes could not be read.", nullptr, forPlural(read.damage.bytes))};
   if (read.damage.frames > 0)
     said += NoticeText::tr("At least %Ln frames are missing.", nullptr, forPlural(read.damage.frames));
   if (read.cutBytes > 0) said += cutText(read.cutBytes);
@@ -161,11 +160,9 @@ Notice fileNotice(const Snapshot& snapshot) {
                 .arg(*source.unkeptMarks)};
   // Before the rest, as nothing else that is said of times is true before they are added up.
   if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
-    return {
-        .tone = Severity::Warning,
-        .text = NoticeText::tr("The times of this log look like differences, each to the frame before, as "
-                               "candump -t d prints them."),
-        .action = Notice::Action::AddUpTimes};
+    return {.tone = Severity::Warning,
+            .text = NoticeText::tr("The times of this log look like differences, each to the frame before."),
+            .action = Notice::Action::AddUpTimes};
   }
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;

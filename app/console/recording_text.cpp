@@ -70,12 +70,12 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   const QString shortLength = length.left(length.size() - 4);
   if (source.kind == From::File) {
     const QString frames = frameCountText(view.frameCount);
-    const bool hasTimes = view.frameCount == 0 || view.document->frames.hasTimes();
     if (source.progress == Progress::Opening)
       return {Severity::Plain, frames, StatusText::tr("%1 have been read so far.").arg(frames)};
+    if (view.frameCount == 0) return {Severity::Plain, frames, StatusText::tr("The log holds no frame.")};
     return {Severity::Plain, frames,
-            hasTimes ? StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)
-                     : StatusText::tr("The log holds %1, without times.").arg(frames)};
+            view.hasTimes() ? StatusText::tr("The log holds %1 over %2.").arg(frames, shortLength)
+                            : StatusText::tr("The log holds %1, without times.").arg(frames)};
   }
   const bool isRunning = source.progress == Progress::Running && source.isRecorded();
   StatusFact fact;
@@ -167,6 +167,11 @@ StatusFact completenessFact(const Snapshot& snapshot) {
          missing.text);
   if (!words.isEmpty())
     return {Severity::Warning, words.join(QStringLiteral(", ")), story.join(QLatin1Char('\n'))};
+  if (snapshot.view.frameCount == 0)
+    return {Severity::Unknown, StatusText::tr("No frame"),
+            source.kind == From::File && source.progress != Progress::Opening
+                ? StatusText::tr("The log holds no frame.")
+                : StatusText::tr("Not one frame has come yet.")};
   if (source.progress == Progress::Opening)
     return {Severity::Plain, StatusText::tr("Not complete yet"),
             StatusText::tr("Nothing is known to be missing in what has come so far.")};

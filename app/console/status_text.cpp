@@ -138,8 +138,6 @@ QString errorWords(std::uint64_t errors) {
   return StatusText::tr("%Ln error frames", nullptr, forPlural(errors));
 }
 
-int loadBitRate(const SourceStatus& source) { return source.bitRate != 0 ? source.bitRate : kJ1939BitRate; }
-
 StatusFact sourceFact(const SourceStatus& source) {
   if (source.kind == From::Nothing)
     return {Severity::Unknown, StatusText::tr("Nothing open"), StatusText::tr("No bus and no log is open.")};
@@ -162,26 +160,40 @@ StatusFact sourceFact(const SourceStatus& source) {
 }
 
 StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
-  const int bitRate = loadBitRate(snapshot.source);
-  const auto percent = std::lround(loadPercent(rates, bitRate));
+  const State& state = *snapshot.view.state;
+  const BusLoad busiest = busiestLoad(rates, state, snapshot.source.bitRate);
+  const auto percent = std::lround(busiest.percent);
+  const unsigned rate = busiest.bitRate / 1000;
   StatusFact fact;
-  fact.text = rates.isKnown() ? loadWords(percent) : StatusText::tr("Load –");
   QStringList story{StatusText::tr("How much of the bus was taken in the last second, of %1 kbit/s.\n"
                                    "Reckoned from the frames; stuff bits are estimated.")
-                        .arg(bitRate / 1000)};
+                        .arg(rate)};
   if (!rates.isKnown()) story += whyNoRates(rates);
-  if (snapshot.source.bitRate == 0)
+  if (!busiest.isKnown()) {
+    story += StatusText::tr("The log does not say its bit rate, and more was sent than %1 kbit/s allow.")
+                 .arg(rate);
+  } else if (busiest.isAssumed) {
     story += StatusText::tr("The log does not say its bit rate: this takes it for J1939.");
+  }
+  if (!rates.isKnown() || !busiest.isKnown()) {
+    fact.text = StatusText::tr("Load –");
+  } else {
+    fact.text = busiest.isAssumed ? StatusText::tr("Load %1 % if %2 kbit/s").arg(percent).arg(rate)
+                                  : loadWords(percent);
+  }
   if (const auto& document = snapshot.view.document; document && document->frames.channelCount() > 1) {
     for (std::uint8_t i = 0; i < std::min<std::size_t>(document->frames.channelCount(), kMaxChannels); ++i) {
-      story += StatusText::tr("%1: %2 %")
+      const BusLoad load = loadOf(rates, state, {i}, snapshot.source.bitRate);
+      if (!load.isKnown()) continue;
+      story += StatusText::tr("%1: %2 % of %3 kbit/s")
                    .arg(toQString(document->frames.channelName(i)))
-                   .arg(std::lround(100 * rates.bitsASecond[i] / bitRate));
+                   .arg(std::lround(load.percent))
+                   .arg(load.bitRate / 1000);
     }
   }
   fact.story = story.join(QLatin1Char('\n'));
   // Above this, periodic messages begin to wait for one another.
-  if (percent >= 80) fact.tone = Severity::Warning;
+  if (percent >= 80 && busiest.isKnown()) fact.tone = Severity::Warning;
   return fact;
 }
 

@@ -19,9 +19,6 @@ struct StatusFact {
   std::optional<Glyph> glyph{};
 };
 
-// The bit rate to reckon the load with: the link's, or of a log, which does not say, that of J1939.
-int loadBitRate(const SourceStatus& source);
-
 // The sentence for an error, or the system's own words for it; empty if there is no error.
 QString sourceErrorText(const SourceError& error);
 StatusFact sourceFact(const SourceStatus& source);

@@ -54,6 +54,7 @@ void Changes::noteCame(const Note& note) {
       Overload{
           [&](const note::LinkUp& n) {
             if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
+            if (n.bitRate != 0) line.add("bit_rate", std::int64_t{n.bitRate});
             return true;
           },
           [](const note::Locked&) { return true; }, [](const note::Unlocked&) { return true; },

@@ -6,6 +6,7 @@
 
 #include "base/overload.h"
 #include "base/part_state.h"
+#include "counts.h"
 #include "json_line.h"
 #include "output.h"
 #include "protocol/akron.h"
@@ -57,8 +58,9 @@ constexpr EnumTable<EventKind, const char*> kMeanings{{
     {EventKind::JoystickBack, "... they come again, after so long (ms)"},
     {EventKind::JoystickOutranked, "a source of higher priority deflects the same axis (axis, by)"},
     {EventKind::JoystickOutrankedOver, "... no longer (axis)"},
-    {EventKind::LoadHigh, "80 % of 250 kbit/s or more in a second (was, now: percent)"},
-    {EventKind::LoadNormal, "... below 60 % (was, now)"},
+    {EventKind::LoadHigh,
+     "80 % of its bit rate or more in a second (was, now: percent; bit_rate; rate_assumed)"},
+    {EventKind::LoadNormal, "... below 60 % (was, now, bit_rate, rate_assumed)"},
     {EventKind::ErrorFrames, "error frames begin"},
     {EventKind::ErrorFramesOver, "... none for 1 s (frames)"},
     {EventKind::BusOff, "the adapter is bus-off"},
@@ -69,9 +71,8 @@ constexpr EnumTable<EventKind, const char*> kMeanings{{
 
 // The keys of notes. `deckpipectl watch` has the same ones.
 constexpr const char* kNotesHelp =
-    "mark (text), link_up (adapter), link_down (reason, words), dropped (frames), locked, unlocked, "
-    "own_address "
-    "(reason),\n"
+    "mark (text), link_up (adapter, bit_rate), link_down (reason, words), dropped (frames), locked,\n"
+    "unlocked, own_address (reason),\n"
     "drive_said, drive_unsaid, asked (ask), ask_ended (ask, end), ask_waits (ask), still_waits (frames), "
     "pipe (file),\n"
     "left_out (frames), label (text), added (frames)";
@@ -112,8 +113,11 @@ void addDetail(JsonLine& line, const Event& event) {
   switch (detail) {
     case EventDetail::None: break;
     case EventDetail::Flag: line.add("was", event.was != 0).add("now", event.now != 0); break;
-    case EventDetail::Address:
-    case EventDetail::Percent: line.add("was", event.was).add("now", event.now); break;
+    case EventDetail::Address: line.add("was", event.was).add("now", event.now); break;
+    case EventDetail::Percent:
+      line.add("was", event.was).add("now", event.now).add("bit_rate", std::int64_t{event.bitRate});
+      line.add("rate_assumed", event.isRateAssumed);
+      break;
     case EventDetail::Name:
       for (const auto& [key, name] : {std::pair("was", event.was), std::pair("now", event.now)})
         name == 0 ? line.add(key, Value()) : line.add(key, nameKey(name));
@@ -160,6 +164,8 @@ std::string detailText(const Event& event) {
       break;
     case EventDetail::Percent:
       change(std::to_string(event.was) + " %", std::to_string(event.now) + " %");
+      text += " of " + std::to_string(event.bitRate / 1000) + " kbit/s";
+      if (event.isRateAssumed) text += ", which is assumed";
       break;
     case EventDetail::Name:
       if (event.now != 0) text += " to NAME " + nameKey(event.now);
@@ -174,12 +180,12 @@ std::string detailText(const Event& event) {
       break;
     case EventDetail::Stop: break;
     case EventDetail::Degrees: change(tenthsText(event.was), tenthsText(event.now)); break;
-    case EventDetail::Length: text += ", after " + std::to_string(event.now / 1'000'000) + " ms"; break;
+    case EventDetail::Length: text += ", after " + lengthText(Duration(event.now)); break;
     case EventDetail::Source:
       std::snprintf(hex, sizeof hex, ", by %02X", static_cast<unsigned>(event.now & 0xFF));
       text += hex;
       break;
-    case EventDetail::Frames: text += ": " + std::to_string(event.now); break;
+    case EventDetail::Frames: text += ": " + framesText(static_cast<std::uint64_t>(event.now)); break;
   }
   return text;
 }
@@ -245,10 +251,10 @@ void EventLines::append(std::string& out, const Note& note) const {
                  what +=
                      ": " + std::string(requestWord(n.request)) + ", " + spoken(endWord(n.request, n.end));
                },
-               [&](const note::Dropped& n) { what += ": " + std::to_string(n.count) + " frames"; },
-               [&](const note::StillWaits& n) { what += ": " + std::to_string(n.count) + " frames"; },
-               [&](const note::LeftOut& n) { what += ": " + std::to_string(n.count) + " frames"; },
-               [&](const note::Added& n) { what += ": " + std::to_string(n.count) + " frames"; },
+               [&](const note::Dropped& n) { what += ": " + framesText(n.count); },
+               [&](const note::StillWaits& n) { what += ": " + framesText(n.count); },
+               [&](const note::LeftOut& n) { what += ": " + framesText(n.count); },
+               [&](const note::Added& n) { what += ": " + framesText(n.count); },
                [&](const note::Label& n) { what += ": " + std::string(n.text.str()); },
                [&](const note::LinkUp& n) {
                  if (!n.adapter.isEmpty()) what += ": " + std::string(n.adapter.str());
@@ -259,15 +265,19 @@ void EventLines::append(std::string& out, const Note& note) const {
          printable(what) + "\n";
 }
 
+// "12.300", since the begin; a dash where the log has no times.
+std::string EventLines::whenText(Instant time) const {
+  return m_frames.hasTimes() ? secondsText(time - m_frames.timeAt(0)) : "-";
+}
+
 // "      12.300  can0   1032AE100801035  warning  "
 std::string EventLines::begin(std::string_view who, Severity weight, Instant time,
                               std::string_view channel) const {
   char text[128];
   const std::string_view word = eventWeightKey(weight);
-  std::snprintf(text, sizeof text, "%12s  %-6.*s %-15.*s  %-7.*s  ",
-                secondsText(time - m_frames.timeAt(0)).c_str(), static_cast<int>(channel.size()),
-                channel.data(), static_cast<int>(who.size()), who.data(), static_cast<int>(word.size()),
-                word.data());
+  std::snprintf(text, sizeof text, "%12s  %-6.*s %-15.*s  %-7.*s  ", whenText(time).c_str(),
+                static_cast<int>(channel.size()), channel.data(), static_cast<int>(who.size()), who.data(),
+                static_cast<int>(word.size()), word.data());
   return text;
 }
 
@@ -276,8 +286,8 @@ std::string EventLines::text(const Event& event) const {
                            event.time, m_frames.channelName(event.channel.value)) +
                      spoken(kEvents[event.kind].key) + detailText(event);
   if (!event.other.isNull()) line += ", the other is " + std::string(event.other.text());
-  if (event.since != kNotYet) line += ", since " + secondsText(event.since - m_frames.timeAt(0));
-  if (event.folded > 0) line += " (" + std::to_string(event.folded) + " changes before it left out)";
+  if (event.since != kNotYet) line += ", since " + whenText(event.since);
+  if (event.folded > 0) line += " (" + counted(event.folded, "change", "changes") + " before it left out)";
   return line + "\n";
 }
 
@@ -331,6 +341,7 @@ std::string EventLines::json(const Note& note) const {
                },
                [&](const note::LinkUp& n) {
                  if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
+                 if (n.bitRate != 0) line.add("bit_rate", std::int64_t{n.bitRate});
                },
                [&](const note::LeftOut& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
                [&](const note::Added& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },

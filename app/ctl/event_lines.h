@@ -19,6 +19,7 @@ class EventLines {
   void append(std::string& out, const Note& note) const;
 
  private:
+  std::string whenText(Instant time) const;
   std::string begin(std::string_view key, Severity weight, Instant time, std::string_view channel) const;
   std::string json(const Event& event) const;
   std::string text(const Event& event) const;

@@ -63,9 +63,11 @@ ExitStatus eventsCommand(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(
       QStringLiteral(
-          "Says what changed in a log and when, one line each: time (seconds since the begin), channel,\n"
+          "Says what changed in a log and when, one line each: time (seconds since the begin; - in a log\n"
+          "without times), channel,\n"
           "device (PIN, address or node), weight and what happened.\n"
-          "With --json: event, t (seconds as 'deckpipectl decode' has them), channel, pin, address or node,\n"
+          "With --json: event, t (seconds as 'deckpipectl decode' has them; null in a log without times),\n"
+          "channel, pin, address or node, "
           "weight (info, warning, fault) and what stands in brackets below; since (t) and folded (changes\n"
           "right before that were left out, as they came too fast for a reader) where they say "
           "something.\n\n") +

@@ -28,7 +28,7 @@ ExitStatus infoCommand(const QStringList& arguments) {
     return true;
   });
   if (status == kCannotRead || status == kNothingRead) return status;
-  report.takeNotes();
+  report.takeNotes(input.hasDeltas() ? InfoReport::Times::Deltas : InfoReport::Times::Known);
   Output output;
   const SkippedPlaces skipped = input.skipped.content();
   output.text() =

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "counts.h"
 #include "node_lines.h"
 #include "output.h"
 #include "protocol/device_types.h"
@@ -35,7 +36,7 @@ std::string_view ageWord(AnswerAge age) {
   return {};
 }
 
-// The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93.0 s ago, silent since".
+// The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93 s ago, silent since".
 std::string faultsText(const State& state, const Device& device, bool hasTimes) {
   if (!device.faults().isKnown()) return {};
   const FaultStatus faults = device.faults().value();
@@ -46,10 +47,7 @@ std::string faultsText(const State& state, const Device& device, bool hasTimes) 
   if (out.empty()) out = faults.map == 0 ? "no faults" : "fault bits " + hex(faults.map, 8);
   if (faults.pcodeError.value_or(0) != 0) out += ", pCode error " + std::to_string(*faults.pcodeError);
   if (hasTimes) {
-    char age[40];
-    const Duration ago = state.cursor().time - device.faults().at;
-    std::snprintf(age, sizeof age, ", asked %.1f s ago", std::chrono::duration<double>(ago).count());
-    out += age;
+    out += ", asked " + lengthText(state.cursor().time - device.faults().at) + " ago";
   }
   const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
   if (!why.empty()) out.append(", ").append(why);
@@ -172,7 +170,7 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
   } else {
     out += device.address == kNullAddress ? "  address lost" : "  address " + hex(device.address.value, 2);
   }
-  out += "  " + std::to_string(device.frames) + " frames";
+  out += "  " + framesText(device.frames);
   if (device.malformed != 0) out += ", " + std::to_string(device.malformed) + " malformed";
   if (device.position().isKnown()) {
     const auto angle = [](const PositionReading& reading) {
@@ -202,16 +200,27 @@ void InfoReport::countNew() {
 }
 
 // Notes at the end too, which stand before no frame.
-void InfoReport::takeNotes() {
-  if (m_withDevices) advance(m_state, m_frames, m_notes, endOf(m_frames, m_notes));
+void InfoReport::takeNotes(Times times) {
+  m_times = m_frames.hasTimes() ? times : Times::None;
+  if (m_withDevices) advance(m_state, m_frames, m_notes, endOfRecording());
   for (const Note& note : m_notes.all()) {
     m_missed += framesMissed(note.value);
     if (std::holds_alternative<note::Mark>(note.value)) ++m_marks;
     if (const auto* added = std::get_if<note::Added>(&note.value)) m_added += added->count;
     if (const auto* label = std::get_if<note::Label>(&note.value)) m_labels[label->pin] = label->text.str();
     if (const auto* up = std::get_if<note::LinkUp>(&note.value); up != nullptr && !up->adapter.isEmpty())
-      m_adapters.emplace(up->channel.value, up->adapter.str());
+      m_adapters.insert({up->channel.value, up->adapter.str(), up->bitRate});
   }
+}
+
+// Whoever ends a recording closes its links: devices are told as they were then, not as unknown since.
+Cursor InfoReport::endOfRecording() const {
+  Cursor end = endOf(m_frames, m_notes);
+  for (const Note& note : m_notes.between(m_frames.count(), m_frames.count() + 1)) {
+    const auto* down = std::get_if<note::LinkDown>(&note.value);
+    if (down != nullptr && down->fault == LinkFault::None) end.time = std::min(end.time, note.time - 1ns);
+  }
+  return end;
 }
 
 std::string_view InfoReport::labelOf(const Device& device) const {
@@ -220,22 +229,24 @@ std::string_view InfoReport::labelOf(const Device& device) const {
 }
 
 void InfoReport::appendNotes(std::string& out) const {
-  for (const auto& [channel, adapter] : m_adapters)
-    out += "  " + std::string(m_frames.channelName(channel)) + " was " + printable(adapter) + "\n";
+  for (const Adapter& at : m_adapters)
+    out += "  " + std::string(m_frames.channelName(at.channel)) + " was " + printable(at.words) + "\n";
   if (m_added != 0)
-    out += "  " + std::to_string(m_added) + " frames were added when it was saved: who held which address\n";
-  if (m_missed != 0) out += "  " + std::to_string(m_missed) + " frames came and are not in it\n";
-  if (m_marks != 0) out += "  " + std::to_string(m_marks) + " marks\n";
+    out += "  " + framesThat(m_added, "was", "were") + " added when it was saved: who held which address\n";
+  if (m_missed != 0) out += "  " + framesThat(m_missed, "came and is", "came and are") + " not in it\n";
+  if (m_marks != 0) out += "  " + counted(m_marks, "mark", "marks") + "\n";
 }
 
 void InfoReport::appendNotesJson(std::string& out) const {
   out += ",\"adapters\":[";
-  for (const auto& [channel, adapter] : m_adapters) {
+  for (const Adapter& at : m_adapters) {
     if (out.back() == '}') out += ',';
     out += "{\"channel\":";
-    appendJsonString(out, m_frames.channelName(channel));
+    appendJsonString(out, m_frames.channelName(at.channel));
     out += ",\"adapter\":";
-    appendJsonString(out, adapter);
+    appendJsonString(out, at.words);
+    out += ",\"bit_rate\":";
+    appendJsonValue(out, at.bitRate == 0 ? Value() : Value::integer(at.bitRate));
     out += '}';
   }
   out += "],\"added\":" + std::to_string(m_added) + ",\"missed\":" + std::to_string(m_missed) +
@@ -248,6 +259,19 @@ Frame InfoReport::frameOf(const Key& key) const {
   return frame;
 }
 
+std::string InfoReport::spanText() const {
+  switch (m_times) {
+    case Times::None: return "without times";
+    case Times::Deltas:
+      return "over a time that is not known, as their times look like differences ("
+             "--deltas adds them up),";
+    case Times::Known: break;
+  }
+  char text[40];
+  std::snprintf(text, sizeof text, "over %.6f s", spanSeconds());
+  return text;
+}
+
 double InfoReport::spanSeconds() const {
   if (m_frames.count() == 0) return 0;
   return std::chrono::duration<double>(m_frames.lastTime() - m_frames.timeAt(0)).count();
@@ -256,14 +280,12 @@ double InfoReport::spanSeconds() const {
 std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipped) const {
   std::string out = file + "\n";
   char line[160];
-  char span[40] = "without times";
-  if (m_frames.hasTimes()) std::snprintf(span, sizeof span, "over %.6f s", spanSeconds());
-  std::snprintf(line, sizeof line, "  %llu frames %s on %zu channels\n",
-                static_cast<unsigned long long>(m_frames.count()), span, m_frames.channelCount());
-  out += line;
+  out += "  " + framesText(m_frames.count()) + " " + spanText() + " on " +
+         counted(m_frames.channelCount(), "channel", "channels") + "\n";
   appendNotes(out);
-  if (m_timeJumps != 0) out += "  " + std::to_string(m_timeJumps) + " frames whose time goes back or leaps\n";
-  if (skipped.unreadable() != 0) out += "  " + std::to_string(skipped.unreadable()) + " unreadable lines\n";
+  if (m_timeJumps != 0) out += "  " + framesText(m_timeJumps) + " whose time goes back or leaps\n";
+  if (skipped.unreadable() != 0)
+    out += "  " + counted(skipped.unreadable(), "unreadable line", "unreadable lines") + "\n";
   for (const Skipped reason : kAllOf<Skipped>) {
     if (isUnreadable(reason) || skipped.count(reason) == 0) continue;
     out += "  " + std::to_string(skipped.count(reason)) + " not kept: " + std::string(skippedText(reason)) +
@@ -284,7 +306,7 @@ std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipp
       if (device.kind == Device::Kind::Free) continue;
       out += "  " +
              deviceText(m_state, device, m_frames.channelName(device.channel.value), labelOf(device),
-                        m_frames.hasTimes()) +
+                        m_times == Times::Known) +
              "\n";
     }
   }
@@ -296,8 +318,10 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
   appendJsonString(out, file);
   out += ",\"frames\":" + std::to_string(m_frames.count());
   char span[40] = ",\"span\":null";
-  if (m_frames.hasTimes()) std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
+  if (m_times == Times::Known) std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
   out += span;
+  out += ",\"delta_times\":";
+  out += m_times == Times::Deltas ? "true" : "false";
   appendNotesJson(out);
   out += ",\"time_jumps\":" + std::to_string(m_timeJumps);
   out += ",\"unreadable\":" + std::to_string(skipped.unreadable());
@@ -336,7 +360,7 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
       if (device.kind == Device::Kind::Free) continue;
       comma();
       appendDeviceJson(out, m_state, device, m_frames.channelName(device.channel.value), labelOf(device),
-                       m_frames.hasTimes());
+                       m_times == Times::Known);
     }
     out += ']';
   }

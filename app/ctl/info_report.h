@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
 
 #include "log/frame_store.h"
 #include "log/skipped.h"
@@ -21,8 +20,9 @@ class InfoReport {
 
   // Counts what has come since the last call.
   void countNew();
-  // Evaluates the notes. Call it once, after the whole log was read.
-  void takeNotes();
+  enum class Times : std::uint8_t { Known, Deltas, None };
+  // Evaluates the notes. Call it once, after the whole log was read. `times`: Deltas if those of its frames look like differences.
+  void takeNotes(Times times);
   std::string text(const std::string& file, const SkippedPlaces& skipped) const;
   std::string json(const std::string& file, const SkippedPlaces& skipped) const;
 
@@ -33,11 +33,20 @@ class InfoReport {
     friend auto operator<=>(const Key&, const Key&) = default;
   };
 
+  struct Adapter {
+    std::uint8_t channel;
+    std::string words;
+    std::uint32_t bitRate;  // 0: not known
+    friend auto operator<=>(const Adapter&, const Adapter&) = default;
+  };
+
   std::string_view labelOf(const Device& device) const;
   void appendNotes(std::string& out) const;
   void appendNotesJson(std::string& out) const;
   Frame frameOf(const Key& key) const;
   double spanSeconds() const;
+  std::string spanText() const;
+  Cursor endOfRecording() const;
 
   const FrameStore& m_frames;
   const NoteStore& m_notes;
@@ -45,8 +54,9 @@ class InfoReport {
   std::uint64_t m_next = 0;
   std::map<Key, std::uint64_t> m_byId;
   std::uint64_t m_timeJumps = 0;
+  Times m_times = Times::Known;
   // What the notes say of the log as a whole.
-  std::set<std::pair<std::uint8_t, std::string>> m_adapters;  // by channel, in words
+  std::set<Adapter> m_adapters;
   std::map<Pin, std::string> m_labels;
   std::uint64_t m_marks = 0, m_added = 0, m_missed = 0;
   State m_state;

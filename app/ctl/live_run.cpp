@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/overload.h"
+#include "counts.h"
 #include "link/plugins.h"
 #include "request_words.h"
 #include "signals.h"
@@ -54,7 +55,8 @@ ExitStatus LiveRun::run() {
   notes.erase(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(std::min(before, notes.size())));
   for (const Note& note : notes) {
     if (const auto* waits = std::get_if<note::StillWaits>(&note.value))
-      say(QStringLiteral("%1 frames are not on the bus yet and may still go out").arg(waits->count));
+      say(QString::fromStdString(framesThat(waits->count, "is", "are")) +
+          QStringLiteral(" not on the bus yet and may still go out"));
   }
   return m_status;
 }
@@ -142,9 +144,11 @@ void LiveRun::saySent() {
   if (!now.echoes && !now.locked && !std::exchange(m_saidCannotTell, true))
     say(QStringLiteral("cannot tell whether frames reach the bus: this adapter does not say"));
   if (now.unconfirmed > m_unconfirmed)
-    say(QStringLiteral("not on the bus yet, and may still go out: %1 frames").arg(now.unconfirmed));
+    say(QStringLiteral("not on the bus yet, and may still go out: ") +
+        QString::fromStdString(framesText(now.unconfirmed)));
   if (now.notTaken > m_notTaken)
-    say(QStringLiteral("not sent, as the adapter did not take them: %1 frames").arg(now.notTaken));
+    say(QStringLiteral("not taken by the adapter, and so not sent: ") +
+        QString::fromStdString(framesText(now.notTaken)));
   m_unconfirmed = now.unconfirmed;
   m_notTaken = now.notTaken;
 }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <thread>
 
+#include "counts.h"
 #include "log/delta_times.h"
 #include "log/log_stream.h"
 #include "log/sidecar.h"
@@ -120,22 +121,21 @@ ExitStatus LogInput::readStream(int descriptor, const std::function<bool()>& mor
 
 bool LogInput::sayMissing(const ReadSummary& summary) const {
   const Damage& damage = summary.damage;
+  const auto say = [this](const std::string& text) {
+    std::fprintf(stderr, "%s: %s\n", name().c_str(), text.c_str());
+  };
   if (damage.places > 0)
-    std::fprintf(
-        stderr,
-        "%s: damaged in %" PRIu64 " %s, the first at byte %" PRIu64 "; %" PRIu64 " bytes could not be read\n",
-        name().c_str(), damage.places, damage.places == 1 ? "place" : "places", damage.firstAt, damage.bytes);
-  if (damage.frames > 0)
-    std::fprintf(stderr, "%s: at least %" PRIu64 " frames are missing\n", name().c_str(), damage.frames);
-  if (summary.cutBytes > 0)
-    std::fprintf(stderr, "%s: the last %" PRIu64 " bytes are not whole and were left out\n", name().c_str(),
-                 summary.cutBytes);
+    say("damaged in " + counted(damage.places, "place", "places") + ", the first at byte " +
+        std::to_string(damage.firstAt) + "; " + counted(damage.bytes, "byte", "bytes") +
+        " could not be read");
+  if (damage.frames > 0) say("at least " + framesThat(damage.frames, "is missing", "are missing"));
+  if (summary.cutBytes == 1) say("the last byte is not whole and was left out");
+  if (summary.cutBytes > 1)
+    say("the last " + std::to_string(summary.cutBytes) + " bytes are not whole and were left out");
   if (summary.newerParts > 0)
-    std::fprintf(stderr, "%s: %" PRIu64 " parts of a newer version of Deckpipe were left out\n",
-                 name().c_str(), summary.newerParts);
-  if (summary.isOpenEnded)
-    std::fprintf(stderr, "%s: the recording has no end: it still goes on, or its end was lost\n",
-                 name().c_str());
+    say(counted(summary.newerParts, "part of a newer version of Deckpipe was left out",
+                "parts of a newer version of Deckpipe were left out"));
+  if (summary.isOpenEnded) say("the recording has no end: it still goes on, or its end was lost");
   if (const auto& fault = summary.sidecarFault) {
     std::string where = fault->path;
     if (fault->line > 0) where += ":" + std::to_string(fault->line);
@@ -151,17 +151,20 @@ bool LogInput::sayMissed() const {
   for (const Note& note : notes.all())
     (std::holds_alternative<note::Dropped>(note.value) ? lost : leftOut) += framesMissed(note.value);
   if (lost > 0)
-    std::fprintf(stderr, "%s: %" PRIu64 " frames were lost while it was recorded\n", name().c_str(), lost);
+    std::fprintf(stderr, "%s: %s lost while it was recorded\n", name().c_str(),
+                 framesThat(lost, "was", "were").c_str());
   if (leftOut > 0)
-    std::fprintf(stderr, "%s: %" PRIu64 " frames came that it cannot hold: CAN FD, or not classic CAN\n",
-                 name().c_str(), leftOut);
+    std::fprintf(stderr, "%s: %s came that it cannot hold: CAN FD, or not classic CAN\n", name().c_str(),
+                 framesText(leftOut).c_str());
   return leftOut > 0;
 }
+
+bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }
 
 ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const {
   const SkippedPlaces content = skipped.content();
   saySkipped(content);
-  if (!addsUpTimes && hasDeltaTimes(frames))
+  if (hasDeltas())
     complain(name(), "its times look like differences, each to the frame before; --deltas adds them up");
   if (!outcome) {
     complain(name(), textOf(outcome.error()));
@@ -189,10 +192,10 @@ void LogInput::saySkipped(const SkippedPlaces& content) const {
     const std::uint64_t rest = content.count(reason) - said[reason];
     if (rest == 0) continue;
     const std::string_view text = skippedText(reason);
-    std::fprintf(
-        stderr,
-        isUnreadable(reason) ? "%s: %" PRIu64 " more lines: %.*s\n" : "%s: %" PRIu64 " not kept: %.*s\n",
-        name().c_str(), rest, static_cast<int>(text.size()), text.data());
+    const std::string count =
+        isUnreadable(reason) ? counted(rest, "more line", "more lines") : std::to_string(rest) + " not kept";
+    std::fprintf(stderr, "%s: %s: %.*s\n", name().c_str(), count.c_str(), static_cast<int>(text.size()),
+                 text.data());
   }
 }
 

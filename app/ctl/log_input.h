@@ -32,6 +32,8 @@ struct LogInput {
   NoteStore notes;  // of a recording or a sidecar
   SkippedList skipped;
 
+  // Its times look like differences, and were not added up.
+  bool hasDeltas() const;
   // What a person calls it in messages.
   std::string name() const { return path == "-" ? "standard input" : path; }
   // Reads all of it, calling `more` whenever the store has grown and once at the end; false from it stops the

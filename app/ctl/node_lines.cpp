@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bus_follower.h"
+#include "counts.h"
 #include "json_line.h"
 #include "protocol/decode.h"
 #include "protocol/device_types.h"
@@ -146,9 +147,9 @@ std::string textLine(const Row& row, Instant now) {
   }
   char name[20] = "";
   if (row.name != 0) std::snprintf(name, sizeof name, "%016llX", static_cast<unsigned long long>(row.name));
-  std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u frames, last %.1f s ago, ", place,
-                row.what, std::string(pin.text()).c_str(), std::string(type).c_str(), name, row.frames(),
-                std::chrono::duration<double>(now - row.lastHeard()).count());
+  std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u %s, last %s ago, ", place, row.what,
+                std::string(pin.text()).c_str(), std::string(type).c_str(), name, row.frames(),
+                row.frames() == 1 ? "frame" : "frames", lengthText(now - row.lastHeard()).c_str());
   return text + healthWords(row.health) + '\n';
 }
 
@@ -166,12 +167,12 @@ std::string nodeLines(const State& state, const NodeCounts& counts, Channel chan
 std::vector<std::string> untrackedLines(const State& state) {
   std::vector<std::string> lines;
   if (const std::uint64_t frames = state.untrackedFrames(); frames != 0) {
-    lines.push_back(std::to_string(frames) + " frames on channels beyond the first " +
-                    std::to_string(kMaxChannels) + ", which are not followed");
+    lines.push_back(framesText(frames) + " on channels beyond the first " + std::to_string(kMaxChannels) +
+                    ", which are not followed");
   }
   if (const std::uint64_t frames = state.devices().untracked(); frames != 0) {
-    lines.push_back(std::to_string(frames) + " frames of devices beyond the first " +
-                    std::to_string(kMaxDevices) + ", which are not followed");
+    lines.push_back(framesText(frames) + " of devices beyond the first " + std::to_string(kMaxDevices) +
+                    ", which are not followed");
   }
   return lines;
 }

@@ -5,6 +5,7 @@
 
 #include <QSocketNotifier>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "bus/j1939.h"
 #include "command.h"
 #include "control/pipe_event.h"
+#include "counts.h"
 #include "request_words.h"
 
 namespace deckpipe::ctl {
@@ -211,24 +213,29 @@ void PipeTalk::sayProgress(const PipeStatus& pipe) {
   const double seconds =
       static_cast<double>(m_sending.elapsed()) / 1000 - milliseconds(pipe.filePaused) / 1000;
   const double rate = seconds > 0 ? static_cast<double>(pipe.fileSent) / seconds : 0;
-  const double left = rate > 0 ? static_cast<double>(pipe.fileSize - pipe.fileSent) / rate : 0;
-  std::fprintf(stderr, "%s%llu of %llu bytes, %.0f bytes/s, %.0f s left%s",
-               ::isatty(STDERR_FILENO) != 0 ? "\r" : "", static_cast<unsigned long long>(pipe.fileSent),
-               static_cast<unsigned long long>(pipe.fileSize), rate, left,
-               ::isatty(STDERR_FILENO) != 0 ? "    " : "\n");
+  std::string text = std::to_string(pipe.fileSent) + " of " + counted(pipe.fileSize, "byte", "bytes") + ", " +
+                     std::to_string(std::lround(rate)) + " bytes/s";
+  if (rate > 0) {
+    const std::chrono::duration<double> left(static_cast<double>(pipe.fileSize - pipe.fileSent) / rate);
+    text += ", " + lengthText(std::chrono::duration_cast<Duration>(left)) + " left";
+  }
+  const bool isTerminal = ::isatty(STDERR_FILENO) != 0;
+  std::fprintf(stderr, "%s%s%s", isTerminal ? "\r" : "", text.c_str(), isTerminal ? "    " : "\n");
 }
 
 void PipeTalk::sayEnd(const PipeStatus& pipe) {
   const double seconds = milliseconds(pipe.fileEnded - pipe.fileBegan - pipe.filePaused) / 1000;
-  std::fprintf(stderr, "%s%llu bytes in %.1f s, %u acknowledgements, the slowest after %.0f ms\n",
-               ::isatty(STDERR_FILENO) != 0 ? "\r" : "", static_cast<unsigned long long>(pipe.fileSent),
-               seconds, pipe.acks, milliseconds(pipe.ackWorst));
+  std::fprintf(stderr, "%s%s in %.1f s, %s, the slowest after %.0f ms\n",
+               ::isatty(STDERR_FILENO) != 0 ? "\r" : "", counted(pipe.fileSent, "byte", "bytes").c_str(),
+               seconds, counted(pipe.acks, "acknowledgement", "acknowledgements").c_str(),
+               milliseconds(pipe.ackWorst));
   sayDoubts(pipe);
 }
 
 void PipeTalk::sayDoubts(const PipeStatus& pipe) {
   if (pipe.skipped + pipe.resent > 0)
-    std::fprintf(stderr, "%u packets skipped, %u sent again\n", pipe.skipped, pipe.resent);
+    std::fprintf(stderr, "%s skipped, %u sent again\n", counted(pipe.skipped, "packet", "packets").c_str(),
+                 pipe.resent);
 }
 
 // After the packet in flight; a second time at once.
@@ -246,10 +253,13 @@ void PipeTalk::fail(const QString& why, const PipeStatus& pipe) {
   const std::uint64_t acknowledged = sendsFile() && m_phase >= Phase::Sending ? pipe.fileSent : pipe.sent;
   m_run.say(m_phase < Phase::Before
                 ? why
-                : QStringLiteral("%1; %2 of %3 bytes were acknowledged").arg(why).arg(acknowledged).arg(all));
+                : QStringLiteral("%1; %2 of %3 %4 acknowledged")
+                      .arg(why)
+                      .arg(acknowledged)
+                      .arg(QString::fromStdString(counted(all, "byte", "bytes")))
+                      .arg(acknowledged == 1 ? QLatin1String("was") : QLatin1String("were")));
   if (pipe.skipped + pipe.resent > 0)
-    m_run.say(
-        QStringLiteral("of these packets %1 were skipped, %2 sent again").arg(pipe.skipped).arg(pipe.resent));
+    m_run.say(QStringLiteral("packets skipped: %1, sent again: %2").arg(pipe.skipped).arg(pipe.resent));
   m_run.finish(kNotWhole);
 }
 

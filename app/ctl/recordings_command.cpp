@@ -8,6 +8,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "counts.h"
 #include "output.h"
 
 namespace deckpipe::ctl {
@@ -31,10 +32,10 @@ QString lengthOf(const Recording& recording) {
 
 QByteArray lineOf(const Recording& recording) {
   QString line =
-      QStringLiteral("%1  %2  %3  %4 frames  %5")
+      QStringLiteral("%1  %2  %3  %4  %5")
           .arg(recording.begin.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")), stateOf(recording))
           .arg(lengthOf(recording))
-          .arg(recording.frames)
+          .arg(QString::fromStdString(framesText(recording.frames)))
           .arg(recording.pins.isEmpty() ? QStringLiteral("-") : recording.pins.join(QLatin1Char(' ')));
   if (recording.isGlanced) line += QStringLiteral(" and perhaps more, as only its ends were read");
   if (!recording.isWhole && !recording.isGrowing) line += QStringLiteral("  not whole");

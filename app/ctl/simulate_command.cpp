@@ -9,6 +9,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "counts.h"
 #include "link/plugins.h"
 #include "live_options.h"
 #include "log/log_format.h"
@@ -57,8 +58,7 @@ bool simulateInto(simulator::StandardSimulator& simulator, double seconds, const
 
 ExitStatus written(const QString& path, std::uint64_t frames) {
   if (!wasStopped()) return kDone;
-  std::fprintf(stderr, "deckpipectl: stopped; %llu frames were written to %s\n",
-               static_cast<unsigned long long>(frames),
+  std::fprintf(stderr, "deckpipectl: stopped; %s written to %s\n", framesThat(frames, "was", "were").c_str(),
                path == QLatin1String("-") ? "standard output" : qPrintable(path));
   return kNotWhole;
 }

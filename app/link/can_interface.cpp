@@ -93,7 +93,6 @@ CanInterface linkFacts(std::uint16_t messageType, Bytes message) {
   forEachAttribute(message.subspan(aligned(sizeof(ifinfomsg))), [&](int type, Bytes value) {
     if (type == IFLA_IFNAME) out.name = text(value);
     if (type == IFLA_MTU) out.hasFlexibleDataRate = load<std::uint32_t>(value) >= kFlexibleDataRateMtu;
-    if (type == IFLA_TXQLEN) out.transmitQueue = load<std::uint32_t>(value);
     if (type == IFLA_STATS64) {
       const auto counted = load<rtnl_link_stats64>(value);
       out.receivedFrames = counted.rx_packets;

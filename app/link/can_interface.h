@@ -31,10 +31,9 @@ struct CanInterface {
   // The driver itself loops sent frames back (IFF_ECHO). Where it does not, as with slcan and vcan, the
   // kernel does it when the frame is queued, and the echo says nothing about the bus.
   bool echoesInDriver = false;
-  std::uint32_t transmitQueue = 0;  // frames that the kernel lets wait for the driver; 0: not told
-  std::uint32_t bitRate = 0;        // bit/s; 0: not known or none
-  std::uint32_t restartMs = 0;      // the driver restarts so long after bus-off; 0: by hand only
-  std::uint16_t sendErrors = 0;     // the controller's counters
+  std::uint32_t bitRate = 0;     // bit/s; 0: not known or none
+  std::uint32_t restartMs = 0;   // the driver restarts so long after bus-off; 0: by hand only
+  std::uint16_t sendErrors = 0;  // the controller's counters
   std::uint16_t receiveErrors = 0;
   std::uint64_t receivedFrames = 0;  // since the interface was made, for all programs together
   // Losses in controller and driver, before any socket. One count may stand for several frames.

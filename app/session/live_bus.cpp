@@ -19,6 +19,12 @@ std::string adapterWords(const LinkSettings& settings) {
   return words.toStdString();
 }
 
+// The driver's; without one the rate that was asked for, which adapters take or refuse. 0: not known.
+std::uint32_t bitRateOf(const LinkSettings& settings, const LinkStatus& status) {
+  if (status.hardware) return status.hardware->bitRate;
+  return pluginTakesBitRate(settings.plugin) ? static_cast<std::uint32_t>(settings.bitRate) : 0;
+}
+
 }  // namespace
 
 LiveBus::Board::Board() {
@@ -201,7 +207,9 @@ void LiveBus::noteLeftOut() {
 void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   const bool wasUp = m_linkState == LinkState::Up;
   m_linkState = state;
-  if (state == LinkState::Up && !wasUp) write(note::LinkUp{m_settings.channel, adapterWords(m_settings)});
+  if (state == LinkState::Up && !wasUp)
+    write(
+        note::LinkUp{m_settings.channel, adapterWords(m_settings), bitRateOf(m_settings, m_link->status())});
   if (state != LinkState::Up && wasUp) {
     const LinkFault fault = state == LinkState::Closed ? LinkFault::None : m_link->status().fault;
     write(note::LinkDown{m_settings.channel, fault, fault == LinkFault::Other ? reason : std::string()});

@@ -25,7 +25,7 @@ class QTimer;
 
 namespace deckpipe {
 
-class LiveBus : public QObject, private PortListener {
+class LiveBus : public QObject, public PortListener {
   Q_OBJECT
  public:
   static constexpr std::chrono::milliseconds kTick{33};

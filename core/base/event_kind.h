@@ -100,7 +100,7 @@ enum class EventDetail : std::uint8_t {
   Degrees,  // tenths of a degree
   Length,   // ns; now alone
   Source,   // now: the address of the joystick that goes before
-  Percent,  // of 250 kbit/s
+  Percent,  // of Event::bitRate
   Frames,   // now: how many
 };
 

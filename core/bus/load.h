@@ -6,6 +6,9 @@
 
 namespace deckpipe {
 
+// Akron's J1939 buses run at this rate, in bit/s. It is assumed where a log does not say the rate of a bus.
+inline constexpr std::uint32_t kAssumedBitRate = 250'000;
+
 // Bits a classic data frame takes on the wire, interframe space included and stuff bits at half of the worst
 // case (ISO 11898-1: one after every five equal bits; 34 or 54 bits of the header are subject to stuffing).
 constexpr unsigned estimatedBits(const Frame& frame) {

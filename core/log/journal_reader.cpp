@@ -5,6 +5,7 @@
 #include <array>
 #include <bitset>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,24 +102,22 @@ class JournalContent {
       }
     }
     m_summary.newerParts += newer;
-    m_notes.insert(m_notes.end(), std::make_move_iterator(notes.begin()),
-                   std::make_move_iterator(notes.end()));
+    for (Note& note : notes) {
+      const std::uint64_t frame = note.frame;
+      m_notes.emplace(frame, std::move(note));
+    }
     appendNotes();
     return Outcome::Taken;
   }
 
   // Those whose frame is the next one, or was read before.
   void appendNotes() {
-    std::vector<Note> later;
-    for (Note& note : m_notes) {
-      if (note.frame > m_next) {
-        later.push_back(std::move(note));
-      } else if (m_target.notes != nullptr) {
-        note.frame = placeInLog(note.frame);
-        m_target.notes->append(std::move(note));
-      }
+    const auto later = m_notes.upper_bound(m_next);
+    for (auto at = m_notes.begin(); at != later && m_target.notes != nullptr; ++at) {
+      at->second.frame = placeInLog(at->first);
+      m_target.notes->append(std::move(at->second));
     }
-    m_notes = std::move(later);
+    m_notes.erase(m_notes.begin(), later);
   }
 
   // A frame that is lost has the place of the next one that is there.
@@ -150,7 +149,7 @@ class JournalContent {
     std::span<const ClockOffset> rest(offsets);
     for (std::span<const Frame> frames(m_frames); !frames.empty();) {
       std::uint64_t to = first + m_frames.size();
-      for (const Note& note : m_notes) to = std::min(to, note.frame);
+      if (!m_notes.empty()) to = std::min(to, m_notes.begin()->first);
       const auto here = frames.first(to - m_next);
       if (!m_target.frames.restore(here, rest)) return Outcome::Full;
       while (!rest.empty() && rest.front().frame < m_target.frames.count()) rest = rest.subspan(1);
@@ -231,9 +230,9 @@ class JournalContent {
   std::int64_t m_knownTime = 0;                // log time of a frame that is lost
   std::array<std::int64_t, 256> m_offsetOf{};  // in force on each channel
   std::vector<Frame> m_frames;
-  std::vector<ChannelOffset> m_offsets;  // of the next frames
-  std::vector<Note> m_notes;             // of frames that were not read yet
-  bool m_isBeyond = false;               // behind a block whose version is not known and is needed
+  std::vector<ChannelOffset> m_offsets;        // of the next frames
+  std::multimap<std::uint64_t, Note> m_notes;  // by their frames, which were not read yet
+  bool m_isBeyond = false;                     // behind a block whose version is not known and is needed
   ReadSummary m_summary;
 };
 

@@ -46,7 +46,8 @@ struct Mark {
 };
 struct LinkUp {
   Channel channel;
-  NoteText adapter{};  // plugin, interface and rate in words; empty where that was not written down
+  NoteText adapter{};         // plugin, interface and rate in words; empty where that was not written down
+  std::uint32_t bitRate = 0;  // bit/s, of the driver or as it was asked for and set; 0: not known
   friend bool operator==(const LinkUp&, const LinkUp&) = default;
 };
 struct LinkDown {

@@ -47,7 +47,8 @@ constexpr HasNoLayout<T> kLayout{};
 
 template <>
 inline constexpr auto kLayout<note::LinkUp> = layout(1, field("channel", &note::LinkUp::channel),
-                                                     later("adapter", &note::LinkUp::adapter));
+                                                     later("adapter", &note::LinkUp::adapter),
+                                                     later("bit_rate", &note::LinkUp::bitRate));
 template <>
 inline constexpr auto kLayout<note::LinkDown> = layout(2, field("channel", &note::LinkDown::channel),
                                                        field("fault", &note::LinkDown::fault),

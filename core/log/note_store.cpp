@@ -8,10 +8,7 @@ namespace deckpipe {
 
 void NoteStore::append(Note note) {
   const std::lock_guard lock(m_lock);
-  const auto place = std::upper_bound(
-      m_places.begin(), m_places.end(), std::pair(note.frame, note.time),
-      [this](const auto& at, std::size_t n) { return at < std::pair(m_notes[n].frame, m_notes[n].time); });
-  m_places.insert(place, m_notes.size());
+  m_places.emplace(std::pair(note.frame, note.time), m_notes.size());
   m_notes.push_back(std::move(note));
 }
 
@@ -22,12 +19,10 @@ std::size_t NoteStore::count() const {
 
 std::vector<Note> NoteStore::between(std::uint64_t from, std::uint64_t to) const {
   const std::lock_guard lock(m_lock);
-  const auto before = [this](std::size_t n, std::uint64_t frame) { return m_notes[n].frame < frame; };
-  const auto first = std::lower_bound(m_places.begin(), m_places.end(), from, before);
-  const auto last = std::lower_bound(first, m_places.end(), std::max(from, to), before);
+  const auto first = m_places.lower_bound({from, kNotYet});
+  const auto last = m_places.lower_bound({std::max(from, to), kNotYet});
   std::vector<Note> notes;
-  notes.reserve(static_cast<std::size_t>(last - first));
-  std::for_each(first, last, [&](std::size_t n) { notes.push_back(m_notes[n]); });
+  std::for_each(first, last, [&](const auto& place) { notes.push_back(m_notes[place.second]); });
   return notes;
 }
 
@@ -35,13 +30,13 @@ std::vector<Note> NoteStore::all() const {
   const std::lock_guard lock(m_lock);
   std::vector<Note> notes;
   notes.reserve(m_places.size());
-  for (const std::size_t n : m_places) notes.push_back(m_notes[n]);
+  for (const auto& place : m_places) notes.push_back(m_notes[place.second]);
   return notes;
 }
 
 Instant NoteStore::lastTime() const {
   const std::lock_guard lock(m_lock);
-  return m_places.empty() ? kNotYet : m_notes[m_places.back()].time;
+  return m_places.empty() ? kNotYet : m_places.rbegin()->first.second;
 }
 
 std::uint64_t NoteStore::missedFrames() const {

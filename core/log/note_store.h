@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "log/note.h"
@@ -29,8 +31,10 @@ class NoteStore {
 
  private:
   mutable std::mutex m_lock;
-  std::vector<Note> m_notes;          // as they were appended
-  std::vector<std::size_t> m_places;  // of the notes in order
+  std::vector<Note> m_notes;  // as they were appended
+  // Frame and time of each note, and its index in m_notes. A file may hold a million notes in any order: to put one at
+  // its place costs log n. Notes of equal places keep the order in which they came.
+  std::multimap<std::pair<std::uint64_t, Instant>, std::size_t> m_places;
 };
 
 }  // namespace deckpipe

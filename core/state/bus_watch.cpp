@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bus/load.h"
 #include "state/health.h"
 
 namespace deckpipe {
@@ -55,6 +56,7 @@ void BusWatch::errorCame(const State& state, std::vector<Event>& out) {
 }
 
 void BusWatch::linkChanged(const State& state) {
+  m_isFaster = false;
   m_controller.set(static_cast<std::uint64_t>(kindOf(state.channel(m_channel).controller)));
   for (StickWatch& stick : m_sticks) {
     stick.linkChanged(state.cursor().time);
@@ -178,14 +180,15 @@ bool BusWatch::stickCame(const State& state, Address source, std::vector<Event>&
   return false;
 }
 
-// Full seconds are judged, and only where an Akron device speaks J1939: of other buses the rate is not known.
+// Full seconds are judged, where the log says the rate, or an Akron device speaks J1939: then one is assumed.
 void BusWatch::judgeLoad(const State& state, std::vector<Event>& out) {
   const std::uint64_t bits = state.channel(m_channel).bits;
   const std::uint64_t carried = bits - std::exchange(m_bits, bits);
   m_secondEnd = carried > 0 ? state.cursor().time + 1s : kNever;
   m_percentBefore = m_percent;
-  m_percent = static_cast<std::int64_t>(carried * 100 / kBitRate);
-  if (m_percent > kFaster) m_isFaster = true;
+  const std::uint32_t bitRate = state.channel(m_channel).bitRate;
+  m_percent = static_cast<std::int64_t>(carried * 100 / (bitRate != 0 ? bitRate : kAssumedBitRate));
+  if (bitRate == 0 && m_percent > kFaster) m_isFaster = true;
   compareLoad(state, out);
 }
 
@@ -195,11 +198,14 @@ void BusWatch::compareLoad(const State& state, std::vector<Event>& out) {
   });
   if (m_isFaster) return m_load.set(0);
   const bool wasHigh = m_load.shown() != 0;
-  const bool isHigh = isAkron && m_percent >= (wasHigh ? kNormal : kHigh);
+  const std::uint32_t bitRate = state.channel(m_channel).bitRate;
+  const bool isHigh = (isAkron || bitRate != 0) && m_percent >= (wasHigh ? kNormal : kHigh);
   if (!m_load.moves(isHigh ? 1 : 0, state.cursor().time, m_retry)) return;
   Event event = eventOf(state, isHigh ? EventKind::LoadHigh : EventKind::LoadNormal);
   event.was = m_percentBefore;
   event.now = m_percent;
+  event.bitRate = bitRate != 0 ? bitRate : kAssumedBitRate;
+  event.isRateAssumed = bitRate == 0;
   m_load.settle(event);
   out.push_back(event);
 }

@@ -18,11 +18,9 @@ inline constexpr Duration kSettling = kSilentAfter;
 
 class BusWatch {
  public:
-  // J1939 on Akron's buses runs at this rate; other buses are not judged.
-  static constexpr std::uint64_t kBitRate = 250'000;
   // Load, in percent of a whole second, that is told as high, and below which it is normal again.
   static constexpr std::int64_t kHigh = 80, kNormal = 60;
-  // A bus that carried more in one second runs at another rate. Up to there the estimate of stuff bits errs, and what
+  // A bus that carried more of the assumed rate in one second runs at another one. Up to there the estimate of stuff bits errs, and what
   // an adapter handed over late is counted in the second in which it came.
   static constexpr std::int64_t kFaster = 130;
   static constexpr Duration kErrorPause = 1s;  // that ends a burst of error frames
@@ -86,7 +84,7 @@ class BusWatch {
   Instant m_secondEnd = kNever;                     // of the second whose load is counted
   std::uint64_t m_bits = 0;                         // of the channel when it began
   std::int64_t m_percent = 0, m_percentBefore = 0;  // of the last whole second, and of the one before
-  bool m_isFaster = false;                          // it carried more than kFaster
+  bool m_isFaster = false;                          // its rate is not said, and it carried more than kFaster
   EventSlot m_load{0};
   Instant m_burstEnd = kNever;  // unless another error frame comes
   std::uint64_t m_errors = 0;   // since the present burst was told

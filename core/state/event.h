@@ -24,6 +24,8 @@ struct Event {
   Pin other{};           // TwoAtOneAddress: the second one, where it said who it is
   std::int64_t was = 0;  // by kEvents[kind].detail
   std::int64_t now = 0;
+  std::uint32_t bitRate = 0;   // LoadHigh, LoadNormal: the load is of so many bit/s
+  bool isRateAssumed = false;  // the log does not say that rate
   // Silent, JoystickEnded: when it was heard last. Others: since when it holds, if it was told later.
   Instant since = kNotYet;
   friend bool operator==(const Event&, const Event&) = default;

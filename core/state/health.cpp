@@ -19,10 +19,14 @@ struct Subject {
   Address address;       // null: lost, or a CANopen node
   const Device* device;  // null: there is none
 
-  // What was known when the link went down is said until it is up again.
+  // While the link is down, answers get no older than they were then.
   Instant now() const { return channel.heardUntil(state.cursor().time); }
-  // How long nothing came after `last`, although it could have been heard.
-  Duration missed(Instant last) const { return now() - std::max(last, channel.linkUp); }
+  // Whether nothing came for so long after `last` that it is missing. What was missing when the link went down is
+  // missing until it is heard; all else has as long again once the link is up.
+  bool isMissing(Instant last) const {
+    return last == kNotYet || last <= channel.missingUpTo ||
+           now() - std::max(last, channel.linkUp) >= kSilentAfter;
+  }
   bool hasAddress() const { return address != kNullAddress; }
   const Joystick* joystick() const { return hasAddress() ? channel.joysticks.find(address) : nullptr; }
   bool isNode() const { return device != nullptr && device->kind == Device::Kind::Node; }
@@ -84,7 +88,7 @@ Instant lastBeat(const Subject& s) {
 bool isSilent(const Subject& s) {
   // One that has sent nothing of the kind yet has as long for it.
   const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
-  return sendsByItself(s) && (last == kNotYet || s.missed(last) >= kSilentAfter);
+  return sendsByItself(s) && s.isMissing(last);
 }
 
 AnswerAge ageOf(const Subject& s, Instant answered) {
@@ -98,7 +102,7 @@ AnswerAge ageOf(const Subject& s, Instant answered) {
 // That two devices send from one address.
 struct Shared {
   Instant since = kNotYet;  // kNotYet: they do not
-  bool isCertain = false;   // not by equal statuses alone
+  bool isCertain = false;   // not by the pace of statuses alone
 };
 
 // They do if their PINs or NAMEs say so in turn (AddressBook::sharedSince), if their statuses come twice a period
@@ -114,7 +118,11 @@ Shared sharedAt(const Subject& s, Address address) {
   for (const Device& d : s.state.devices().all()) {
     if (d.kind != Device::Kind::Pin && d.kind != Device::Kind::Address) continue;
     if (&s.state.channel(d.channel) != &s.channel || d.address != address) continue;
-    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor) found(d.doubledSince, !d.isOnlyEqual);
+    // Two that say different things are one, heard by two loggers, if what these wrote was put into one log with more than
+    // a period between. Only a log whose link is known was not made so.
+    const bool isFromOneLink = s.channel.link != ChannelLink::Unknown;
+    if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor)
+      found(d.doubledSince, !d.isOnlyEqual && isFromOneLink);
     const Name holder = book.holder(address);
     if (d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
         book.claim(address, d.announced) == ClaimState::Claimed)
@@ -247,11 +255,10 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return canBeRequested(s) && s.device->hasRefused(Request::Fault) &&
               !isUnanswered(*s.device, Request::Fault, s.now());
      }},
+    {HealthCause::LinkDown,
+     [](const Subject& s, const Health&) { return s.channel.link == ChannelLink::Down; }},
     {HealthCause::Idle,
-     [](const Subject& s, const Health&) {
-       const Instant last = s.lastHeard();
-       return !sendsByItself(s) && (last == kNotYet || s.missed(last) >= kSilentAfter);
-     }},
+     [](const Subject& s, const Health&) { return !sendsByItself(s) && s.isMissing(s.lastHeard()); }},
     {HealthCause::FaultsAwaited,
      [](const Subject& s, const Health& h) {
        return canBeRequested(s) && h.answered == kNotYet &&
@@ -275,7 +282,15 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      }},
 }};
 
+Health unknownSince(Instant linkDown) {
+  Health h;
+  h.causes.add(HealthCause::LinkDown);
+  h.since = linkDown;
+  return h;
+}
+
 Health judge(const Subject& s) {
+  if (kRules[HealthCause::LinkDown](s, {})) return unknownSince(s.channel.linkDown);
   Health h = factsOf(s);
   for (const HealthCause cause : kAllOf<HealthCause>) {
     if (kRules[cause](s, h)) h.causes.add(cause);

@@ -4,7 +4,7 @@
 // and what stopped coming; what to do about it is for the findings to say.
 //
 // A device is fine only if it sends all that its type sends (protocol/device_types.h), can act, and has answered
-// since its last restart or silence that it has no faults.
+// since its last restart or silence that it has no faults. While its link is down, that alone is known.
 #pragma once
 
 #include "base/health_cause.h"
@@ -46,13 +46,14 @@ struct Health {
   EnumSet<MessageId> neverHeard;  // StatusNeverHeard
   Axes sensorError;               // SensorError
   Axes invalid;                   // PositionInvalid
-  // Silent: when a periodic message came last, kNotYet if none ever did. Idle: when it was heard last.
+  // Silent: when a periodic message came last, kNotYet if none ever did. Idle: when it was heard last. LinkDown: when
+  // the link went down.
   Instant since = kNotYet;
   Instant asked = kNotYet;                // FaultsNotAnswered: the first try
   Instant answered = kNotYet;             // FaultsOld: when the answer came
   AnswerAge answer = AnswerAge::Current;  // FaultsOld: why it is old
   Address sharedAddress;                  // TwoAtOneAddress: which; null otherwise
-  // TwoAtOneAddress: the two say the same, or there is one and the log holds its frames twice.
+  // TwoAtOneAddress: nothing but the pace of statuses tells: there may be one, whose frames the log holds twice.
   bool isOnlyEqual = false;
 
   bool isFine() const { return causes.isEmpty(); }

@@ -37,6 +37,9 @@ struct LogView {
   Instant begin, end;            // of the log, in log time
   bool atEnd = true;             // the cursor stands at the end and goes with it
   std::uint64_t found = 0;       // moves on as events and exchanges of the log are found
+
+  // False of a log whose frames have none: then all its log times are 0, and nothing is known of ages and order.
+  bool hasTimes() const { return document == nullptr || document->frames.hasTimes(); }
 };
 
 }  // namespace deckpipe

@@ -236,8 +236,9 @@ void State::apply(const Note& note) {
   if (!about || about->value >= kMaxChannels) return;
   ChannelState& channel = use(*about);
   std::visit(
-      Overload{[&](const note::LinkUp&) {
+      Overload{[&](const note::LinkUp& n) {
                  linkIs(*about, ChannelLink::Up);
+                 channel.bitRate = n.bitRate;
                  channel.controller = ControllerState::Unknown;
                },
                [&](const note::LinkDown&) { linkIs(*about, ChannelLink::Down); },
@@ -260,6 +261,9 @@ void State::linkIs(Channel channelId, ChannelLink link) {
   if (channel.link == link) return;
   channel.link = link;
   const bool isDown = link == ChannelLink::Down;
+  // Behind a link that was up for less, what was missing before it is missing still, and nothing else.
+  if (isDown && m_cursor.time - channel.linkUp >= kSilentAfter)
+    channel.missingUpTo = m_cursor.time - kSilentAfter;
   (isDown ? channel.linkDown : channel.linkUp) = m_cursor.time;
   const Instant since = isDown ? kNever : m_cursor.time;
   channel.joysticks.listensSince(since);

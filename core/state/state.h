@@ -52,8 +52,11 @@ struct ChannelState {
   // When every node last had cause to say its NAME: a request to all for it, or an address that was commanded.
   Instant namesAsked = kNotYet;
   ChannelLink link = ChannelLink::Unknown;
+  std::uint32_t bitRate = 0;  // bit/s; 0: the log does not say it
   // When the link last came up, and when it last went down: nothing can be heard in between.
   Instant linkUp = kNotYet, linkDown = kNotYet;
+  // Whatever was heard last at this time or before was missing when the link last went down.
+  Instant missingUpTo = kNotYet;
   // The last instant at or before `now` at which this channel could be heard.
   Instant heardUntil(Instant now) const { return link == ChannelLink::Down ? linkDown : now; }
   Address ownAddress;        // of the console that recorded this; null while it held none

@@ -2,12 +2,20 @@
 // Values and when they came: what a view shows with an age.
 #pragma once
 
+#include <optional>
 #include <type_traits>
 
 #include "base/time.h"
 #include "bus/frame.h"
 
 namespace deckpipe {
+
+// How old something is that happened at `at`; nothing if it never did. Of a log without times every frame is at 0, and
+// of nothing in it is known how old it is.
+constexpr std::optional<Duration> ageAt(Instant at, Instant now) {
+  if (at == kNotYet || now == Instant{}) return {};
+  return now - at;
+}
 
 template <typename T>
 struct Timed {

@@ -11,7 +11,7 @@
 namespace deckpipe::test {
 
 // "12.300 moved_address 1032AE100801035 128>129", without a PIN the address or node in hex; "+2" after the axis and
-// side of what has them, "(3)" after what was folded.
+// side of what has them, "of 250?" after a load of an assumed rate, "(3)" after what was folded.
 inline std::string lineOf(const Event& event) {
   char text[160];
   const auto ms = static_cast<long long>(event.time.ns / 1'000'000);
@@ -32,6 +32,10 @@ inline std::string lineOf(const Event& event) {
     line += " " + std::to_string(event.now / 1'000'000) + " ms";
   } else if (detail != EventDetail::None && detail != EventDetail::Flag) {
     line += " " + std::to_string(event.was) + ">" + std::to_string(event.now);
+  }
+  if (detail == EventDetail::Percent) {
+    line += " of " + std::to_string(event.bitRate / 1000);
+    if (event.isRateAssumed) line += "?";
   }
   if (event.since != kNotYet) {
     std::snprintf(text, sizeof text, " since %.3f", static_cast<double>(event.since.ns) / 1e9);

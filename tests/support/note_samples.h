@@ -20,7 +20,7 @@ inline const HasNoSample<Kind> kSample{};
 template <>
 inline const note::Mark kSample<note::Mark>{"water on"};
 template <>
-inline const note::LinkUp kSample<note::LinkUp>{kNotedChannel, "socketcan can0"};
+inline const note::LinkUp kSample<note::LinkUp>{kNotedChannel, "socketcan can0", 250'000};
 template <>
 inline const note::LinkDown kSample<note::LinkDown>{kNotedChannel, LinkFault::Gone, "Network is down"};
 template <>

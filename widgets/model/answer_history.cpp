@@ -127,7 +127,7 @@ QVariant AnswerHistory::data(const QModelIndex& index, int role) const {
   if (role == FrameRole) return static_cast<qulonglong>(row.frame);
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
   switch (index.column()) {
-    case When: return elapsedText(row.time - m_view.begin);
+    case When: return m_view.hasTimes() ? elapsedText(row.time - m_view.begin) : QString(QChar(0x2013));
     case What: return requestText(row.request);
     case Answer: return row.answer;
     case Changed:

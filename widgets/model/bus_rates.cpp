@@ -45,9 +45,22 @@ BusRates ratesAt(const LogView& view) {
   return rates;
 }
 
-double loadPercent(const BusRates& rates, int bitRate) {
-  if (bitRate <= 0) return 0;
-  return 100 * *std::max_element(rates.bitsASecond.begin(), rates.bitsASecond.end()) / bitRate;
+BusLoad loadOf(const BusRates& rates, const State& state, Channel channel, int linkRate) {
+  BusLoad load{.bitRate = state.channel(channel).bitRate};
+  if (load.bitRate == 0 && linkRate > 0) load.bitRate = static_cast<std::uint32_t>(linkRate);
+  load.isAssumed = load.bitRate == 0;
+  if (load.isAssumed) load.bitRate = kAssumedBitRate;
+  load.percent = 100 * rates.bitsASecond[channel.value] / load.bitRate;
+  return load;
+}
+
+BusLoad busiestLoad(const BusRates& rates, const State& state, int linkRate) {
+  BusLoad busiest = loadOf(rates, state, {0}, linkRate);
+  for (std::uint8_t i = 1; i < kMaxChannels; ++i) {
+    const BusLoad load = loadOf(rates, state, {i}, linkRate);
+    if (load.percent > busiest.percent) busiest = load;
+  }
+  return busiest;
 }
 
 }  // namespace deckpipe

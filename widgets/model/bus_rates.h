@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "state/bus_watch.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
@@ -28,7 +29,19 @@ struct BusRates {
 
 BusRates ratesAt(const LogView& view);
 
-// The share of a bus that its busiest channel takes, in percent; 0 for a bit rate of 0.
-double loadPercent(const BusRates& rates, int bitRate);
+// The share that was taken of one bus.
+struct BusLoad {
+  double percent = 0;
+  std::uint32_t bitRate = 0;  // of this, in bit/s
+  bool isAssumed = false;     // neither link nor log says that rate
+
+  // A bus that carried more than an assumed rate allows has another one.
+  bool isKnown() const { return !isAssumed || percent <= static_cast<double>(BusWatch::kFaster); }
+};
+
+// `linkRate` is that of the link, in bit/s; 0 of a log, which may say it itself.
+BusLoad loadOf(const BusRates& rates, const State& state, Channel channel, int linkRate);
+// Of the channel that takes most of its own.
+BusLoad busiestLoad(const BusRates& rates, const State& state, int linkRate);
 
 }  // namespace deckpipe

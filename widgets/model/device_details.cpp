@@ -26,15 +26,15 @@ QString channelText(const LogView& view, Channel channel) {
 }
 
 QString addressNow(const State& state, const Device& d) {
-  const Instant now = state.cursor().time;
+  const std::optional<Duration> age = ageAt(d.addressSince, state.cursor().time);
   if (d.address == kNullAddress) {
     if (d.previousAddress() == kNullAddress) return Details::tr("none");
-    return Details::tr("lost %1, it was %2")
-        .arg(agoText(now - d.addressSince), addressText(d.previousAddress()));
+    const QString before = addressText(d.previousAddress());
+    return age ? Details::tr("lost %1, it was %2").arg(agoText(*age), before)
+               : Details::tr("lost, it was %1").arg(before);
   }
   const QString address = addressText(d.address);
-  if (d.addressSince == kNotYet) return address;
-  return Details::tr("%1 for %2").arg(address, briefAge(now - d.addressSince));
+  return age ? Details::tr("%1 for %2").arg(address, briefAge(*age)) : address;
 }
 
 QStringList addressesBefore(const State& state, const Device& d) {
@@ -45,8 +45,9 @@ QStringList addressesBefore(const State& state, const Device& d) {
     ++listed;
     // The one that it lost is said where the present one would stand.
     if (listed == 1 && d.address == kNullAddress) continue;
-    lines << Details::tr("%1 until %2")
-                 .arg(addressText(former.address), agoText(state.cursor().time - former.until));
+    const QString address = addressText(former.address);
+    const std::optional<Duration> age = ageAt(former.until, state.cursor().time);
+    lines << (age ? Details::tr("%1 until %2").arg(address, agoText(*age)) : address);
   }
   const int all = d.addressChanges + (d.address == kNullAddress ? 1 : 0);
   if (all > listed) lines << Details::tr("and %n earlier", nullptr, all - listed);

@@ -36,7 +36,8 @@ QString namesOf(const EnumSet<MessageId>& messages) {
 }
 
 QString agoOf(Instant at, Instant now) {
-  return at == kNotYet ? HealthWords::tr("some time ago") : agoText(now - at);
+  const std::optional<Duration> age = ageAt(at, now);
+  return age ? agoText(*age) : HealthWords::tr("some time ago");
 }
 
 bool hasCode(const Health& health) { return health.faults.errorCode != 0; }
@@ -60,6 +61,7 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
       return health.since == kNotYet
                  ? HealthWords::tr("None of its periodic messages has come")
                  : HealthWords::tr("Its periodic messages stopped %1").arg(agoOf(health.since, now));
+    case HealthCause::LinkDown:
     case HealthCause::Idle: return agoOf(health.since, now);
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
     case HealthCause::TwoAtOneAddress: return sharedText(health);
@@ -127,7 +129,7 @@ QString faultSummary(std::uint32_t faults, unsigned errorCode) {
 QString noAnswerText(const Device& device, std::optional<Request> request, Instant now) {
   if (request && isUnanswered(device, *request, now))
     return HealthWords::tr("no answer, asked %1").arg(agoText(now - device.askedInVain(*request)));
-  if (request && device.askedInVain(*request) != kNotYet) return HealthWords::tr("asked just now");
+  if (request && device.askedInVain(*request) != kNotYet) return HealthWords::tr("asked, no answer yet");
   if (request && device.hasRefused(*request))
     return HealthWords::tr("refused, or answered in a wrong length");
   return HealthWords::tr("never asked");

@@ -24,7 +24,7 @@ QStringList healthSentences(const Health& health, Instant now);
 
 // What a fault answer said: "no faults", "internal fuse, error 11".
 QString faultSummary(std::uint32_t faults, unsigned errorCode);
-// Why there is no answer of what was asked or not: "no answer, asked 2 s ago", "asked just now", "refused, or
+// Why there is no answer of what was asked or not: "no answer, asked 2 s ago", "asked, no answer yet", "refused, or
 // answered in a wrong length", "never asked". `ask` is nothing where Deckpipe has no poll for it.
 QString noAnswerText(const Device& device, std::optional<Request> request, Instant now);
 // What came of the last asking where an earlier answer is shown; empty if that is the last one's, or is awaited.

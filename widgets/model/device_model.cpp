@@ -134,8 +134,10 @@ QString DeviceModel::emptyText() const {
                                     : tr("%1 frames heard, none from a known device.")
                                           .arg(QLocale().toString(static_cast<qulonglong>(frames)));
   if (errors == 0) return heard;
-  return tr("%1\n%2 of them are error frames: check bit rate and termination.")
-      .arg(heard, QLocale().toString(static_cast<qulonglong>(errors)));
+  if (frames == 1) return tr("%1\nIt is an error frame: check bit rate and termination.").arg(heard);
+  return errors == 1 ? tr("%1\nOne of them is an error frame: check bit rate and termination.").arg(heard)
+                     : tr("%1\n%2 of them are error frames: check bit rate and termination.")
+                           .arg(heard, QLocale().toString(static_cast<qulonglong>(errors)));
 }
 
 int DeviceModel::rowCount(const QModelIndex& parent) const {
@@ -156,7 +158,9 @@ QString DeviceModel::textOf(const DeviceRow& row, int column) const {
       return row.hasLostAddress() ? tr("lost", "an address") : hexText(row.address.value);
     case AgeColumn: return row.age ? calmAge(*row.age) : QString();
     case HealthColumn: return healthWord(row.health);
-    case RateColumn: return tr("%1/s", "frames a second").arg(QLocale().toString(row.rate));
+    case RateColumn:
+      // Without times none is known.
+      return row.age ? tr("%1/s", "frames a second").arg(QLocale().toString(row.rate)) : QString();
     case FramesColumn: return QLocale().toString(row.frames);
     default: return {};
   }

@@ -31,11 +31,6 @@ bool isJoystick(const State& state, Channel channel, Address address) {
   return state.channel(channel).joysticks.find(address) != nullptr;
 }
 
-std::optional<Duration> ageOf(const State& state, Instant at) {
-  if (at == kNotYet) return {};
-  return state.cursor().time - at;
-}
-
 DeviceGroup groupOf(const Device& d, const DeviceRow& row) {
   if (d.kind == Device::Kind::Node) return DeviceGroup::CanopenNodes;
   if (isMonitor(d)) return DeviceGroup::Monitors;
@@ -52,7 +47,7 @@ DeviceRow rowOf(const State& state, const Device& d) {
   row.channel = d.channel;
   row.address = d.address;
   row.previousAddress = d.previousAddress();
-  row.age = ageOf(state, d.lastHeard);
+  row.age = ageAt(d.lastHeard, state.cursor().time);
   row.health = healthOf(state, d);
   row.frames = d.frames;
   row.rate = d.rate.at(state.cursor().time, d.lastHeard);
@@ -70,7 +65,7 @@ DeviceRow rowOf(const State& state, Channel channel, Address address) {
                                                  : DeviceGroup::OtherNodes;
   row.channel = channel;
   row.address = address;
-  row.age = ageOf(state, node.lastHeard);
+  row.age = ageAt(node.lastHeard, state.cursor().time);
   row.health = healthOf(state, channel, address);
   row.frames = node.frames;
   row.rate = node.rate.at(state.cursor().time, node.lastHeard);

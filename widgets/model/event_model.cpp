@@ -169,13 +169,17 @@ std::vector<DeviceKey> EventModel::devices() const {
   return keys;
 }
 
+QString EventModel::whenText(int row) const {
+  return m_view.hasTimes() ? elapsedText(time(row) - m_view.begin) : QString(QChar(0x2013));
+}
+
 QVariant EventModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
   const int row = index.row();
   switch (role) {
     case Qt::DisplayRole:
       switch (index.column()) {
-        case When: return elapsedText(time(row) - m_view.begin);
+        case When: return whenText(row);
         case Bus: return busText(at(row));
         case Who: return deviceText(row);
         case What: return text(row);
@@ -185,8 +189,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       if (index.column() != When) return {};
       return tr("%1: %2, %3, %4")
-          .arg(elapsedText(time(row) - m_view.begin), eventWeightText(weight(row)), deviceText(row),
-               text(row));
+          .arg(whenText(row), eventWeightText(weight(row)), deviceText(row), text(row));
     case TimeRole: return QVariant::fromValue<qint64>(time(row).ns);
     case WeightRole: return static_cast<int>(weight(row));
     case GroupRole: return static_cast<int>(group(row));

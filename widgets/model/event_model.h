@@ -36,6 +36,8 @@ class EventModel : public QAbstractTableModel {
   Severity weight(int row) const;
   EventGroup group(int row) const;
   Instant time(int row) const { return at(row).time; }
+  // Since the begin of the log; a dash in one without times.
+  QString whenText(int row) const;
   // Null where the whole bus is concerned.
   DeviceKey device(int row) const;
   QString deviceText(int row) const;

@@ -30,6 +30,12 @@ QString makerOf(std::int64_t name) {
 
 QString addressOf(std::int64_t address) { return hexText(static_cast<std::uint8_t>(address)); }
 
+QString rateOf(const Event& event) {
+  const unsigned rate = event.bitRate / 1000;
+  return event.isRateAssumed ? EventText::tr("%1 kbit/s (assumed)").arg(rate)
+                             : EventText::tr("%1 kbit/s").arg(rate);
+}
+
 QString lengthOf(std::int64_t ns) { return briefAge(Duration(ns)); }
 
 AxisText axisOf(const Event& event) {
@@ -121,8 +127,10 @@ QString whatHappened(const Event& event) {
           .arg(joystickName({static_cast<std::uint8_t>(event.now)}), axisOf(event).name);
     case EventKind::JoystickOutrankedOver:
       return EventText::tr("No longer outranked: %1").arg(axisOf(event).name);
-    case EventKind::LoadHigh: return EventText::tr("Bus load high: %1 %").arg(event.now);
-    case EventKind::LoadNormal: return EventText::tr("Bus load normal again: %1 %").arg(event.now);
+    case EventKind::LoadHigh:
+      return EventText::tr("Bus load high: %1 % of %2").arg(event.now).arg(rateOf(event));
+    case EventKind::LoadNormal:
+      return EventText::tr("Bus load normal again: %1 % of %2").arg(event.now).arg(rateOf(event));
     case EventKind::ErrorFrames: return EventText::tr("Error frames on the bus");
     case EventKind::ErrorFramesOver:
       return EventText::tr("No more error frames; there were %Ln", nullptr,

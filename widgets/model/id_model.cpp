@@ -115,9 +115,11 @@ QString IdModel::text(int at, int column) const {
     case Ends: return endsText(frame);
     case Name: return words(at).title;
     case Count: return QLocale().toString(static_cast<qulonglong>(row.count));
-    case Period: return milliseconds(row.period());
-    case Jitter: return row.jitter() ? QStringLiteral("±") + milliseconds(row.jitter()) : QString();
-    case Age: return calmAge(std::max(m_view.cursor.time - row.last, Duration(0)));
+    case Period: return m_view.hasTimes() ? milliseconds(row.period()) : QString();
+    case Jitter:
+      return row.jitter() && m_view.hasTimes() ? QStringLiteral("±") + milliseconds(row.jitter()) : QString();
+    case Age:
+      return m_view.hasTimes() ? calmAge(std::max(m_view.cursor.time - row.last, Duration(0))) : QString();
     case Data: return bytesText(frame);
     case Decoded: return words(at).summary;
     default: return {};

@@ -14,7 +14,7 @@ DialAxis axisOf(const Device& d, std::size_t axis, const PositionReading& readin
   if (d.position().isKnown()) {
     shown.reading = reading.state;
     shown.degrees = reading.tenths / 10.0;
-    shown.age = now - d.position().at;
+    shown.age = ageAt(d.position().at, now);
     shown.plusStop = d.position().value().plusStop[axis];
     shown.minusStop = d.position().value().minusStop[axis];
   }

@@ -42,7 +42,8 @@ class Answers {
                               .arg(value, agoText(m_now - answer.at), answerAgeText(age));
       return {label, withLine(old, again), Severity::Unknown, {}};
     }
-    return {label, withLine(value, again), again.isEmpty() ? tone : Severity::Warning, m_now - answer.at};
+    return {label, withLine(value, again), again.isEmpty() ? tone : Severity::Warning,
+            ageAt(answer.at, m_now)};
   }
 
  private:
@@ -64,8 +65,10 @@ constexpr Duration kLongestPeriod = 100ms;
 
 QString countText(std::uint32_t n) { return QLocale().toString(n); }
 
-QString framesText(std::uint32_t all, unsigned rate) {
-  return Facts::tr("%1, now %2 a second", "a count and a rate").arg(countText(all), countText(rate));
+QString framesText(std::uint32_t all, Instant heard, const FrameRate& rate, Instant now) {
+  if (!ageAt(heard, now)) return countText(all);
+  return Facts::tr("%1, now %2 a second", "a count and a rate")
+      .arg(countText(all), countText(rate.at(now, heard)));
 }
 
 QString heartbeatText(std::uint8_t state) {
@@ -84,7 +87,7 @@ PageFactGroup healthFacts(const Health& health, const Device* device, Instant no
                         health.severity() == Severity::Silent ? Severity::Unknown : health.severity());
   if (health.isFine()) {
     fact.value = Facts::tr("It has no faults, and its messages come in time.");
-    if (device != nullptr) fact.age = now - device->faults().at;
+    if (device != nullptr) fact.age = ageAt(device->faults().at, now);
   }
   group.facts.push_back(fact);
   return group;
@@ -155,8 +158,8 @@ PageFactGroup nodeOf(const Device& d, Instant now) {
   } else {
     state.tone = isOperational ? Severity::Fine : Severity::Warning;
   }
-  if (d.heartbeat().isKnown()) state.age = now - d.heartbeat().at;
-  group.facts = {state, plain(Facts::tr("Frames"), framesText(d.frames, d.rate.at(now, d.lastHeard)))};
+  state.age = ageAt(d.heartbeat().at, now);
+  group.facts = {state, plain(Facts::tr("Frames"), framesText(d.frames, d.lastHeard, d.rate, now))};
   if (d.malformed != 0)
     group.facts.push_back(plain(Facts::tr("Of a wrong length"), countText(d.malformed), Severity::Warning));
   return group;
@@ -170,9 +173,11 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
                       ? plain(Facts::tr("Priority"), priorityText(*stick.priority()))
                       : plain(Facts::tr("Priority"), Facts::tr("none: monitors listen to 33 to 38 hex"),
                               Severity::Warning));
+  // Without times nothing is known of its rhythm.
+  if (!ageAt(std::max(stick.basic.at, stick.extended.at), now)) return group;
   if (stick.timedOut) {
     facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), Severity::Unknown,
-                     now - stick.basic.at});
+                     ageAt(stick.basic.at, now)});
   } else {
     facts.push_back(plain(Facts::tr("Sending"), stick.basic.isKnown()
                                                     ? Facts::tr("every %1").arg(periodText(stick.period))
@@ -218,7 +223,7 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   const std::uint32_t malformed = device != nullptr ? device->malformed : node.malformed;
   const Instant heard = device != nullptr ? device->lastHeard : node.lastHeard;
   const FrameRate& rate = device != nullptr ? device->rate : node.rate;
-  facts.push_back(plain(Facts::tr("Frames"), framesText(frames, rate.at(state.cursor().time, heard))));
+  facts.push_back(plain(Facts::tr("Frames"), framesText(frames, heard, rate, state.cursor().time)));
   if (malformed != 0)
     facts.push_back(plain(Facts::tr("Of a wrong length"), countText(malformed), Severity::Warning));
   return group;

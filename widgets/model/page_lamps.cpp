@@ -17,11 +17,6 @@ struct Lamps {
   Q_DECLARE_TR_FUNCTIONS(Lamps)
 };
 
-std::optional<Duration> ageAt(Instant at, Instant now) {
-  if (at == kNotYet) return {};
-  return now - at;
-}
-
 // A group from one message whose flags are plain bits.
 class FlagGroup {
  public:

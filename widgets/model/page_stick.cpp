@@ -49,7 +49,7 @@ PageStick stickOf(const Joystick& stick, Instant now) {
   }
   const BasicJoystick message = stick.basic.value();
   place(page, message.x, message.y);
-  page.age = now - stick.basic.at;
+  page.age = ageAt(stick.basic.at, now);
   return page;
 }
 
@@ -61,7 +61,7 @@ PageStick gripOf(const Joystick& stick, Instant now) {
   const ExtendedJoystick message = stick.extended.value();
   place(page, message.gripX, message.gripY);
   page.thetaText = deflectionText(message.gripTheta, Stick::tr("forward"), Stick::tr("back"));
-  page.age = now - stick.extended.at;
+  page.age = ageAt(stick.extended.at, now);
   return page;
 }
 

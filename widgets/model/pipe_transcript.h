@@ -5,7 +5,9 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,27 +32,36 @@ class PipeTranscript {
 
   const std::vector<PipePacket>& packets() const { return m_packets; }
   Instant begin() const { return m_begin; }
-  // The device's last restart before the cursor, where something was said before it: what it was told by
-  // then it does not know any more. kNotYet: none.
-  Instant restarted() const {
-    return !m_packets.empty() && m_packets.front().time < m_restarted ? m_restarted : kNotYet;
-  }
-  // … after which nothing was sent to it yet.
-  Instant restartedSinceSent() const { return m_lastSent < m_restarted ? restarted() : kNotYet; }
+  // The device's restarts before the cursor, in order, but for those before the first packet: what the device was told
+  // by then it does not know any more.
+  std::span<const Instant> restarts() const;
+  // The last of them, if nothing was sent to the device since. kNotYet: none.
+  Instant restartedSinceSent() const;
 
   // Both directions, a line a packet or line of text, with times; for saving.
   QString text() const;
-  // "time,direction,bytes,ack_ms" of every packet, the ack empty where none came.
+  // "time_s,direction,bytes,ack_ms,repair" of every packet: the ack is empty where none came, the repair says what this
+  // console's user did about a missing ack: "skipped", "resent" of the packet that was sent again, or both.
   QString ledger() const;
 
  private:
+  void findRestarts(const LogView& view);
+  void addRestart(Instant time);
+  bool isOfDevice(Channel channel, Address address, const Pin& pin) const;
+  // What was done about missing acks, by packet.
+  std::vector<QStringList> repairs() const;
+
+  std::shared_ptr<const LogDocument> m_document;
   std::shared_ptr<const Exchanges::List> m_exchanges;
   DeviceKey m_device;
   std::size_t m_taken = 0;
   std::uint64_t m_cursor = 0;
   Instant m_begin;
-  Instant m_restarted = kNotYet;
-  Instant m_lastSent = kNotYet;  // to the device
+  unsigned m_generation = 0;  // of the log's events
+  std::size_t m_eventsSeen = 0;
+  std::vector<Instant> m_restarts;  // all that are known, in order
+  std::size_t m_restartsShown = 0;  // of these before the cursor
+  Instant m_lastSent = kNotYet;     // to the device
   std::vector<PipePacket> m_packets;
   // The last packet of each direction that waits for its ack; [1] from the device.
   std::array<std::optional<std::size_t>, 2> m_open;

@@ -260,7 +260,9 @@ int TraceModel::columnCount(const QModelIndex& parent) const { return parent.isV
 QString TraceModel::timeText(const TraceRow& row) const {
   switch (m_timeMode) {
     case TimeMode::Absolute: break;
-    case TimeMode::SinceBegin: return sinceText(m_view.document->frames.timeAt(row.index) - m_view.begin);
+    case TimeMode::SinceBegin:
+      if (!m_view.hasTimes()) break;
+      return sinceText(m_view.document->frames.timeAt(row.index) - m_view.begin);
     case TimeMode::SinceRowBefore: return deltaText(row.delta);
     case TimeMode::Clock:
       if (row.frame.hasStamp() && isDate(row.frame.stamp)) return clockText(row.frame.stamp);

@@ -20,6 +20,7 @@ std::vector<TraceRow> readTraceRows(const LogDocument& log, std::span<const std:
   rows.reserve(frames.size());
   LogTimes times(log.frames);
   std::optional<Instant> timeBefore;
+  const bool hasTimes = log.frames.hasTimes();
   if (before) timeBefore = times.at(*before);
   const std::uint64_t built = log.roles.built();
   std::optional<LogWalk> walk;
@@ -31,7 +32,7 @@ std::vector<TraceRow> readTraceRows(const LogDocument& log, std::span<const std:
     row.index = i;
     row.frame = log.frames[i];
     const Instant time = times.at(i);
-    if (timeBefore) row.delta = time - *timeBefore;
+    if (timeBefore && hasTimes) row.delta = time - *timeBefore;
     timeBefore = time;
     if (isKnown && old->isSettled) {
       row.what = old->what;

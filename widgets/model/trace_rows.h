@@ -19,7 +19,8 @@ namespace deckpipe {
 struct TraceRow {
   std::uint64_t index = 0;  // in the log
   Frame frame;
-  std::optional<Duration> delta;  // log time since the row before; none for the first of the log
+  std::optional<Duration>
+      delta;  // log time since the row before; none for the first of the log, or in one without times
   Classified what;
   QString title;
   QString summary;

@@ -160,6 +160,43 @@ TEST(LoadFact, SaysThatALogDoesNotTellItsBitRate) {
   EXPECT_TRUE(says(loadFact(snapshot, {}).story.toStdString(), "does not say its bit rate"));
 }
 
+// The same 100 frames a second, or 4,000, of which 250 kbit/s carry no half.
+std::string framesAt(int framesASecond) {
+  std::string text;
+  for (int i = 0; i <= framesASecond; ++i) {
+    char line[64];
+    const long us = 10'000'000L + 1'000'000L * i / framesASecond;
+    std::snprintf(line, sizeof line, "(%ld.%06ld) can0 18EFFF80#011D940371000041\n", us / 1'000'000,
+                  us % 1'000'000);
+    text += line;
+  }
+  return text;
+}
+
+TEST(LoadFact, NamesTheRateThatItAssumesOfALog) {
+  const Snapshot snapshot = file(framesAt(100).c_str());
+  EXPECT_EQ(loadFact(snapshot, ratesAt(snapshot.view)).text.toStdString(), "Load 6 % if 250 kbit/s");
+}
+
+TEST(LoadFact, IsOfTheRateThatTheLogSays) {
+  Snapshot snapshot = file(framesAt(1'000).c_str());
+  State state = *snapshot.view.state;
+  state.apply({.frame = 0, .time = {}, .value = note::LinkUp{{0}, "socketcan can0, 500 kbit/s", 500'000}});
+  snapshot.view.state = std::make_shared<State>(state);
+  const StatusFact fact = loadFact(snapshot, ratesAt(snapshot.view));
+  EXPECT_EQ(fact.text.toStdString(), "Load 29 %");
+  EXPECT_TRUE(says(fact.story.toStdString(), "of 500 kbit/s"));
+  EXPECT_FALSE(says(fact.story.toStdString(), "does not say"));
+}
+
+TEST(LoadFact, IsUnknownWhereMoreWasSentThanTheAssumedRateAllows) {
+  const Snapshot snapshot = file(framesAt(4'000).c_str());
+  const StatusFact fact = loadFact(snapshot, ratesAt(snapshot.view));
+  EXPECT_EQ(fact.text.toStdString(), "Load –");
+  EXPECT_EQ(fact.tone, Severity::Plain);
+  EXPECT_TRUE(says(fact.story.toStdString(), "more was sent than 250 kbit/s allow"));
+}
+
 TEST(LockFact, SaysThatNothingIsSent) {
   Snapshot snapshot = link(Progress::Running);
   const StatusFact fact = lockFact(snapshot);
@@ -308,6 +345,19 @@ TEST(RecordingFact, StandsStillAtTheLastFrameWhereNoLinkIsUp) {
     EXPECT_TRUE(says(text, progress == Progress::Running ? "0:05:07 · 2 frames" : "0:00:07 · 2 frames"))
         << text;
   }
+}
+
+TEST(CompletenessFact, IsNotSaidWithoutAFrame) {
+  for (const Progress progress : {Progress::Done, Progress::Opening}) {
+    Snapshot empty = file(kTruck, progress);
+    empty.view = viewOf(std::make_shared<LogDocument>());
+    EXPECT_EQ(completenessFact(empty).text.toStdString(), "No frame");
+    EXPECT_EQ(completenessFact(empty).tone, Severity::Unknown);
+    EXPECT_FALSE(says(recordingFact(empty).story.toStdString(), "over"));
+  }
+  Snapshot quiet = link(Progress::Running);
+  quiet.view = viewOf(std::make_shared<LogDocument>());
+  EXPECT_EQ(completenessFact(quiet).text.toStdString(), "No frame");
 }
 
 TEST(CompletenessFact, IsSaidOnlyOfWhatWasReadToItsEnd) {

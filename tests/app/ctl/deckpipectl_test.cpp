@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <csignal>
 
@@ -489,12 +490,29 @@ TEST(Info, OffersToAddUpTheDifferencesOfCandump) {
   const Outcome asTheyAre = run(words("info --json -"), log);
   EXPECT_EQ(asTheyAre.status, 0);
   EXPECT_TRUE(asTheyAre.err.contains("--deltas adds them up")) << asTheyAre.err.constData();
+  EXPECT_TRUE(asTheyAre.objects()[0][QLatin1String("span")].isNull());
+  EXPECT_TRUE(asTheyAre.objects()[0][QLatin1String("delta_times")].toBool());
+  EXPECT_TRUE(
+      run(words("info -"), log)
+          .lines()[1]
+          .startsWith("  4 frames over a time that is not known, as their times look like differences"));
   const Outcome added = run(words("info --json --deltas -"), log);
   EXPECT_EQ(added.status, 0);
   EXPECT_TRUE(added.err.isEmpty()) << added.err.constData();
   EXPECT_EQ(added.objects()[0][QLatin1String("span")].toDouble(), 0.3);
+  EXPECT_FALSE(added.objects()[0][QLatin1String("delta_times")].toBool());
   EXPECT_EQ(added.objects()[0][QLatin1String("time_jumps")].toInt(), 0);
   EXPECT_TRUE(run(decode({QStringLiteral("--deltas")}), log).lines().last().startsWith("{\"t\":0.300000,"));
+}
+
+TEST(Info, CountsOneAsOne) {
+  const Outcome r =
+      run(words("info --devices -"), "(1.0) can0 18EFFF80#FF83150206021A0B\n(1.0) can0 nonsense\n");
+  EXPECT_TRUE(r.out.contains("  1 frame over 0.000000 s on 1 channel\n")) << r.out.constData();
+  EXPECT_TRUE(r.out.contains("  1 unreadable line\n")) << r.out.constData();
+  EXPECT_TRUE(r.out.contains("address 80  1 frame,")) << r.out.constData();
+  EXPECT_FALSE(
+      QRegularExpression(QStringLiteral("\\b1 [a-z]+s\\b")).match(QString::fromUtf8(r.out)).hasMatch());
 }
 
 TEST(Info, CountsFramesByIdentifierAndUnreadableLines) {

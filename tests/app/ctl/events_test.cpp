@@ -82,6 +82,45 @@ TEST(EventsOfTheTool, TellTwoDevicesAtOneAddress) {
   EXPECT_EQ((*shared)[QStringLiteral("weight")].toString(), QStringLiteral("fault"));
 }
 
+const QByteArray kTimeless =
+    "  can0  18EFFF80   [8]  FF 83 15 02 06 02 1A 0B\n"
+    "  can0  18EFFF80   [3]  83 C0 51\n"
+    "  can0  18EFFF80   [3]  83 40 51\n";
+
+TEST(EventsOfTheTool, HaveNoTimeInALogWithoutTimes) {
+  EXPECT_EQ(
+      eventsOf(kTimeless).lines(),
+      (QList<QByteArray>{
+          R"({"event":"disabled","t":null,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"warning","was":true,"now":false})"}));
+  EXPECT_EQ(eventsOf(kTimeless, false).lines(),
+            (QList<QByteArray>{"           -  can0   1032AE100801035  warning  disabled"}));
+}
+
+TEST(EventsOfTheTool, SayLongTimesInWordsForPeople) {
+  const Outcome r = eventsOf(
+      "(1700000000.000000) can0 18EFFF80#FF83150206021A0B\n"
+      "(1700000000.100000) can0 18EFFF80#83C051\n"
+      "(1700003500.000000) can0 18EFFF80#83C051\n"
+      "(1700003500.100000) can0 18EFFF80#83C051\n",
+      false);
+  ASSERT_EQ(r.lines().size(), 2) << r.out.constData();
+  EXPECT_TRUE(r.lines()[1].endsWith("back, after 58 min")) << r.out.constData();
+}
+
+TEST(EventsOfTheTool, NameTheRateOfALoad) {
+  QByteArray log = "(1700000000.000000) can0 18EFFF80#FF83150206021A0B\n";
+  for (int i = 0; i < 5'000; ++i)
+    log += "(170000000" + QByteArray::number(i * 600 / 1'000'000) + "." +
+           QByteArray::number(i * 600 % 1'000'000).rightJustified(6, '0') +
+           ") can0 18FEF100#1122334455667788\n";
+  const Outcome json = eventsOf(log);
+  ASSERT_FALSE(json.lines().isEmpty());
+  EXPECT_EQ(json.objects()[0][QStringLiteral("event")].toString(), QStringLiteral("load_high"));
+  EXPECT_EQ(json.objects()[0][QStringLiteral("bit_rate")].toInt(), 250'000);
+  EXPECT_TRUE(json.objects()[0][QStringLiteral("rate_assumed")].toBool());
+  EXPECT_TRUE(eventsOf(log, false).lines()[0].endsWith(" % of 250 kbit/s, which is assumed"));
+}
+
 TEST(EventsOfTheTool, EndWithTheStatusOfWhatReadsFiles) {
   EXPECT_EQ(eventsOf({}).status, 4);
   EXPECT_EQ(eventsOf("no log\n").status, 3);

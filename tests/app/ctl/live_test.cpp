@@ -278,6 +278,23 @@ TEST_F(Live, CommandThatIsStoppedSaysThatItIsOnTheBus) {
   EXPECT_EQ(r.objects()[0][QLatin1String("on_bus")], QJsonValue(true));
 }
 
+// Without an echo nobody can tell.
+TEST_F(Live, CommandThatIsStoppedSaysThatItCannotTellOnALinkWithoutEcho) {
+  intent(0, SimulatedFault::ResetNever);
+  ASSERT_TRUE(m_interface.endsWith(QLatin1String("?echo")));
+  m_interface.chop(5);
+  QProcess process;
+  start(process, "command reset --unlock --yes --address 80");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return wasSent(0x80, 0x45); }, kPatience));
+  ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+  const Outcome r = end(process);
+  EXPECT_EQ(r.status, 1);
+  ASSERT_EQ(r.lines().size(), 1) << r.out.constData();
+  EXPECT_EQ(text(r.objects()[0], "end"), QStringLiteral("stopped"));
+  EXPECT_TRUE(r.objects()[0].contains(QLatin1String("on_bus")));
+  EXPECT_TRUE(r.objects()[0][QLatin1String("on_bus")].isNull());
+}
+
 TEST_F(Live, WhatADeviceDoesNotTakeIsSaid) {
   const Outcome r = run("poll --unlock --pin 1033AE100802117 --kinds vista,fault");
   EXPECT_EQ(r.status, 1);
@@ -476,6 +493,40 @@ TEST_F(Live, PipeSendsAgainOnlyWhenToldTo) {
   const Outcome r = run("pipe --unlock --pin 1032AE100801035 --on-missing-ack resend", kLong);
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.err.contains("it may arrive twice")) << r.err.constData();
+}
+
+// The adapter's queue is full at the third packet, once.
+class FullQueue : public Live {
+ protected:
+  Outcome pipe(const QStringList& more) const {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("QT_PLUGIN_PATH"), QStringLiteral(TEST_PLUGINS));
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(DECKPIPECTL),
+                  words("pipe --unlock --pin 1032AE100801035 --plugin fullqueue --interface") +
+                      QStringList{m_interface} + more);
+    process.write(kLong);
+    process.closeWriteChannel();
+    return end(process);
+  }
+};
+
+TEST_F(FullQueue, StopsThePipeWhichSaysThatThePacketWasNotSent) {
+  const Outcome r = pipe({});
+  EXPECT_EQ(r.status, 1);
+  EXPECT_TRUE(r.err.contains(
+      "the adapter did not take the packet: it was not sent; 14 of 76 bytes were acknowledged"))
+      << r.err.constData();
+  EXPECT_EQ(piped(), QByteArray(kLong).left(14)) << "nothing goes out behind it";
+}
+
+TEST_F(FullQueue, LetsThePipeSendThePacketAgainOnlyWhenToldTo) {
+  const Outcome r = pipe(words("--on-missing-ack resend"));
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_TRUE(r.err.contains("it was not sent; sending the packet again")) << r.err.constData();
+  EXPECT_FALSE(r.err.contains("twice")) << r.err.constData();
+  EXPECT_EQ(piped(), QByteArray(kLong).replace('\n', '\r'));
 }
 
 TEST_F(Live, PipeEndsWhereTheDeviceRestartsInTheMiddle) {

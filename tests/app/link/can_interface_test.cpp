@@ -104,7 +104,6 @@ TEST(LinkMessages, TellAllThatIsKnownOfAController) {
   EXPECT_TRUE(link.isListenOnly);
   EXPECT_FALSE(link.hasFlexibleDataRate);
   EXPECT_FALSE(link.echoesInDriver);
-  EXPECT_EQ(link.transmitQueue, 10u);
   EXPECT_EQ(link.bitRate, 250'000u);
   EXPECT_EQ(link.restartMs, 100u);
   EXPECT_EQ(link.sendErrors, 130);

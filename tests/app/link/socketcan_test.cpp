@@ -60,7 +60,6 @@ TEST_F(SocketCan, FramesGoBothWaysAndOwnOnesComeBackConfirmedOnce) {
   EXPECT_EQ(one.link.status().hardware->bitRate, 250'000u);
   EXPECT_EQ(one.link.status().hardware->kind, "can");
   EXPECT_TRUE(one.link.status().hardware->echoesInDriver);
-  EXPECT_GT(one.link.status().hardware->transmitQueue, 0u);
   EXPECT_FALSE(one.link.status().hardware->isListenOnly);
   const auto buffer = one.link.receiveBuffer();
   ASSERT_TRUE(buffer) << "the plugin's socket was not found";

@@ -130,6 +130,38 @@ TEST(LiveBus, AnAckThatCameWhileItsThreadStoodStillIsInTime) {
   QMetaObject::invokeMethod(live, &LiveBus::close, Qt::QueuedConnection);
 }
 
+// Controller and driver lose what others sent; our own frames come back from behind them.
+TEST(LiveBus, TakesAnEchoForLostWhereTheKernelDroppedFramesAndNotWhereTheControllerLostSome) {
+  VirtualBus bus;
+  ASSERT_TRUE(bus.start());
+  const LinkSettings settings{QStringLiteral("virtualcan"), bus.interfaceName(0), 250'000, {}};
+  LiveBus live(std::make_shared<LogDocument>(), settings);
+  RecordingListener peer;
+  CanLink peerLink(settings);
+  peerLink.open(peer);
+  live.start();
+  const auto waitFor = [](auto condition) { return QTest::qWaitFor(condition, kPatience); };
+  ASSERT_TRUE(waitFor([&] { return peer.state() == LinkState::Up; }));
+  ASSERT_TRUE(waitFor([&] { return live.latest().link.state == LinkState::Up; }));
+  live.apply({intent::Unlock{}, bootTime(), 1});
+  ASSERT_TRUE(waitFor([&] { return live.latest().services->canRequest(); }));
+  const DeviceKey monitor = DeviceKey::of(*Pin::parse("1032AE100801035"));
+  peerLink.write(test::frame("18EFFF80", "FF83150206021A0B"));
+  ASSERT_TRUE(waitFor([&] { return live.latest().services->find(monitor) != nullptr; }));
+
+  // From here on no event is handled, so that the echo does not come.
+  live.apply({intent::SendRequests{monitor, {Request::Fault}}, bootTime(), 2});
+  PortListener& listener = live;
+  const auto progressAfter = [&](NotKept reason) {
+    listener.framesNotKept(reason, 1);
+    live.sayDrive({0x20}, false);  // publishes
+    return live.latest().services->find(monitor)->of(Request::Fault).progress;
+  };
+  using Progress = RequestStatus::Progress;
+  EXPECT_EQ(progressAfter(NotKept::Overrun), Progress::Queued);
+  EXPECT_EQ(progressAfter(NotKept::Overflow), Progress::Waiting);
+}
+
 struct EndOfALiveBus : testing::Test {
   void SetUp() override {
     ASSERT_TRUE(bus.start());

@@ -482,6 +482,21 @@ TEST(Journal, EndsAtANewerVersionOfWhatTheRestNeedsAndSaysSo) {
   }
 }
 
+// To look at all that wait for each block would take minutes.
+TEST(Journal, OfManyNotesInFallingOrderBeforeTheirFramesIsRead) {
+  Recording written;
+  written.fill();
+  JournalBytes bytes = journalOf(written, false);
+  constexpr std::uint64_t kNotes = 60'000;
+  for (std::uint64_t i = kNotes; i > 0; --i) {
+    const std::vector<Note> note{{.frame = written.frames.count() + i, .value = note::Locked{}}};
+    appendNoteBlocks(bytes, note);
+  }
+  Recording read;
+  read.read(bytes);
+  expectSame(read, written);
+}
+
 TEST(Journal, LeavesOutNotesOfFramesThatWereNotWritten) {
   Recording written;
   written.fill();

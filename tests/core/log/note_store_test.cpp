@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <thread>
 
@@ -42,6 +43,16 @@ TEST(NoteStore, PutsANoteWhereItsTimeIs) {
   }
   EXPECT_EQ(texts(notes.all()), (std::vector<std::string>{"100", "130", "160"}));
   EXPECT_EQ(notes.lastTime(), Instant{160});
+}
+
+// To move all that are there for each new one would take minutes.
+TEST(NoteStore, TakesManyNotesInFallingOrder) {
+  constexpr std::int64_t kNotes = 250'000;
+  NoteStore notes;
+  for (std::int64_t i = kNotes; i > 0; --i) notes.append({.frame = 3, .time = {i}, .value = note::Locked{}});
+  const std::vector<Note> all = notes.all();
+  ASSERT_EQ(all.size(), static_cast<std::size_t>(kNotes));
+  EXPECT_TRUE(std::ranges::is_sorted(all, {}, &Note::time));
 }
 
 TEST(NoteStore, TellsNotesAsTheyWereAppended) {

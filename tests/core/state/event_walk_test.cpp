@@ -372,7 +372,7 @@ const std::vector<EventCase> kCases{
        for (Duration t = 0s; t < 2700ms; t += 540us) s.hear("18FEF100", "1122334455667788").pass(540us);
        s.goOn(3s);
      },
-     {"7.000 load_high 0>107", "10.000 load_normal 75>0"}},
+     {"7.000 load_high 0>107 of 250?", "10.000 load_normal 75>0 of 250?"}},
     {"AFullBus",
      [](Story& s) {
        s.monitor();
@@ -383,7 +383,35 @@ const std::vector<EventCase> kCases{
        }
        s.goOn(3s);
      },
-     {"9.000 load_high 0>97", "12.000 load_normal 97>0"}},
+     {"9.000 load_high 0>97 of 250?", "12.000 load_normal 97>0 of 250?"}},
+    {"AFullBusWhoseRateTheLogSays",
+     [](Story& s) {
+       s.note(note::LinkUp{{}, {}, 500'000});
+       for (Duration t = 0s; t < 3s; t += 300us) s.hear("18FEF100", "1122334455667788").pass(300us);
+       s.pass(3s);
+     },
+     {"2.000 load_high 0>96 of 500", "5.000 load_normal 96>0 of 500"}},
+    {"ABusThatIsHalfFullOfTheRateThatTheLogSays",
+     [](Story& s) {
+       s.note(note::LinkUp{{}, {}, 500'000}).monitor();
+       for (int i = 0; i < 20; ++i) s.goOn(100ms);
+       for (Duration t = 0s; t < 3s; t += 600us) {
+         if (t % 120ms == 0s) s.statuses();
+         s.hear("18FEF100", "1122334455667788").pass(600us);
+       }
+       s.goOn(3s);
+     },
+     {}},
+    {"ABusThatCarriesMoreThanTheAssumedRateAllows",
+     [](Story& s) {
+       s.monitor();
+       for (Duration t = 0s; t < 3s; t += 300us) {
+         if (t % 120ms == 0s) s.statuses();
+         s.hear("18FEF100", "1122334455667788").pass(300us);
+       }
+       s.goOn(3s);
+     },
+     {}},
 };
 INSTANTIATE_TEST_SUITE_P(Walk, EventsOf, testing::ValuesIn(kCases),
                          [](const auto& row) { return std::string(row.param.name); });

@@ -211,10 +211,46 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"OneStatusLate", [](Bus& b) { b.monitor().answered().pass(300ms).hear("18EFFF80", kOutputs); },
              "late"},
         Case{"ALinkThatIsDown", [](Bus& b) { b.monitor().answered().note(note::LinkDown{}).pass(1h); },
-             "fine"},
+             "link_down"},
+        Case{"FaultsWhoseLinkIsDown",
+             [](Bus& b) { b.monitor().answered("02002000000000").note(note::LinkDown{}); }, "link_down"},
+        Case{"ANodeOfAnotherMakerWhoseLinkIsDown",
+             [](Bus& b) { b.hear("18FEF121", "00").note(note::LinkDown{}).pass(1h); }, "link_down"},
         Case{"ALinkThatGoesDownDuringASilence",
-             [](Bus& b) { b.monitor().answered().pass(5s).note(note::LinkDown{}).pass(1h); },
+             [](Bus& b) { b.monitor().answered().pass(5s).note(note::LinkDown{}).pass(1h); }, "link_down"},
+        Case{"SilenceBeforeTheLinkWasDown",
+             [](Bus& b) {
+               b.monitor().answered().pass(3s).note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(1ms);
+             },
              "silent faults_old"},
+        Case{"SilenceBeforeTheLinkWasDownTwice",
+             [](Bus& b) {
+               b.monitor().answered().pass(3s).note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(1s);
+               b.note(note::LinkDown{}).pass(1s).note(note::LinkUp{}).pass(1s);
+             },
+             "silent faults_old"},
+        Case{"SilenceThatHadNotBegunWhenTheLinkWasDown",
+             [](Bus& b) {
+               b.monitor().answered().pass(3s - 1ns).note(note::LinkDown{}).pass(1h).note(note::LinkUp{});
+               b.pass(3s - 1ns);
+             },
+             "late"},
+        Case{"SilenceBeforeTheLinkWasDownAndWordsAfterIt",
+             [](Bus& b) {
+               b.monitor().answered().pass(3s).note(note::LinkDown{}).pass(1h).note(note::LinkUp{});
+               b.statuses().answered();
+             },
+             "fine"},
+        Case{"AnIdleNodeBehindALinkThatWasDown",
+             [](Bus& b) {
+               b.hear("18FEF121", "00")
+                   .pass(3s)
+                   .note(note::LinkDown{})
+                   .pass(1h)
+                   .note(note::LinkUp{})
+                   .pass(1ms);
+             },
+             "idle cannot_be_asked"},
         Case{"ALinkThatIsJustUpAgain",
              [](Bus& b) {
                b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(250ms);
@@ -230,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(
                b.hear("18EEFF33", kNameOfA).hear("18EFFF33", kAnnouncesA);
                b.hear("0CFDD633", "0100010000000000").note(note::LinkDown{}).pass(1h);
              },
-             "faults_never_asked status_never_heard"},
+             "link_down"},
         Case{"AMonitorWhoseSensorsAreNotFittedAnyMore",
              [](Bus& b) {
                b.monitor().answered().hear("18EFFF80", "81FED401C200").hear("18EFFF80", "82FE0C00E100");

@@ -69,7 +69,36 @@ TEST(TwoAtOneAddress, IsOnlyEqualUntilAStatusChangesInPairs) {
   EXPECT_FALSE(health().has(HealthCause::TwoAtOneAddress));
   for (int i = 0; i < 25; ++i) bus.pass(70ms).statuses(kPosition).pass(30ms).statuses(kTurnedALittle);
   EXPECT_TRUE(health().has(HealthCause::TwoAtOneAddress));
-  EXPECT_FALSE(health().isOnlyEqual) << "they say different things";
+  EXPECT_TRUE(health().isOnlyEqual) << "two loggers may have heard one device, a second apart";
+  bus.note(note::LinkUp{}).pass(30ms);
+  EXPECT_TRUE(health().has(HealthCause::TwoAtOneAddress));
+  EXPECT_FALSE(health().isOnlyEqual) << "they say different things, and one link heard them";
+}
+
+// Two loggers heard one moving monitor, and what they wrote was put into one log, a second apart.
+TEST(TwoAtOneAddress, IsNotCertainOfAMonitorInALogOfTwoLoggers) {
+  Bus bus;
+  bus.monitor();
+  const auto positionAt = [](int period) {
+    char data[17];
+    std::snprintf(data, sizeof data, "011D%02X0371000041", period % 256);
+    return std::string(data);
+  };
+  for (int i = 0; i < 60; ++i)
+    bus.pass(70ms).hear("18EFFF80", positionAt(i)).pass(30ms).hear("18EFFF80", positionAt(i + 246));
+  const Health health = healthOf(bus.state(), *bus.device(kPinA));
+  EXPECT_TRUE(health.has(HealthCause::TwoAtOneAddress));
+  EXPECT_TRUE(health.isOnlyEqual);
+}
+
+// Of two PINs in turn no pace needs to tell.
+TEST(TwoAtOneAddress, IsCertainOfTwoPins) {
+  Bus bus;
+  bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(500ms);
+  bus.hear("18EEFF80", kNameOfB).hear("18EFFF80", kAnnouncesB).pass(100ms);
+  for (int i = 0; i < 8; ++i) bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).pass(50ms);
+  bus.hear("18EFFF80", kAnnouncesA).pass(100ms);
+  EXPECT_FALSE(healthOf(bus.state(), *bus.device(kPinB)).isOnlyEqual);
 }
 
 TEST(TwoAtOneAddress, IsOfThreeAndFour) {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "model/page_sources.h"
+#include "support/logs.h"
 #include "widgets/model/heard.h"
 
 namespace deckpipe {
@@ -45,6 +46,35 @@ PageFact fact(const DevicePageValues& page, const char* label) {
   }
   ADD_FAILURE() << "no fact " << label;
   return {};
+}
+
+TEST(DevicePageOf, HasNoAgesWhereTheLogHasNoTimes) {
+  const auto log = test::logOfText(
+      "can0  18EEFF80   [8]  0B 1A C2 28 00 42 00 90\n"
+      "can0  18EFFF80   [8]  FF 83 15 02 06 02 1A 0B\n"
+      "can0  18EFFF80   [8]  01 1D 94 03 71 00 00 41\n"
+      "can0  18EFFF80   [3]  83 C0 51\n"
+      "can0  18EF80F9   [1]  02\n"
+      "can0  18EFF980   [7]  02 00 00 00 00 00 00\n"
+      "can0  0CFDD633   [8]  01 00 01 00 00 00 00 00\n");
+  LogView view = test::viewOf(log);
+  view.state = std::make_shared<State>(log->keyframes.at(view.cursor));
+  for (const DeviceKey& key : {keyOfA(), addressKey(0x33)}) {
+    const DevicePageValues page = devicePageOf(view, key);
+    ASSERT_TRUE(page.isFound);
+    EXPECT_FALSE(page.age);
+    EXPECT_FALSE(page.dial && page.dial->rotation.age);
+    EXPECT_FALSE(page.stops.age);
+    for (const PageLampGroup& group : page.lamps) EXPECT_FALSE(group.age) << group.key.toStdString();
+    for (const PageStick& stick : page.sticks) EXPECT_FALSE(stick.age);
+    for (const PageFactGroup& group : page.facts) {
+      for (const PageFact& f : group.facts) {
+        EXPECT_FALSE(f.age) << f.label.toStdString();
+        EXPECT_FALSE(f.value.contains(QLatin1String(" s"))) << f.value.toStdString();
+        EXPECT_FALSE(f.value.contains(QLatin1String("0 ms"))) << f.value.toStdString();
+      }
+    }
+  }
 }
 
 TEST(DevicePageOf, GivesAMonitorItsDialFromFeedback) {
@@ -243,7 +273,7 @@ TEST(DevicePageOf, ShowsAnswersWithTheirAge) {
 TEST(DevicePageOf, TellsNeverAskedFromNoAnswer) {
   Heard bus;
   bus.monitor().hear("18EF80F9", "02");
-  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("asked just now"));
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("asked, no answer yet"));
   bus.pass(2s).statuses();
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").value, QStringLiteral("no answer, asked 2.0 s ago"));
   EXPECT_EQ(fact(pageOf(bus), "Fault bits").tone, Severity::Warning);

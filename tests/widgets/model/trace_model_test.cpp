@@ -88,6 +88,16 @@ TEST_F(TraceModelTest, WritesEveryColumnForPeople) {
   }
 }
 
+TEST_F(TraceModelTest, HasNoTimesWhereTheLogHasNone) {
+  model.setView(test::viewOf(test::logOfText("can0 123 [1] 11\ncan0 123 [1] 12\n")));
+  model.setWindow(0, 50);
+  for (const int row : {0, 1}) EXPECT_EQ(cell(row, Delta).toStdString(), "") << row;
+  for (const auto mode : {TraceModel::TimeMode::SinceBegin, TraceModel::TimeMode::SinceRowBefore}) {
+    model.setTimeMode(mode);
+    EXPECT_FALSE(cell(1, Time).contains(u'0')) << cell(1, Time).toStdString();
+  }
+}
+
 TEST_F(TraceModelTest, MarksWhatAPersonMustNotMiss) {
   model.setWindow(0, 50);
   model.setView(test::viewOf(test::logOfText(kSmall), 2));

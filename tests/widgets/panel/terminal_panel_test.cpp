@@ -511,6 +511,23 @@ TEST_F(Terminal, TheManualsCautionIsAlwaysThere) {
       child<QLabel>("pipeCaution")->text().contains(QStringLiteral("not available for integrator use")));
 }
 
+// At the end of the log, with all of it found.
+LogView builtView(const std::shared_ptr<LogDocument>& document) {
+  while (document->roles.build(100)) {
+  }
+  while (document->exchanges.build(100)) {
+  }
+  LogView view;
+  view.document = document;
+  view.frameCount = document->frames.count();
+  view.cursor = {view.frameCount, document->frames.lastTime()};
+  while (document->events.build(view.cursor)) {
+  }
+  view.begin = document->frames.timeAt(0);
+  view.state = std::make_shared<State>(document->keyframes.at(view.cursor));
+  return view;
+}
+
 TEST(PipeTranscript, KnowsTheAckOfEachPacketAndSavesThem) {
   auto document = std::make_shared<LogDocument>();
   Frame ours = frame("18EF80F9", "FE43", 0, 30 * kMilli);
@@ -531,9 +548,54 @@ TEST(PipeTranscript, KnowsTheAckOfEachPacketAndSavesThem) {
   ASSERT_EQ(transcript.packets().size(), 3u);
   EXPECT_EQ(*transcript.packets()[0].acknowledged - transcript.packets()[0].time, 4ms);
   EXPECT_FALSE(transcript.packets()[1].acknowledged);
-  EXPECT_EQ(transcript.ledger(), QStringLiteral("time_s,direction,bytes,ack_ms\n0.010000,out,2,4.0\n"
-                                                "0.020000,in,1,\n0.030000,out,1,\n"));
+  EXPECT_EQ(transcript.ledger(), QStringLiteral("time_s,direction,bytes,ack_ms,repair\n"
+                                                "0.010000,out,2,4.0,\n0.020000,in,1,,\n0.030000,out,1,,\n"));
   EXPECT_EQ(transcript.text(), QStringLiteral("0:00:00.010  F8> A\n0:00:00.020  < B\n0:00:00.030  > C\n"));
+}
+
+TEST(PipeTranscript, SaysWhichPacketsWereSentAgainAndWhichWereSkipped) {
+  auto document = std::make_shared<LogDocument>();
+  std::vector<Frame> frames{frame("18EFFF80", "FF83150206021A0B", 0, 0)};
+  for (int i = 1; i <= 4; ++i) {
+    frames.push_back(frame("18EF80F9", "FE41", 0, i * 1'000 * kMilli));
+    frames.back().flags |= Frame::kSent;
+  }
+  ASSERT_TRUE(document->frames.append(frames));
+  const auto note = [&](std::uint64_t at, const char* pin, PipeEvent event) {
+    document->notes.append({.frame = at,
+                            .time = document->frames.timeAt(at - 1),
+                            .value = note::Pipe{{}, Address{0x80}, *Pin::parse(pin), event, {}}});
+  };
+  note(2, "1032AE100801035", PipeEvent::Resent);
+  note(3, "1032AE100801035", PipeEvent::Skipped);
+  note(5, "1032AE100801036", PipeEvent::Skipped);
+  LogView view = builtView(document);
+  PipeTranscript transcript;
+  transcript.take(view, kTerminalMonitor);
+  EXPECT_EQ(transcript.ledger(),
+            QStringLiteral("time_s,direction,bytes,ack_ms,repair\n1.000000,out,1,,\n"
+                           "2.000000,out,1,,resent skipped\n3.000000,out,1,,\n4.000000,out,1,,\n"));
+}
+
+TEST(PipeTranscript, HasEveryRestartOfTheDevice) {
+  auto document = std::make_shared<LogDocument>();
+  std::vector<Frame> frames;
+  for (int i = 0; i <= 3; ++i) {
+    frames.push_back(frame("18EFFF80", "FF83150206021A0B", 0, i * 60'000 * kMilli));
+    for (int k = 1; k < 500; ++k)
+      frames.push_back(frame("18EFFF80", "83C051", 0, (i * 60'000 + k * 100) * kMilli));
+    frames.push_back(frame("18EF80F9", "FE410A", 0, (i * 60'000 + 50'000) * kMilli));
+    frames.back().flags |= Frame::kSent;
+  }
+  ASSERT_TRUE(document->frames.append(frames));
+  const LogView view = builtView(document);
+  PipeTranscript transcript;
+  transcript.take(view, kTerminalMonitor);
+  const QString restart = QStringLiteral("  — the device restarted —\n");
+  EXPECT_EQ(transcript.text(), QStringLiteral("0:00:50.000  > A\n0:01:00.000") + restart +
+                                   QStringLiteral("0:01:50.000  > A\n0:02:00.000") + restart +
+                                   QStringLiteral("0:02:50.000  > A\n0:03:00.000") + restart +
+                                   QStringLiteral("0:03:50.000  > A\n"));
 }
 
 }  // namespace

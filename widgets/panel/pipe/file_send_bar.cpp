@@ -10,6 +10,7 @@
 #include "panel/common/elided_label.h"
 #include "panel/common/label_text.h"
 #include "text/age_text.h"
+#include "text/plural.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
@@ -31,7 +32,8 @@ double bytesPerSecond(const PipeStatus& pipe, Instant now) {
 bool hasDoubts(const PipeStatus& pipe) { return pipe.fileSkipped != 0 || pipe.fileResent != 0; }
 
 QString countsText(const PipeStatus& pipe) {
-  return FileSendBar::tr("%1 packets skipped, %2 sent again").arg(pipe.fileSkipped).arg(pipe.fileResent);
+  return FileSendBar::tr("%n packets skipped, %1 sent again", nullptr, forPlural(pipe.fileSkipped))
+      .arg(pipe.fileResent);
 }
 
 // A longer time says only that hardly anything has gone out yet.
@@ -40,8 +42,8 @@ constexpr double kLongestTold = 7 * 24 * 3600;  // s
 // What was skipped or sent again may be missing, or be there twice.
 QString doneText(const PipeStatus& pipe) {
   if (!hasDoubts(pipe)) return FileSendBar::tr("Sent");
-  return FileSendBar::tr("Gone through, but %1 packets skipped and %2 sent again: what arrived is not known")
-      .arg(pipe.fileSkipped)
+  return FileSendBar::tr("Gone through, but %n packets skipped and %1 sent again: what arrived is not known",
+                         nullptr, forPlural(pipe.fileSkipped))
       .arg(pipe.fileResent);
 }
 
@@ -105,9 +107,8 @@ void FileSendBar::setStatus(const PipeStatus& pipe, Instant now, bool isLive) {
   setText(*m_name, QString::fromStdString(pipe.file));
   m_name->setToolTip(m_name->text());
   m_progress->setValue(pipe.fileSize == 0 ? 1000 : static_cast<int>(1000 * pipe.fileSent / pipe.fileSize));
-  QStringList parts{tr("%1 of %2 bytes")
-                        .arg(locale.toString(static_cast<qulonglong>(pipe.fileSent)),
-                             locale.toString(static_cast<qulonglong>(pipe.fileSize)))};
+  QStringList parts{tr("%1 of %Ln bytes", nullptr, forPlural(pipe.fileSize))
+                        .arg(locale.toString(static_cast<qulonglong>(pipe.fileSent)))};
   switch (pipe.fileEnd) {
     case PipeStatus::FileEnd::None: break;
     case PipeStatus::FileEnd::Done: parts.prepend(doneText(pipe)); break;

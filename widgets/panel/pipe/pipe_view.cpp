@@ -124,7 +124,7 @@ void PipeView::rebuild() {
   m_shown = 0;
   m_lastSender = {};
   m_isLineOpen = false;
-  m_isRestartShown = false;
+  m_restartsShown = 0;
   append(0);
 }
 
@@ -132,22 +132,22 @@ void PipeView::rebuild() {
 // colour, those of another console with its address before it.
 void PipeView::append(std::size_t from) {
   const std::vector<PipePacket>& packets = m_transcript.packets();
-  const bool tellsRestart = m_transcript.restarted() != kNotYet && !m_isRestartShown;
-  if (from >= packets.size() && !tellsRestart) return;
+  const std::span<const Instant> restarts = m_transcript.restarts();
+  if (from >= packets.size() && m_restartsShown >= restarts.size()) return;
   QTextCursor cursor(m_text->document());
   cursor.movePosition(QTextCursor::End);
   QTextCharFormat format;
   const Colours& c = coloursOf(this);
-  const auto showRestart = [&] {
-    if (m_isRestartShown || !tellsRestart) return;
-    format.setForeground(c.warning.ink);
-    if (std::exchange(m_isLineOpen, false)) cursor.insertText(QStringLiteral("\n"), format);
-    cursor.insertText(pipeRestartText() + QLatin1Char('\n'), format);
-    m_isRestartShown = true;
+  const auto showRestartsBefore = [&](Instant time) {
+    for (; m_restartsShown < restarts.size() && restarts[m_restartsShown] < time; ++m_restartsShown) {
+      format.setForeground(c.warning.ink);
+      if (std::exchange(m_isLineOpen, false)) cursor.insertText(QStringLiteral("\n"), format);
+      cursor.insertText(pipeRestartText() + QLatin1Char('\n'), format);
+    }
   };
   for (; from < packets.size(); ++from) {
     const PipePacket& packet = packets[from];
-    if (packet.time > m_transcript.restarted()) showRestart();
+    showRestartsBefore(packet.time);
     if (!packet.isFromDevice && !m_echo->isChecked()) continue;
     format.setForeground(packet.isFromDevice ? c.text : packet.isOurs ? c.accent.ink : c.textSecondary);
     if (packet.sender != m_lastSender && m_isLineOpen) {
@@ -169,7 +169,7 @@ void PipeView::append(std::size_t from) {
     }
     cursor.insertText(out, format);
   }
-  showRestart();
+  showRestartsBefore(kNever);
   m_shown = packets.size();
   if (m_isFollowing) m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
 }

@@ -53,7 +53,7 @@ class PipeView : public QWidget {
   Address m_lastSender;
   bool m_isFollowing = true;  // the end, until a person scrolls away from it
   bool m_isLineOpen = false;
-  bool m_isRestartShown = false;
+  std::size_t m_restartsShown = 0;
   QPlainTextEdit* m_text;
   QWidget* m_tools = nullptr;
   QCheckBox* m_echo = nullptr;

@@ -39,7 +39,7 @@ TimeReadout::TimeReadout(QWidget* parent) : QWidget(parent) {
 
 void TimeReadout::setView(const LogView& view) {
   const QString dash(QChar(0x2013));
-  const bool isEmpty = !view.document || view.frameCount == 0;
+  const bool isEmpty = !view.document || view.frameCount == 0 || !view.hasTimes();
   const Instant now = std::max(view.cursor.time, view.begin);
   const QString elapsed = isEmpty ? dash : elapsedText(now - view.begin);
   const auto stamp = stampAt(view);

@@ -18,6 +18,7 @@
 #include "paint/timeline.h"
 #include "panel/play/time_readout.h"
 #include "panel/play/transport_button.h"
+#include "text/plural.h"
 
 namespace deckpipe {
 namespace {
@@ -170,9 +171,8 @@ QString TransportBar::selectionText() const {
   const std::uint64_t count = frames.firstAtOrAfter(span->end) - frames.firstAtOrAfter(span->begin);
   const double seconds = span->ns() / 1e9;
   const QLocale locale;
-  return tr("%1 s, %2 frames, %3/s")
+  return tr("%1 s, %Ln frames, %2/s", nullptr, forPlural(count))
       .arg(locale.toString(seconds, 'f', seconds < 100 ? 3 : 1),
-           locale.toString(static_cast<qulonglong>(count)),
            locale.toString(static_cast<double>(count) / seconds, 'f', 0));
 }
 

@@ -298,7 +298,8 @@ RequestCardValues RequestPanel::loggedValues(Request request, bool withMissing) 
         known != nullptr ? ageOfAnswer(*m_view.log.state, *known, last->time) : AnswerAge::Current;
     values.isOld = age != AnswerAge::Current;
     values.isFault = request == Request::Fault && known != nullptr && namesFault(*known);
-    const QString heard = tr("heard %1").arg(agoText(now - last->time));
+    const std::optional<Duration> since = ageAt(last->time, now);
+    const QString heard = since ? tr("heard %1").arg(agoText(*since)) : tr("heard");
     parts << (values.isOld ? tr("%1, %2", "age of an answer, why it is old").arg(heard, answerAgeText(age))
                            : heard);
   }

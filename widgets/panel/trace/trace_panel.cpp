@@ -18,6 +18,7 @@
 #include "panel/trace/trace_bar.h"
 #include "panel/trace/trace_filter_edit.h"
 #include "panel/trace/trace_search_bar.h"
+#include "text/plural.h"
 
 namespace deckpipe {
 namespace {
@@ -216,11 +217,11 @@ QString TracePanel::idCount() const {
   const IdModel& ids = *m_ids->rows();
   QString text = tr("%Ln rows", nullptr, ids.rowCount());
   if (m_model->isFiltered())
-    text = tr("%1 of %2 frames, %3")
-               .arg(locale.toString(static_cast<qulonglong>(ids.passed())),
-                    locale.toString(static_cast<qulonglong>(ids.lookedAt())), text);
+    text = tr("%1 of %Ln frames, %2", nullptr, forPlural(ids.lookedAt()))
+               .arg(locale.toString(static_cast<qulonglong>(ids.passed())), text);
   if (ids.otherFrames() > 0)
-    text = tr("%1; %2 frames of further identifiers have none").arg(text, locale.toString(ids.otherFrames()));
+    text = tr("%1; %Ln frames of further identifiers have none", nullptr, forPlural(ids.otherFrames()))
+               .arg(text);
   return text;
 }
 
