@@ -255,8 +255,11 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return canBeRequested(s) && s.device->hasRefused(Request::Fault) &&
               !isUnanswered(*s.device, Request::Fault, s.now());
      }},
+    // At the moment the link goes down, which is where a recording ends, devices are still as they were.
     {HealthCause::LinkDown,
-     [](const Subject& s, const Health&) { return s.channel.link == ChannelLink::Down; }},
+     [](const Subject& s, const Health&) {
+       return s.channel.link == ChannelLink::Down && s.now() > s.channel.linkDown;
+     }},
     {HealthCause::Idle,
      [](const Subject& s, const Health&) { return !sendsByItself(s) && s.isMissing(s.lastHeard()); }},
     {HealthCause::FaultsAwaited,

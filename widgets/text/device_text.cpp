@@ -106,9 +106,9 @@ QStringList nameLines(Name name) {
   const auto add = [&](std::string_view key) {
     const auto field = std::ranges::find(j1939::kNameFields, key, &Field::key);
     const std::uint32_t number = name.part(field->bits);
-    const QString name =
+    const QString words =
         key == "function" && isGlobal ? functionName(number) : numberName(field->names, number);
-    lines << Words::tr("%1: %2").arg(fieldName(*field), withName(number, name));
+    lines << Words::tr("%1: %2").arg(fieldName(*field), withName(number, words));
   };
   lines << Words::tr("Maker: %1").arg(makerText(name.manufacturerCode()));
   for (const std::string_view key : {"identity_number", "function", "function_instance", "ecu_instance",
