@@ -35,7 +35,7 @@ Session::Session(QObject* parent) : QObject(parent), m_buses(new BusThreads(this
 
 Session::~Session() {
   endSource();
-  m_buses->waitForEnd();
+  waitForEnd();
 }
 
 void Session::closeSource() {
@@ -50,7 +50,9 @@ void Session::endBus() {
   m_buses->end(std::exchange(m_live, nullptr), m_document);
 }
 
-void Session::waitForEnd() { m_buses->waitForEnd(); }
+void Session::waitForEnd() {
+  for (const auto& document : m_buses->waitForEnd()) m_recorders.endOf(document);
+}
 
 void Session::endSource() {
   m_timer.stop();

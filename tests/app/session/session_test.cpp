@@ -14,6 +14,8 @@
 #include "link/virtual_bus.h"
 #include "log/log_format.h"
 #include "log/sidecar.h"
+#include "session/bus_threads.h"
+#include "session/recordings.h"
 #include "support/child.h"
 #include "support/frames.h"
 #include "support/patience.h"
@@ -413,6 +415,19 @@ TEST(Link, ConnectedAgainGoesOnInTheSameLogAndFileAfterAGap) {
   ASSERT_TRUE(session.snapshot().leftRecording);
   EXPECT_TRUE(session.snapshot().leftRecording->path.starts_with(dir.path().toStdString()));
   EXPECT_EQ(QDir(dir.path()).entryList(QDir::Files).size(), 1);
+}
+
+TEST(Link, ThatEndsWithTheSessionIsRecordedToItsEndWithoutASignal) {
+  const QTemporaryDir dir;
+  auto session = std::make_unique<Session>();
+  session->setRecordingFolder(dir.path());
+  session->openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session->snapshot().source.isRecorded(); }, kPatience));
+  const QString path = QFile::decodeName(session->snapshot().source.recording->path.c_str());
+  const QSignalSpy ended(test::child<BusThreads>(*session), &BusThreads::ended);
+  session.reset();
+  EXPECT_EQ(ended.count(), 0);
+  EXPECT_TRUE(readRecording(path).isWhole);
 }
 
 // Keeps a bus thread from its event loop, as an adapter's library can that does not return.
