@@ -100,7 +100,7 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
   if (document != m_document || source.progress != SourceStatus::Progress::Done || frames < read.frames ||
       read.isOpenEnded || !read.isWhole())
     return;
-  if (source.name.endsWith(QLatin1String(".deckpipe")))
+  if (read.isOwn)
     std::thread([path = QFile::encodeName(source.name).toStdString()] { markJournalSaved(path); }).detach();
 }
 

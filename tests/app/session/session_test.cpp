@@ -162,8 +162,7 @@ TEST(SessionMarks, AreInTheFileOnceTheSessionHasEnded) {
   EXPECT_EQ(marksIn(path), QStringList{QStringLiteral("mine")});
 }
 
-TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {
-  QTemporaryDir dir;
+QByteArray recordingOfOneFrame() {
   const auto writer = formatToWrite("x.deckpipe").makeWriter();
   std::string bytes;
   writer->begin(bytes);
@@ -172,13 +171,30 @@ TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {
   frame.stamp = 1;
   writer->frame(frame, {1}, bytes);
   writer->end(bytes);
+  return QByteArray::fromStdString(bytes);
+}
+
+TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {
+  QTemporaryDir dir;
   Session session;
-  session.openLog(writeLog(dir, QByteArray::fromStdString(bytes)));
+  session.openLog(writeLog(dir, recordingOfOneFrame()));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
   session.mark({1, {1}}, QStringLiteral("mine"));
   EXPECT_TRUE(session.snapshot().source.unkeptMarks);
   EXPECT_EQ(QDir(dir.path()).entryList(QDir::Files).size(), 1);
+}
+
+TEST(Session, MarksARecordingAsSavedWhateverItsName) {
+  QTemporaryDir dir;
+  const QString path = writeLog(dir, recordingOfOneFrame());
+  ASSERT_FALSE(path.endsWith(QStringLiteral(".deckpipe")));
+  Session session;
+  session.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  session.setSaved(session.snapshot().view.document, 1);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return readRecording(path).isSaved; }, kPatience));
 }
 
 TEST_F(OpenedLog, StaysOpenWhereAnotherCannotBeRead) {
