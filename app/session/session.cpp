@@ -46,6 +46,7 @@ void Session::closeSource() {
 }
 
 void Session::endBus() {
+  if (m_live != nullptr) keepWaiting(m_snapshot, *m_live->latest().services);
   m_simulator = nullptr;
   m_buses->end(std::exchange(m_live, nullptr), m_document);
 }
@@ -65,8 +66,10 @@ void Session::endSource() {
   m_walker.reset();
   m_document.reset();
   m_playback = Playback();
+  std::optional<LeftWaiting> waiting = std::move(m_snapshot.leftWaiting);
   m_snapshot = {};
   m_snapshot.leftRecording = left;
+  m_snapshot.leftWaiting = std::move(waiting);
   m_snapshot.view.state = std::make_shared<const State>();
 }
 
@@ -290,7 +293,7 @@ void Session::tick() {
   m_timer.start(m_live != nullptr ? kUnlessTold : LiveBus::kTick);
   if (m_live != nullptr) {
     m_snapshot.services = published.services;
-    takeLink(m_snapshot.source, published);
+    takeLink(m_snapshot, published);
   }
   updateSource();
   if (grows()) m_labels.note(*m_document, *published.state);

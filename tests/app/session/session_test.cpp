@@ -7,6 +7,8 @@
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
@@ -530,6 +532,56 @@ TEST_F(LinkThatHangs, IsGivenUpAndLeavesItsLogToItself) {
   EXPECT_EQ(m_session.snapshot().view.document, document);
   ASSERT_TRUE(isRunning());
   EXPECT_NE(m_session.snapshot().view.document, document) << "the old bus may still write there";
+}
+
+// A bus that gives no frame back, as an adapter whose queue stands still.
+class StuckBus : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(m_server.listen(QHostAddress::LocalHost));
+    m_link = {QStringLiteral("virtualcan"),
+              QStringLiteral("tcp://127.0.0.1:%1/can0?echo").arg(m_server.serverPort()),
+              250'000,
+              {}};
+    m_session.openLink(m_link);
+    ASSERT_TRUE(
+        waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Running; }));
+    m_session.want(intent::Unlock{});
+    ASSERT_TRUE(waitFor([&] { return m_session.snapshot().services->unconfirmed > 0; }));
+  }
+  template <typename Condition>
+  static bool waitFor(Condition condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+  bool saysWhatWaits() const {
+    const auto& waiting = m_session.snapshot().leftWaiting;
+    return waiting && waiting->frames > 0 && waiting->interfaceName == m_link.interfaceName;
+  }
+
+  QTcpServer m_server;
+  LinkSettings m_link;
+  Session m_session;
+};
+
+TEST_F(StuckBus, IsLeftWithAWordOfWhatWaits) {
+  EXPECT_FALSE(saysWhatWaits());
+  m_session.closeSource();
+  EXPECT_TRUE(saysWhatWaits());
+  const QTemporaryDir dir;
+  m_session.openLog(writeLog(dir, kThreeFrames));
+  ASSERT_TRUE(waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Done; }));
+  EXPECT_TRUE(saysWhatWaits()) << "still";
+}
+
+TEST_F(StuckBus, ConnectedAgainSaysWhatWaitedUntilTheInterfaceIsGone) {
+  m_session.reconnect();
+  EXPECT_TRUE(saysWhatWaits());
+  ASSERT_TRUE(
+      waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Running; }));
+  EXPECT_TRUE(saysWhatWaits());
+  for (QTcpSocket* socket : m_server.findChildren<QTcpSocket*>()) socket->abort();
+  EXPECT_TRUE(waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Lost; }));
+  EXPECT_FALSE(saysWhatWaits());
 }
 
 TEST(Link, SaysWhyAnAdapterCannotBeOpened) {
