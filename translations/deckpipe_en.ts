@@ -246,6 +246,30 @@
             <numerusform>%Ln frames that are not classic CAN, which are not held</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln frames were not on the bus when %1 was left. They may have gone out since or may
+still go out, unless the interface was taken down.</source>
+        <translation>
+            <numerusform>%Ln frame was not on the bus when %1 was left. It may have gone out since or may
+still go out, unless the interface was taken down.</numerusform>
+            <numerusform>%Ln frames were not on the bus when %1 was left. They may have gone out since or may
+still go out, unless the interface was taken down.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames may still go out</source>
+        <translation>
+            <numerusform>%Ln frame may still go out</numerusform>
+            <numerusform>%Ln frames may still go out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames are not on the bus yet and may still go out; only taking the interface down takes them back.</source>
+        <translation>
+            <numerusform>%Ln frame is not on the bus yet and may still go out; only taking the interface down takes it back.</numerusform>
+            <numerusform>%Ln frames are not on the bus yet and may still go out; only taking the interface down takes them back.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>deckpipe::FileSendBar</name>

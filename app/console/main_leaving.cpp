@@ -27,9 +27,11 @@ void MainWindow::onceMarksAreKept(std::function<void()> go) {
 void MainWindow::leave(std::function<void()> go) {
   if (m_snapshot.source.isKeepingMarks)
     return onceMarksAreKept([this, go = std::move(go)]() mutable { leave(std::move(go)); });
-  const auto& why = m_snapshot.source.unkeptMarks;
-  if (!why) return go();
-  auto* question = new QMessageBox(QMessageBox::Warning, tr("Leave this log"), lostMarksText(*why),
+  QStringList lines;
+  if (const auto waiting = m_snapshot.services->unconfirmed; waiting > 0) lines << waitingText(waiting);
+  if (const auto& why = m_snapshot.source.unkeptMarks) lines << lostMarksText(*why);
+  if (lines.isEmpty()) return go();
+  auto* question = new QMessageBox(QMessageBox::Warning, tr("Leave this log"), lines.join(QLatin1Char('\n')),
                                    QMessageBox::NoButton, this);
   question->setObjectName(QStringLiteral("leaveQuestion"));
   question->setAttribute(Qt::WA_DeleteOnClose);
@@ -83,6 +85,7 @@ QStringList MainWindow::runningWork() const {
       work << tr("A file is being sent: %1. The device has only a part of it then.")
                   .arg(QString::fromStdString(device.pipe->file));
   }
+  if (services.unconfirmed > 0) work << waitingText(services.unconfirmed);
   if (!services.locked) work << tr("Sending is unlocked. It is locked on quitting.");
   return work;
 }

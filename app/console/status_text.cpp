@@ -212,6 +212,25 @@ StatusFact errorFact(const Snapshot& snapshot) {
                      "termination or a bad cable make many. Not every adapter reports them.")};
 }
 
+namespace {
+
+// Nobody knows of these any more than that they were waiting.
+QStringList leftStory(const LeftWaiting& left) {
+  QStringList story;
+  for (const WaitingCommand& command : left.commands) {
+    story += StatusText::tr("%1 of %2 was not on the bus when %3 was left.")
+                 .arg(requestText(command.request), deviceName(command.device), left.interfaceName);
+  }
+  story += StatusText::tr(
+               "%Ln frames were not on the bus when %1 was left. They may have gone out since or may\n"
+               "still go out, unless the interface was taken down.",
+               nullptr, forPlural(left.frames))
+               .arg(left.interfaceName);
+  return story;
+}
+
+}  // namespace
+
 StatusFact sentFact(const Snapshot& snapshot) {
   const ServiceStatus& services = *snapshot.services;
   StatusFact fact;
@@ -230,6 +249,10 @@ StatusFact sentFact(const Snapshot& snapshot) {
   } else if (services.unconfirmed > 0) {
     fact.tone = Severity::Fault;
     fact.text = StatusText::tr("%Ln frames not on the bus yet", nullptr, forPlural(services.unconfirmed));
+  } else if (snapshot.leftWaiting) {
+    fact.tone = Severity::Fault;
+    fact.text =
+        StatusText::tr("%Ln frames may still go out", nullptr, forPlural(snapshot.leftWaiting->frames));
   } else if (services.notTaken > 0) {
     fact.tone = Severity::Warning;
     fact.text = StatusText::tr("%Ln frames not sent", nullptr, forPlural(services.notTaken));
@@ -246,6 +269,7 @@ StatusFact sentFact(const Snapshot& snapshot) {
         "What waits may still go out, after a lock too. Only taking the interface down\n"
         "takes it back.");
   }
+  if (snapshot.leftWaiting) story += leftStory(*snapshot.leftWaiting);
   if (services.notTaken > 0)
     story += StatusText::tr("%Ln frames were not taken by the adapter: they were not sent.", nullptr,
                             forPlural(services.notTaken));
@@ -253,6 +277,13 @@ StatusFact sentFact(const Snapshot& snapshot) {
     story += StatusText::tr("This adapter does not tell whether what it takes reaches the bus.");
   fact.story = story.join(QLatin1Char('\n'));
   return fact;
+}
+
+QString waitingText(std::uint64_t frames) {
+  return StatusText::tr(
+      "%Ln frames are not on the bus yet and may still go out; only taking the interface down "
+      "takes them back.",
+      nullptr, forPlural(frames));
 }
 
 StatusFact lockFact(const Snapshot& snapshot) {

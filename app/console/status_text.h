@@ -28,6 +28,8 @@ StatusFact errorFact(const Snapshot& snapshot);
 StatusFact lockFact(const Snapshot& snapshot);
 // Our frames that the adapter has and the bus has not; without text if there are none.
 StatusFact sentFact(const Snapshot& snapshot);
+// The warning about so many frames, before their link is left.
+QString waitingText(std::uint64_t frames);
 StatusFact recordingFact(const Snapshot& snapshot);
 // Why a recording is not written at the moment.
 QString recordingFaultText(const JournalStatus& recording);

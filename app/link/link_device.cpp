@@ -8,7 +8,6 @@
 #include <QEvent>
 #include <QSocketNotifier>
 #include <QVariant>
-#include <algorithm>
 #include <cerrno>
 #include <mutex>
 #include <utility>
@@ -22,10 +21,6 @@ namespace {
 constexpr int kReceiveBufferBytes = 4 * 1'024 * 1'024;  // some 5,000 frames, more than 0.1 s of a full bus
 // Limit for plugins that queue inside: a longer queue would be sent long after it was meant.
 constexpr qint64 kMaxQueued = 32;
-
-bool isAnyOf(const QString& text, std::initializer_list<int> errors) {
-  return std::any_of(errors.begin(), errors.end(), [&](int e) { return text == qt_error_string(e); });
-}
 
 }  // namespace
 
@@ -134,7 +129,9 @@ void LinkDevice::socketFailed() {
 }
 
 void LinkDevice::errorOccurred() {
-  if (m_writing) {
+  // Plugins tell a refused write in words alone. They do so from inside the write, while its error number still stands.
+  if (const int error = errno; m_writing) {
+    m_writeErrno = error;
     m_writeError = m_device->errorString();
   } else {
     Q_EMIT reported(m_device->errorString());
@@ -165,21 +162,17 @@ void LinkDevice::close(Leave leave) {
 
 WriteResult LinkDevice::write(const Frame& frame, QString& reason) {
   if (m_device == nullptr) return WriteResult::NotOpen;
-  if (frame.isError() || frame.length > 8) {
-    reason = tr("No frame to send.");
-    return WriteResult::Failed;
-  }
-  if (m_device->framesToWrite() >= kMaxQueued) {
-    reason = tr("Queue full.");
-    return WriteResult::QueueFull;
-  }
+  if (frame.isError() || frame.length > 8) return WriteResult::Failed;
+  if (m_device->framesToWrite() >= kMaxQueued) return WriteResult::QueueFull;
+  const QCanBusFrame out = toCanBusFrame(frame);
   m_writeError.clear();
+  m_writeErrno = errno = 0;
   m_writing = true;
-  const bool isWritten = m_device->writeFrame(toCanBusFrame(frame));
+  const bool isWritten = m_device->writeFrame(out);
   m_writing = false;
   if (isWritten) return WriteResult::Accepted;
   reason = m_writeError;
-  return isAnyOf(m_writeError, {ENOBUFS, EAGAIN}) ? WriteResult::QueueFull : WriteResult::Failed;
+  return m_writeErrno == ENOBUFS || m_writeErrno == EAGAIN ? WriteResult::QueueFull : WriteResult::Failed;
 }
 
 QList<QCanBusFrame> LinkDevice::takeFrames() {

@@ -83,6 +83,7 @@ class LinkDevice : public QObject {
   bool m_isUp = false;
   bool m_writing = false;
   QString m_writeError;
+  int m_writeErrno = 0;
   QSocketNotifier* m_notifier = nullptr;  // of socketcan's socket
   int m_descriptor = -1;
   std::uint32_t m_drops = 0;

@@ -49,13 +49,17 @@ void BusThreads::whenEnded(std::function<void()> then) {
   if (m_whenEnded && std::ranges::all_of(m_ending, &Ending::hangs)) std::exchange(m_whenEnded, nullptr)();
 }
 
-void BusThreads::hasEnded(std::uint64_t number) {
+std::shared_ptr<LogDocument> BusThreads::forget(std::uint64_t number) {
   const auto found = std::ranges::find(m_ending, number, &Ending::number);
-  if (found == m_ending.end()) return;
-  const auto document = found->document;
+  if (found == m_ending.end()) return {};
+  auto document = std::move(found->document);
   found->thread->deleteLater();
   m_ending.erase(found);
-  if (!isWriting(document)) Q_EMIT ended(document);
+  return isWriting(document) ? nullptr : document;
+}
+
+void BusThreads::hasEnded(std::uint64_t number) {
+  if (const auto document = forget(number)) Q_EMIT ended(document);
   whenEnded(std::exchange(m_whenEnded, nullptr));
 }
 
@@ -67,12 +71,19 @@ void BusThreads::hangs(std::uint64_t number) {
   whenEnded(std::exchange(m_whenEnded, nullptr));
 }
 
-void BusThreads::waitForEnd() {
+std::vector<std::shared_ptr<LogDocument>> BusThreads::waitForEnd() {
+  std::vector<std::shared_ptr<LogDocument>> ended;
   const QDeadlineTimer deadline(kThreadPatience);
   for (const Ending& bus : std::vector(m_ending)) {
     if (bus.hangs) continue;
-    bus.thread->wait(deadline) ? hasEnded(bus.number) : hangs(bus.number);
+    if (!bus.thread->wait(deadline)) {
+      hangs(bus.number);
+    } else if (auto document = forget(bus.number)) {
+      ended.push_back(std::move(document));
+    }
   }
+  whenEnded(std::exchange(m_whenEnded, nullptr));
+  return ended;
 }
 
 }  // namespace deckpipe

@@ -36,8 +36,9 @@ class BusThreads : public QObject {
   void whenEnded(std::function<void()> then);
   void forgetWhenEnded() { m_whenEnded = nullptr; }
   bool isAwaited() const { return m_whenEnded != nullptr; }
-  // Waits until each has ended, kThreadPatience at most. For a program that is about to end.
-  void waitForEnd();
+  // Waits until each has ended, kThreadPatience at most. For a program that is about to end. Returns, in place of
+  // ended(), the documents that no bus writes into any more.
+  std::vector<std::shared_ptr<LogDocument>> waitForEnd();
 
  Q_SIGNALS:
   // No bus writes into that document any more.
@@ -50,6 +51,8 @@ class BusThreads : public QObject {
     std::shared_ptr<LogDocument> document;
     bool hangs = false;  // and was given up
   };
+  // The document that no bus writes into any more, if that is so.
+  std::shared_ptr<LogDocument> forget(std::uint64_t number);
   void hasEnded(std::uint64_t number);
   void hangs(std::uint64_t number);
 

@@ -35,7 +35,7 @@ Session::Session(QObject* parent) : QObject(parent), m_buses(new BusThreads(this
 
 Session::~Session() {
   endSource();
-  m_buses->waitForEnd();
+  waitForEnd();
 }
 
 void Session::closeSource() {
@@ -46,11 +46,14 @@ void Session::closeSource() {
 }
 
 void Session::endBus() {
+  if (m_live != nullptr) keepWaiting(m_snapshot, *m_live->latest().services);
   m_simulator = nullptr;
   m_buses->end(std::exchange(m_live, nullptr), m_document);
 }
 
-void Session::waitForEnd() { m_buses->waitForEnd(); }
+void Session::waitForEnd() {
+  for (const auto& document : m_buses->waitForEnd()) m_recorders.endOf(document);
+}
 
 void Session::endSource() {
   m_timer.stop();
@@ -63,8 +66,10 @@ void Session::endSource() {
   m_walker.reset();
   m_document.reset();
   m_playback = Playback();
+  std::optional<LeftWaiting> waiting = std::move(m_snapshot.leftWaiting);
   m_snapshot = {};
   m_snapshot.leftRecording = left;
+  m_snapshot.leftWaiting = std::move(waiting);
   m_snapshot.view.state = std::make_shared<const State>();
 }
 
@@ -98,7 +103,7 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
   if (document != m_document || source.progress != SourceStatus::Progress::Done || frames < read.frames ||
       read.isOpenEnded || !read.isWhole())
     return;
-  if (source.name.endsWith(QLatin1String(".deckpipe")))
+  if (read.isOwn)
     std::thread([path = QFile::encodeName(source.name).toStdString()] { markJournalSaved(path); }).detach();
 }
 
@@ -288,7 +293,7 @@ void Session::tick() {
   m_timer.start(m_live != nullptr ? kUnlessTold : LiveBus::kTick);
   if (m_live != nullptr) {
     m_snapshot.services = published.services;
-    takeLink(m_snapshot.source, published);
+    takeLink(m_snapshot, published);
   }
   updateSource();
   if (grows()) m_labels.note(*m_document, *published.state);

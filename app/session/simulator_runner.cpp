@@ -9,6 +9,12 @@
 #include "session/simulator_faults.h"
 
 namespace deckpipe {
+namespace {
+
+// A timer that is later than this belongs to a thread that heard nothing meanwhile.
+constexpr Duration kHeldUp = 100ms;
+
+}  // namespace
 
 SimulatorRunner::SimulatorRunner(std::uint64_t seed, unsigned monitors, IsSimulated isSimulated)
     : m_simulator(simulator::standardSimulator(seed, {}, monitors)),
@@ -72,11 +78,21 @@ void SimulatorRunner::busCame() {
   }
   m_sending = Sending::Listening;
   m_watch.emplace(ownAddresses());
+  listen();
+}
+
+void SimulatorRunner::listen() {
+  m_listensUntil = monotonicTime() + StrangerWatch::kListen;
   m_listening->start(std::chrono::duration_cast<std::chrono::milliseconds>(StrangerWatch::kListen));
 }
 
+// Frames first: while the thread is held up, they wait before it like the timer.
 void SimulatorRunner::listened() {
+  m_link->drain();
+  if (m_sending != Sending::Listening || m_listening->isActive()) return;  // the link went down, or is back
   const std::vector<Stranger> strangers = m_watch->strangers();
+  // What came while the thread was held up may have been dropped on the way.
+  if (strangers.empty() && monotonicTime() > m_listensUntil + kHeldUp) return listen();
   m_watch.reset();
   if (strangers.empty()) return begin();
   m_sending = Sending::Refused;

@@ -61,6 +61,7 @@ class SimulatorRunner : public QObject, private PortListener {
   void linkChanged(LinkState state, const std::string& reason) override;
   Instant now() const;
   void busCame();
+  void listen();
   void listened();
   void begin();
   std::vector<Address> ownAddresses() const;
@@ -75,6 +76,7 @@ class SimulatorRunner : public QObject, private PortListener {
   QTimer* m_listening = nullptr;
   IsSimulated m_isSimulated;
   std::optional<StrangerWatch> m_watch;  // while it listens
+  Instant m_listensUntil;
   Instant m_powerOn;
   bool m_movesMonitors = false;
   bool m_powered = false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "control/status.h"
 #include "link/can_link.h"
@@ -76,6 +77,15 @@ struct SourceStatus {
   friend bool operator==(const SourceStatus&, const SourceStatus&) = default;
 };
 
+// Frames that the adapter of a link had and the bus had not, when the link was left. They may still go out, and no link
+// tells whether they did.
+struct LeftWaiting {
+  QString interfaceName;
+  std::uint64_t frames = 0;
+  std::vector<WaitingCommand> commands;  // among them
+  friend bool operator==(const LeftWaiting&, const LeftWaiting&) = default;
+};
+
 struct Snapshot {
   LogView view;
   bool playing = false;
@@ -91,6 +101,8 @@ struct Snapshot {
   // The same of a log that cannot be read, and of the recording of a link that was left.
   std::optional<NotOpened> notOpened{};
   std::optional<JournalStatus> leftRecording{};
+  // Until the interface is seen down, which takes them back, or another link is left so.
+  std::optional<LeftWaiting> leftWaiting{};
 };
 
 }  // namespace deckpipe

@@ -11,9 +11,18 @@ SourceError errorOf(const LiveBus::Published& published) {
   return LinkError{link.fault, link.reason};
 }
 
+// An interface that went down, or is another one since, holds no frame any more.
+bool holdsNothing(LinkFault fault) {
+  return fault == LinkFault::InterfaceDown || fault == LinkFault::Gone || fault == LinkFault::NoInterface;
+}
+
 }  // namespace
 
-void takeLink(SourceStatus& source, const LiveBus::Published& published) {
+void takeLink(Snapshot& snapshot, const LiveBus::Published& published) {
+  SourceStatus& source = snapshot.source;
+  const auto& waiting = snapshot.leftWaiting;
+  if (waiting && waiting->interfaceName == source.interfaceName && holdsNothing(published.link.fault))
+    snapshot.leftWaiting.reset();
   source.error = errorOf(published);
   if (const auto& hardware = published.link.hardware) {
     source.isListenOnly = hardware->isListenOnly;
@@ -29,6 +38,13 @@ void takeLink(SourceStatus& source, const LiveBus::Published& published) {
       break;
   }
   if (published.storeFull) source.progress = SourceStatus::Progress::Failed;
+}
+
+void keepWaiting(Snapshot& snapshot, const ServiceStatus& services) {
+  if (services.unconfirmed == 0 || snapshot.source.simulated) return;
+  snapshot.leftWaiting = {.interfaceName = snapshot.source.interfaceName,
+                          .frames = services.unconfirmed,
+                          .commands = services.waitingCommands};
 }
 
 }  // namespace deckpipe

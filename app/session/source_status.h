@@ -7,6 +7,8 @@
 
 namespace deckpipe {
 
-void takeLink(SourceStatus& source, const LiveBus::Published& published);
+void takeLink(Snapshot& snapshot, const LiveBus::Published& published);
+// The link is left: what waits then stays in the snapshot.
+void keepWaiting(Snapshot& snapshot, const ServiceStatus& services);
 
 }  // namespace deckpipe

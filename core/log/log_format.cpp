@@ -54,6 +54,7 @@ Result<ReadSummary, ReadError> readPlain(const LogBytes& bytes, const std::strin
     error.format = format.value()->name;
     return Failure{std::move(error)};
   }
+  result.value().isOwn = format.value()->isOwn;
   const bool mayHaveSidecar = !path.empty() && !format.value()->isOwn && target.notes != nullptr;
   if (mayHaveSidecar && !result.value().cancelled) {
     result.value().mayHaveSidecar = true;

@@ -46,7 +46,10 @@ Result<ReadSummary, ReadError> LogStream::finish() {
   ReadError error{ReadError::Kind::NoPipe};
   if (m_reader) {
     auto result = m_reader->finish();
-    if (result) return result;
+    if (result) {
+      result.value().isOwn = m_format->isOwn;
+      return result;
+    }
     error = result.error();
   }
   error.format = m_format->name;

@@ -85,6 +85,7 @@ struct ReadSummary {
   std::uint64_t frames = 0;  // put into the store
   std::uint64_t lines = 0;   // of a text format
   bool cancelled = false;
+  bool isOwn = false;                          // of Deckpipe's own format: a recording
   bool mayHaveSidecar = false;                 // its notes are kept in a file beside it
   bool hasSidecar = false;                     // its notes came from the file beside it, after its frames
   std::optional<SidecarFault> sidecarFault{};  // the log was read without its notes

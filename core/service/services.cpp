@@ -83,6 +83,7 @@ Refusal Services::unlock(Instant now, const Live& live) {
 
 void Services::close(Instant now, const State& state) {
   m_isClosed = true;
+  if (m_status.locked) noteWaiting(liveOf(state), 0);
   endAll(now, liveOf(state), EndReason::Closing);
 }
 

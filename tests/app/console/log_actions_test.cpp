@@ -324,6 +324,41 @@ TEST_F(LogActions, LeavingAndQuittingWaitForMarksThatAreBeingWritten) {
   EXPECT_TRUE(named<QMessageBox>("leaveQuestion")->text().contains(QStringLiteral("does not answer")));
 }
 
+TEST_F(LogActions, AskBeforeALinkIsLeftThatHoldsFramesOfOurs) {
+  openLog(kTruck);
+  Snapshot waiting = m_session.snapshot();
+  auto services = std::make_shared<ServiceStatus>();
+  services->unconfirmed = 2;
+  waiting.services = services;
+  const auto isSaid = [this](const char* name) {
+    const auto* question = m_window.findChild<QMessageBox*>(QLatin1String(name));
+    return question != nullptr &&
+           question->text().contains(QStringLiteral("2 frames are not on the bus yet"));
+  };
+  m_window.setSnapshot(waiting);
+  trigger("closeAction");
+  EXPECT_TRUE(m_session.snapshot().view.document) << "not before the answer";
+  EXPECT_TRUE(isSaid("leaveQuestion"));
+  m_window.setSnapshot(waiting);
+  EXPECT_FALSE(m_window.close());
+  EXPECT_TRUE(isSaid("quitQuestion"));
+}
+
+TEST_F(LogActions, AskBeforeALinkIsConnectedAgainThatHoldsFramesOfOurs) {
+  Snapshot waiting = m_session.snapshot();
+  waiting.view.document = std::make_shared<LogDocument>();
+  waiting.source.kind = SourceStatus::Kind::Link;
+  waiting.source.progress = SourceStatus::Progress::Failed;
+  waiting.source.error = StoreFull{};
+  auto services = std::make_shared<ServiceStatus>();
+  services->unconfirmed = 2;
+  waiting.services = services;
+  m_window.setSnapshot(waiting);
+  named<QAbstractButton>("noticeAction")->click();
+  EXPECT_TRUE(m_window.findChild<QMessageBox*>(QStringLiteral("leaveQuestion")));
+  EXPECT_FALSE(m_session.snapshot().view.document);
+}
+
 TEST_F(LogActions, KeepNoMarkAfterEscape) {
   openLog(kTruck);
   trigger("markAction");

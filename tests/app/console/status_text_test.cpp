@@ -275,6 +275,19 @@ INSTANTIATE_TEST_SUITE_P(
                               "2 commands not on the bus yet", Severity::Fault, ""}),
     [](const auto& row) { return std::string(row.param.name); });
 
+TEST(SentFact, GoesOnToSayWhatWaitedWhenTheLinkWasLeft) {
+  const DeviceKey monitor = DeviceKey::of(*Pin::parse("1032AE100801035"));
+  for (Snapshot snapshot : {Snapshot{}, link(Progress::Running)}) {
+    snapshot.leftWaiting = LeftWaiting{QStringLiteral("can1"), 3, {{monitor, Request::Reset, Instant{}}}};
+    const StatusFact fact = sentFact(snapshot);
+    EXPECT_EQ(fact.text, QStringLiteral("3 frames may still go out"));
+    EXPECT_EQ(fact.tone, Severity::Fault);
+    EXPECT_TRUE(
+        says(fact.story.toStdString(), "Reset of 1032AE100801035 was not on the bus when can1 was left"));
+    EXPECT_TRUE(says(fact.story.toStdString(), "3 frames were not on the bus when can1 was left"));
+  }
+}
+
 TEST(NoticeText, SaysWhyAListenOnlyAdapterIsNotUnlocked) {
   Snapshot snapshot = link(Progress::Running);
   snapshot.source.isListenOnly = true;

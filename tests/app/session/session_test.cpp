@@ -7,6 +7,8 @@
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
@@ -14,6 +16,8 @@
 #include "link/virtual_bus.h"
 #include "log/log_format.h"
 #include "log/sidecar.h"
+#include "session/bus_threads.h"
+#include "session/recordings.h"
 #include "support/child.h"
 #include "support/frames.h"
 #include "support/patience.h"
@@ -160,8 +164,7 @@ TEST(SessionMarks, AreInTheFileOnceTheSessionHasEnded) {
   EXPECT_EQ(marksIn(path), QStringList{QStringLiteral("mine")});
 }
 
-TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {
-  QTemporaryDir dir;
+QByteArray recordingOfOneFrame() {
   const auto writer = formatToWrite("x.deckpipe").makeWriter();
   std::string bytes;
   writer->begin(bytes);
@@ -170,13 +173,30 @@ TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {
   frame.stamp = 1;
   writer->frame(frame, {1}, bytes);
   writer->end(bytes);
+  return QByteArray::fromStdString(bytes);
+}
+
+TEST(SessionMarks, OfARecordingThatHasEndedAreSaidToBeInMemoryAlone) {
+  QTemporaryDir dir;
   Session session;
-  session.openLog(writeLog(dir, QByteArray::fromStdString(bytes)));
+  session.openLog(writeLog(dir, recordingOfOneFrame()));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
   session.mark({1, {1}}, QStringLiteral("mine"));
   EXPECT_TRUE(session.snapshot().source.unkeptMarks);
   EXPECT_EQ(QDir(dir.path()).entryList(QDir::Files).size(), 1);
+}
+
+TEST(Session, MarksARecordingAsSavedWhateverItsName) {
+  QTemporaryDir dir;
+  const QString path = writeLog(dir, recordingOfOneFrame());
+  ASSERT_FALSE(path.endsWith(QStringLiteral(".deckpipe")));
+  Session session;
+  session.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  session.setSaved(session.snapshot().view.document, 1);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return readRecording(path).isSaved; }, kPatience));
 }
 
 TEST_F(OpenedLog, StaysOpenWhereAnotherCannotBeRead) {
@@ -415,6 +435,19 @@ TEST(Link, ConnectedAgainGoesOnInTheSameLogAndFileAfterAGap) {
   EXPECT_EQ(QDir(dir.path()).entryList(QDir::Files).size(), 1);
 }
 
+TEST(Link, ThatEndsWithTheSessionIsRecordedToItsEndWithoutASignal) {
+  const QTemporaryDir dir;
+  auto session = std::make_unique<Session>();
+  session->setRecordingFolder(dir.path());
+  session->openDemo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session->snapshot().source.isRecorded(); }, kPatience));
+  const QString path = QFile::decodeName(session->snapshot().source.recording->path.c_str());
+  const QSignalSpy ended(test::child<BusThreads>(*session), &BusThreads::ended);
+  session.reset();
+  EXPECT_EQ(ended.count(), 0);
+  EXPECT_TRUE(readRecording(path).isWhole);
+}
+
 // Keeps a bus thread from its event loop, as an adapter's library can that does not return.
 class HeldBus {
  public:
@@ -499,6 +532,56 @@ TEST_F(LinkThatHangs, IsGivenUpAndLeavesItsLogToItself) {
   EXPECT_EQ(m_session.snapshot().view.document, document);
   ASSERT_TRUE(isRunning());
   EXPECT_NE(m_session.snapshot().view.document, document) << "the old bus may still write there";
+}
+
+// A bus that gives no frame back, as an adapter whose queue stands still.
+class StuckBus : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(m_server.listen(QHostAddress::LocalHost));
+    m_link = {QStringLiteral("virtualcan"),
+              QStringLiteral("tcp://127.0.0.1:%1/can0?echo").arg(m_server.serverPort()),
+              250'000,
+              {}};
+    m_session.openLink(m_link);
+    ASSERT_TRUE(
+        waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Running; }));
+    m_session.want(intent::Unlock{});
+    ASSERT_TRUE(waitFor([&] { return m_session.snapshot().services->unconfirmed > 0; }));
+  }
+  template <typename Condition>
+  static bool waitFor(Condition condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+  bool saysWhatWaits() const {
+    const auto& waiting = m_session.snapshot().leftWaiting;
+    return waiting && waiting->frames > 0 && waiting->interfaceName == m_link.interfaceName;
+  }
+
+  QTcpServer m_server;
+  LinkSettings m_link;
+  Session m_session;
+};
+
+TEST_F(StuckBus, IsLeftWithAWordOfWhatWaits) {
+  EXPECT_FALSE(saysWhatWaits());
+  m_session.closeSource();
+  EXPECT_TRUE(saysWhatWaits());
+  const QTemporaryDir dir;
+  m_session.openLog(writeLog(dir, kThreeFrames));
+  ASSERT_TRUE(waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Done; }));
+  EXPECT_TRUE(saysWhatWaits()) << "still";
+}
+
+TEST_F(StuckBus, ConnectedAgainSaysWhatWaitedUntilTheInterfaceIsGone) {
+  m_session.reconnect();
+  EXPECT_TRUE(saysWhatWaits());
+  ASSERT_TRUE(
+      waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Running; }));
+  EXPECT_TRUE(saysWhatWaits());
+  for (QTcpSocket* socket : m_server.findChildren<QTcpSocket*>()) socket->abort();
+  EXPECT_TRUE(waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Lost; }));
+  EXPECT_FALSE(saysWhatWaits());
 }
 
 TEST(Link, SaysWhyAnAdapterCannotBeOpened) {

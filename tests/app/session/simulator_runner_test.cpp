@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QDeadlineTimer>
+#include <QSemaphore>
 #include <QTcpSocket>
 #include <QTest>
+#include <QThread>
 #include <QTimer>
 #include <QUrl>
 #include <memory>
@@ -137,6 +140,80 @@ TEST_F(Rule20Simulator, WithTheWordStaysOffABusWithAJoystick) {
   EXPECT_TRUE(std::ranges::all_of(m_heard.frames, [](const Frame& f) {
     return (f.flags & Frame::kSent) != 0;
   })) << "it sent something";
+}
+
+// The simulator on a thread that stands still as soon as it listens, until goOn().
+class Rule20StandingSimulator : public Rule20Simulator {
+ protected:
+  void SetUp() override {
+    Rule20Simulator::SetUp();
+    m_runner = new SimulatorRunner(1, 1, [](auto&&...) { return false; });
+    // It listens as soon as the bus knows it.
+    QObject::connect(&m_bus, &VirtualBus::clientsChanged, &m_bus, [this] {
+      if (m_bus.clients(0) == 2)
+        QMetaObject::invokeMethod(
+            m_runner, [this] { standStill(); }, Qt::QueuedConnection);
+    });
+    QObject::connect(m_runner, &SimulatorRunner::busReady, m_other.get(), [this] { m_isReady = true; });
+    QObject::connect(m_runner, &SimulatorRunner::strangersHeard, m_other.get(),
+                     [this](const std::vector<Stranger>& strangers) { m_strangers = strangers; });
+    QObject::connect(&m_thread, &QThread::finished, m_runner, &QObject::deleteLater);
+    m_runner->moveToThread(&m_thread);
+    m_thread.start();
+    QObject::connect(&m_hand, &QTimer::timeout, &m_hand,
+                     [this] { m_other->write(test::frame("0CFDD638", "0100010000000000")); });
+  }
+  void TearDown() override {
+    QObject::disconnect(&m_bus, nullptr, &m_bus, nullptr);
+    goOn();
+    m_thread.quit();
+    m_thread.wait();
+  }
+
+  void start() {
+    QMetaObject::invokeMethod(
+        m_runner, [this] { m_runner->start(link(), true); }, Qt::QueuedConnection);
+  }
+  void standStill() {
+    m_stands.release();
+    m_goesOn.tryAcquire(1, kPatience);
+  }
+  void goOn() { m_goesOn.release(); }
+  bool stands() {
+    return waitFor([this] { return m_stands.tryAcquire(); });
+  }
+  // Longer than it listens.
+  static bool passes() {
+    const QDeadlineTimer end(std::chrono::milliseconds(1'500));
+    return waitFor([&] { return end.hasExpired(); });
+  }
+
+  QThread m_thread;
+  QSemaphore m_stands, m_goesOn;
+  SimulatorRunner* m_runner = nullptr;  // the thread deletes it
+  QTimer m_hand;                        // of a joystick
+};
+
+TEST_F(Rule20StandingSimulator, HearsWhatCameMeanwhile) {
+  start();
+  ASSERT_TRUE(stands());
+  m_hand.start(20);
+  ASSERT_TRUE(passes());
+  m_hand.stop();
+  goOn();
+  ASSERT_TRUE(waitFor([&] { return m_isReady || !m_strangers.empty(); }));
+  EXPECT_FALSE(m_isReady);
+  EXPECT_EQ(m_strangers, (std::vector{Stranger{.kind = Stranger::Kind::Joystick, .address = Address{0x38}}}));
+}
+
+TEST_F(Rule20StandingSimulator, ListensAnew) {
+  start();
+  ASSERT_TRUE(stands());
+  ASSERT_TRUE(passes());
+  goOn();
+  m_hand.start(20);
+  ASSERT_TRUE(waitFor([&] { return m_isReady || !m_strangers.empty(); }));
+  EXPECT_FALSE(m_isReady);
 }
 
 // A frame that the link has taken, but not handed over yet, changes what the simulator would say.

@@ -320,6 +320,15 @@ TEST_F(KeptCommand, IsSaidAtALockAndItsFateAfterIt) {
   EXPECT_EQ(ends(), (std::vector{RequestEnd::Cancelled, RequestEnd::WentOutLate}));
 }
 
+TEST_F(KeptCommand, IsSaidOnceMoreAtACloseAfterTheLock) {
+  pair.run(10ms);
+  pair.want(intent::Lock{});
+  ASSERT_EQ(notes<note::StillWaits>(), 1);
+  console().services.close(pair.now(), console().state);
+  pair.run(1ms);
+  EXPECT_EQ(notes<note::StillWaits>(), 2);
+}
+
 TEST_F(KeptCommand, IsSaidWhenOurAddressIsLost) {
   pair.run(10ms);
   pair.inject(frame("18EEFFF9", "0100000000000000"));
