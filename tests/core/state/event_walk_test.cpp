@@ -88,6 +88,37 @@ const std::vector<EventCase> kCases{
        s.hear("18EEFF80", Story::kNameOfA).pass(240ms).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
      },
      {"7.000 restarted" MONITOR}},
+    {"ARestartAmongRequestsToAllForTheirNames",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 3; ++i) s.hear("18EAFFF9", "00EE00").pass(900ms);
+       s.hear("18EEFF80", Story::kNameOfA).pass(250ms).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {"8.700 restarted" MONITOR, "8.900 silent" MONITOR " since 5.900", "8.950 back" MONITOR " 3050 ms"}},
+    {"AMonitorWithoutStatusesThatIsAskedForItsNameAgainAndAgain",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 10; ++i)
+         s.hear("18EAFFF9", "00EE00").hear("18EEFF80", Story::kNameOfA).pass(900ms);
+     },
+     {"6.900 restarted" MONITOR, "8.900 silent" MONITOR " since 5.900"}},
+    {"AMonitorThatIsAskedForItsNameOnceItsLinkIsUpAgain",
+     [](Story& s) {
+       s.monitor()
+           .note(note::LinkDown{})
+           .pass(40s)
+           .note(note::LinkUp{})
+           .pass(50ms)
+           .hear("18EAFFF9", "00EE00");
+       s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {}},
+    {"ADeviceThatTakesTheAddressOfAnother",
+     [](Story& s) {
+       s.hear("18EEFF80", Story::kNameOfB).hear("18EFFF80", Story::kAnnouncesB).goOn(5s);
+       s.hear("18EEFF80", Story::kNameOfA).goOn(300ms).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {"6.000 address_lost 1032AE100801036 to another", "6.000 appeared 80"}},
     {"ANodeThatRestarts",
      [](Story& s) {
        for (const char* state : {"05", "05", "00", "7F", "05"}) s.hear("724", state).pass(1s);

@@ -81,6 +81,26 @@ INSTANTIATE_TEST_SUITE_P(
                b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
              },
              "fine"},
+        Case{"ARestartAmongRequestsToAllForTheirNames",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s);
+               for (int i = 0; i < 3; ++i) b.hear("18EAFFF9", kAsksForNames).pass(800ms);
+               b.hear("18EEFF80", kNameOfA).pass(150ms).hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "faults_old"},
+        Case{"ARestartWithinASecondOfARequestForItsName",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).pass(400ms).hear("18EA80F9", kAsksForNames).pass(700ms);
+               b.hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "faults_old"},
+        Case{"ANameThatIsAskedForOnceTheLinkIsUpAgain",
+             [](Bus& b) {
+               b.monitor().answered().note(note::LinkDown{}).pass(2s).note(note::LinkUp{}).pass(50ms);
+               b.hear("18EAFFF9", kAsksForNames).hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
+               b.statuses();
+             },
+             "fine"},
         Case{"AnAddressThatWasDefended",
              [](Bus& b) {
                b.monitor().answered().goOn(2s).hear("18EEFF80", kHigherForeignName).pass(50ms).statuses();
