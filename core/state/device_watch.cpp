@@ -274,7 +274,7 @@ void DeviceWatch::comparePosition(const State& state, const Device& device, std:
   compareFlag(m_operationalError, status.operationalError == Status2::On, EventKind::OperationalError,
               EventKind::OperationalErrorOver, event, out);
   // The code belongs to the error that is over: the next one is asked anew.
-  if (hadError && m_operationalError.shown() == 0) m_errorCode = EventSlot(0);
+  if (hadError && m_operationalError.shown() == 0) m_errorCode.set(0);
   for (std::size_t axis = 0; axis < m_plusStops.size(); ++axis) {
     compareStop(m_plusStops[axis], status.plusStop[axis], onAxis(event, axis + 1, true), out);
     compareStop(m_minusStops[axis], status.minusStop[axis], onAxis(event, axis + 1, false), out);
@@ -289,20 +289,17 @@ void DeviceWatch::compareFaults(const State& state, const Device& device, std::v
   if (const auto answer = device.faults(); answer.isKnown()) {
     const FaultStatus faults = answer.value();
     if (faults.pcodeError) code = faults.pcodeError;
-    if (m_faults.moves(faults.map, event.time, m_retry)) {
-      const std::uint64_t changed = m_faults.shown() ^ faults.map;
-      m_faults.settle(event);
-      for (unsigned bit = 0; bit < 32; ++bit) {
-        if ((changed >> bit & 1u) == 0) continue;
-        const bool isRaised = (faults.map >> bit & 1u) != 0;
-        event.kind = isRaised ? EventKind::Fault : EventKind::FaultCleared;
-        event.was = event.now = bit;
-        out.push_back(event);
-      }
+    for (std::size_t bit = 0; bit < m_faults.size(); ++bit) {
+      const std::uint64_t isRaised = faults.map >> bit & 1u;
+      if (!m_faults[bit].moves(isRaised, event.time, m_retry)) continue;
+      Event told = event;
+      told.kind = isRaised != 0 ? EventKind::Fault : EventKind::FaultCleared;
+      told.was = told.now = static_cast<std::int64_t>(bit);
+      m_faults[bit].settle(told);
+      out.push_back(told);
     }
   }
-  event = eventOf(state);
-  if (!code || !m_errorCode.moves(*code, event.time, m_retry)) return;
+  if (!code || !m_errorCode.moves(*code, event.time, m_retry, EventSlot::First::Always)) return;
   event.kind = *code != 0 ? EventKind::ErrorCode : EventKind::ErrorCodeCleared;
   event.was = static_cast<std::int64_t>(m_errorCode.shown());
   event.now = *code;

@@ -187,6 +187,17 @@ const std::vector<EventCase> kCases{
     {"AnAddressLostForWantOfAnAnswer",
      [](Story& s) { s.monitor().hear("18EEFF80", Story::kHigherName).pass(1s); },
      {"6.250 address_lost" MONITOR " to another"}},
+    {"AddressesThatAreLostAtOnce",
+     [](Story& s) {
+       for (const char* id : {"18EEFF20", "18EEFF21", "18EEFF22", "18EEFF23", "18EEFF24", "18EEFF25"})
+         s.hear(id, Story::kHigherName);
+       s.pass(1s);
+       for (const char* id : {"18EEFF20", "18EEFF21", "18EEFF22", "18EEFF23", "18EEFF24", "18EEFF25"})
+         s.hear(id, Story::kLowerName);
+     },
+     {"2.000 address_lost 20 to another", "2.000 address_lost 21 to another",
+      "2.000 address_lost 22 to another", "2.000 address_lost 23 to another",
+      "2.000 address_lost 24 to another", "2.000 address_lost 25 to another"}},
     {"AnAddressOfAnotherMakerThatIsLost",
      [](Story& s) { s.hear("18EEFF21", Story::kHigherName).pass(1s).hear("18EEFF21", Story::kLowerName); },
      {"2.000 address_lost 21 to another"}},
@@ -230,6 +241,37 @@ const std::vector<EventCase> kCases{
     {"AFaultInTheFirstAnswer",
      [](Story& s) { s.monitor().answers("02002000000000"); },
      {"6.000 fault" MONITOR " 21>21"}},
+    {"FaultsThatComeOneAfterTheOther",
+     [](Story& s) {
+       s.monitor();
+       for (const char* faults : {"02000000010000", "02000000020000", "02000000040000", "02000000080000",
+                                  "02000000100000", "02000000200000"})
+         s.answers(faults).goOn(1s);
+     },
+     {"6.000 fault" MONITOR " 0>0", "7.000 fault_cleared" MONITOR " 0>0", "7.000 fault" MONITOR " 1>1",
+      "8.000 fault_cleared" MONITOR " 1>1", "8.000 fault" MONITOR " 2>2",
+      "9.000 fault_cleared" MONITOR " 2>2", "9.000 fault" MONITOR " 3>3",
+      "10.000 fault_cleared" MONITOR " 3>3", "10.000 fault" MONITOR " 4>4",
+      "11.000 fault_cleared" MONITOR " 4>4", "11.000 fault" MONITOR " 5>5"}},
+    {"AFaultThatFlickersBesideOthers",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 8; ++i) s.answers(i % 2 == 0 ? "02000000010000" : Story::kNoFaults).goOn(1s);
+       s.answers("02000000020000").goOn(10s);
+     },
+     {"6.000 fault" MONITOR " 0>0", "7.000 fault_cleared" MONITOR " 0>0", "8.000 fault" MONITOR " 0>0",
+      "9.000 fault_cleared" MONITOR " 0>0", "14.000 fault" MONITOR " 1>1",
+      "16.000 fault_cleared" MONITOR " 0>0 since 13.000 (3)"}},
+    {"ErrorCodesThatComeOneAfterTheOther",
+     [](Story& s) {
+       s.monitor();
+       for (const char* code : {"01", "02", "03", "04", "05", "06", "07", "08"})
+         s.answers(std::string("020000000000") + code).goOn(1s);
+     },
+     {"6.000 error_code" MONITOR " 0>1", "7.000 error_code" MONITOR " 1>2", "8.000 error_code" MONITOR " 2>3",
+      "9.000 error_code" MONITOR " 3>4", "10.000 error_code" MONITOR " 4>5",
+      "11.000 error_code" MONITOR " 5>6", "12.000 error_code" MONITOR " 6>7",
+      "13.000 error_code" MONITOR " 7>8"}},
     {"PollsThatRepeatAnAnswer",
      [](Story& s) {
        s.monitor();
@@ -390,6 +432,13 @@ const std::vector<EventCase> kCases{
      },
      {"1.000 error_frames", "1.000 error_passive", "1.010 bus_off", "1.020 error_active",
       "2.020 error_frames_over 0>3"}},
+    {"AControllerThatIsBusOffAfterItFlickered",
+     [](Story& s) {
+       for (int i = 0; i < 3; ++i) s.errorFrame(0x4, 0x20).pass(100ms).errorFrame(0x4, 0x40).pass(100ms);
+       s.errorFrame(0x40).pass(100ms).errorFrame(0x100).pass(1s);
+     },
+     {"1.000 error_frames", "1.000 error_passive", "1.100 error_active", "1.200 error_passive",
+      "1.300 error_active", "1.600 bus_off (2)", "2.700 error_frames_over 0>8"}},
     {"AControllerThatIsBusOffAgainAfterItsLinkWasUpAgain",
      [](Story& s) {
        s.errorFrame(0x40).pass(2s).note(note::LinkDown{}).pass(1s).note(note::LinkUp{}).pass(1s);
