@@ -331,10 +331,11 @@ void DeviceWatch::compareFlag(EventSlot& slot, bool value, EventKind on, EventKi
   out.push_back(event);
 }
 
-// Not available is neither reached nor left.
+// Not available is neither reached nor left. A stop that reports an error at first is told, one that is reached is not.
 void DeviceWatch::compareStop(EventSlot& slot, Status2 value, Event event, std::vector<Event>& out) {
   if (value == Status2::NotAvailable) return;
-  if (!slot.moves(static_cast<std::uint64_t>(value), event.time, m_retry)) return;
+  if (!slot.isKnown() && value == Status2::Error) slot = EventSlot(static_cast<std::uint64_t>(Status2::Off));
+  if (!slot.moves(static_cast<std::uint64_t>(value), event.time, m_retry, EventSlot::First::Always)) return;
   event.kind = value == Status2::On      ? EventKind::StopReached
                : value == Status2::Error ? EventKind::StopError
                                          : EventKind::StopLeft;

@@ -100,7 +100,8 @@ class DeviceWatch {
   EventSlot m_rotationError{0}, m_elevationError{0}, m_operationalError{0};
   EventSlot m_deviceFaulted{0}, m_errorCode{0};
   std::array<EventSlot, 32> m_faults = noFaults();  // by bit of the fault map
-  EventSlot m_enable, m_remote, m_stowed, m_permissive, m_operational;
+  EventSlot m_enable{1}, m_operational{1};
+  EventSlot m_remote, m_stowed, m_permissive;
   std::array<EventSlot, 5> m_plusStops, m_minusStops;
   std::array<EventSlot, 4> m_limits;  // left, right, down, up
 };

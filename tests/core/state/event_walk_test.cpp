@@ -326,6 +326,13 @@ const std::vector<EventCase> kCases{
     {"DisabledAndEnabled",
      [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "834051").goOn(1s); },
      {"6.000 disabled" MONITOR, "7.000 enabled" MONITOR}},
+    {"DisabledWithAStopErrorAtFirst",
+     [](Story& s) {
+       s.hear("18FEF100", "11").pass(10s).hear("18EFFF80", Story::kAnnouncesA);
+       s.goOn(1s, "011D940371840041", "834051").goOn(1s);
+     },
+     {"11.000 appeared" MONITOR, "11.000 stop_error" MONITOR " +1 0>2", "11.000 disabled" MONITOR,
+      "12.000 stop_left" MONITOR " +1 2>0", "12.000 stop_left" MONITOR " +2 1>0", "12.000 enabled" MONITOR}},
     {"RemoteMode",
      [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "83C059").goOn(1s); },
      {"6.000 remote_mode" MONITOR, "7.000 remote_mode_over" MONITOR}},
