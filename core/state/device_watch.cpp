@@ -119,7 +119,7 @@ void DeviceWatch::heard(const State& state, const Device& device, std::vector<Ev
 // Nothing can be heard while the link is down, which is told by itself.
 void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
-  const Instant due = std::max(lastBeat(state, device), m_linkChanged) + kSilentAfter;
+  const Instant due = std::max(lastBeat(state, device), m_linkChanged) + device.silentAfter();
   m_silenceDue = due > now ? due : kNever;
   if (m_silenceDue != kNever || state.channel(m_channel).link == ChannelLink::Down) return;
   const Health health = healthOf(state, device);

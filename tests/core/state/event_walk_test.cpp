@@ -133,15 +133,50 @@ const std::vector<EventCase> kCases{
     {"ANodeThatIsSilent",
      [](Story& s) { s.hear("724", "05").pass(1s).hear("724", "05").pass(9s).hear("724", "05"); },
      {"5.000 silent node 24 since 2.000", "11.000 back node 24 9000 ms"}},
+    {"ANodeWithASlowHeartbeat",
+     [](Story& s) {
+       for (int i = 0; i < 5; ++i) s.hear("724", "05").pass(5s);
+       s.pass(20s);
+     },
+     {"36.000 silent node 24 since 21.000"}},
+    {"ANodeThatIsNotOperationalAtFirst",
+     [](Story& s) { s.hear("724", "7F").pass(1s).hear("724", "05"); },
+     {"1.000 not_operational node 24", "2.000 operational node 24"}},
+    {"ANodeOfAGatewayThatSendsStatusesAlone",
+     [](Story& s) {
+       const auto goOn = [&](const char* position, const char* outputs) {
+         for (int i = 0; i < 10; ++i) s.hear("1A4", position).hear("2A4", outputs).pass(100ms);
+       };
+       goOn(Story::kPosition, "83C001");
+       goOn("01FFF40371000041", "834001");
+       s.pass(40s);
+     },
+     {"2.000 sensor_error node 24 -1", "2.000 disabled node 24", "5.900 silent node 24 since 2.900"}},
+    {"WhatOnlyLooksLikeAStatusOfANode",
+     [](Story& s) { s.hear("1A4", Story::kPosition).pass(100ms).hear("1A4", "01FFF40371000041").pass(40s); },
+     {}},
     {"ANodeOfAnotherMakerThatIsSilent",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
        s.pass(9s).hear("18FF1028", "00");
      },
      {"9.000 silent 28 since 6.000", "16.000 back 28 10000 ms"}},
-    {"ANodeOfAnotherMakerThatSendsNowAndThen",
+    {"ANodeOfAnotherMakerThatSendsEveryTwoSecondsAndIsSilent",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(2s);
+       s.pass(30s).hear("18FF1028", "00");
+     },
+     {"17.000 silent 28 since 11.000", "43.000 back 28 32000 ms"}},
+    {"ANodeOfAnotherMakerThatSendsEveryNineSecondsAndIsSilent",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(9s);
+       s.pass(30s);
+     },
+     {"73.000 silent 28 since 46.000"}},
+    {"ANodeOfAnotherMakerThatSendsNowAndThen",
+     [](Story& s) {
+       for (const Duration pause : {9s, 4s, 9s, 2s, 9s, 1s, 9s, 5s, 9s, 2s, 60s})
+         s.hear("18FF1028", "00").pass(pause);
      },
      {}},
     {"ANodeOfAnotherMakerBehindALinkThatIsDown",

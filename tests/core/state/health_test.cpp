@@ -317,6 +317,25 @@ INSTANTIATE_TEST_SUITE_P(
                for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
              },
              "cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatSendsEveryFiveSeconds",
+             [](Bus& b) {
+               for (int i = 0; i < 6; ++i) b.hear("18FEF121", "11").pass(5s);
+               b.pass(9900ms);
+             },
+             "cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatSentEveryFiveSeconds",
+             [](Bus& b) {
+               for (int i = 0; i < 6; ++i) b.hear("18FEF121", "11").pass(5s);
+               b.pass(10s);
+             },
+             "silent cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatBecameFaster",
+             [](Bus& b) {
+               for (int i = 0; i < 6; ++i) b.hear("18FEF121", "11").pass(5s);
+               for (int i = 0; i < 12; ++i) b.hear("18FEF121", "11").pass(1s);
+               b.pass(2s);
+             },
+             "silent cannot_be_asked"},
         Case{"ANodeOfAnotherMakerHeardNowAndThen",
              [](Bus& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle cannot_be_asked"},
         Case{"ANodeOfAnotherMakerThatOnlyAnswered",
@@ -414,10 +433,42 @@ INSTANTIATE_TEST_SUITE_P(
              [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "4301500100000000"); }, "fine"},
         Case{"NodeThatAborts",
              [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "8001500100000206").pass(2s); },
-             "late faults_refused"},
+             "faults_refused"},
         Case{"NodeWhoseMasterAborts",
              [](Bus& b) { b.node().hear("624", "40015001").hear("624", "8001500100000405").pass(2s); },
-             "late faults_not_answered"},
+             "faults_not_answered"},
+        // Its periods are settings: they are heard.
+        Case{"NodeWithASlowHeartbeatBetweenTwo",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.hear("724", "05").hear("5A4", "4301500100000000").pass(5s);
+               b.pass(9900ms);
+             },
+             "fine"},
+        Case{"NodeWithASlowHeartbeatThatStops",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.hear("724", "05").hear("5A4", "4301500100000000").pass(5s);
+               b.pass(10s);
+             },
+             "silent faults_old"},
+        Case{"NodeWithSlowStatuses",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.node().hear("5A4", "4301500100000000").pass(1s);
+               b.pass(1900ms);
+             },
+             "fine"},
+        Case{"NodeWithSlowStatusesOfWhichOneStops",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.node().hear("5A4", "4301500100000000").pass(1s);
+               for (int i = 0; i < 3; ++i) b.hear("724", "05").hear("1A4", kPosition).pass(1s);
+             },
+             "late"},
+        Case{"NodeThatMissedAMessage",
+             [](Bus& b) {
+               for (const Duration pause : {1s, 1s, 30s, 1s, 3s}) b.hear("724", "05").pass(pause);
+             },
+             "silent cannot_be_asked"},
+        Case{"NodeOfWhichOneMessageCame", [](Bus& b) { b.hear("724", "05").pass(1h); },
+             "idle cannot_be_asked"},
         Case{"NodeThatAnswersInAnotherSize",
              [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "4B0150010000"); }, "faults_refused"},
         Case{"NodeThatAnswersAfterAnAbort",
