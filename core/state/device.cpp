@@ -97,6 +97,7 @@ void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
   if (differs && id == MessageId::PositionLimitStatus) {
     const PositionLimitStatus was = PositionLimitStatus::of(before), now = PositionLimitStatus::of(frame);
     leaps = isLeap(was, now);
+    if (was.operationalError == Status2::On && now.operationalError != Status2::On) isErrorOver = true;
   }
   const Duration gap = time - report(id).at;
   if (kind == Kind::Node) {
@@ -147,6 +148,7 @@ void Device::take(const Frame& frame, MessageId id, Instant time) {
     case MessageId::Heartbeat:
       if (heartbeatState(frame) == gateway::kBooting) restarted = time;
       break;
+    case MessageId::FaultResponse: isErrorOver = false; break;
     default: break;
   }
 }
@@ -163,6 +165,7 @@ void Device::takeSdo(const Frame& frame, Instant time) {
     refused(Request::Fault);
   } else if (object == sdo::kOperationalError && size == 2) {
     operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
+    isErrorOver = false;
   }
 }
 

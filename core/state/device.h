@@ -66,6 +66,7 @@ struct Device {
   Instant doubled = kNotYet;
   Instant paired = kNotYet;  // when a status changed last as in a log that holds each frame twice
   bool isOnlyEqual = false;  // nothing but equal statuses showed the two: the log may hold each frame twice
+  bool isErrorOver = false;  // so says a status of the operational error whose code an answer gave before
 
   Address permissiveFrom;  // the master controller that sent the permissive
 

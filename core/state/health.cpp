@@ -171,6 +171,8 @@ void takeAnswers(const Subject& s, Health& h) {
   const auto& code = d.operationalErrorCode;
   if (code.isKnown() && code.value != 0 && ageOf(s, code.at) == AnswerAge::Current)
     h.faults.errorCode = code.value;
+  // The code belongs to the error that is over: the next one is asked anew.
+  if (d.isErrorOver) h.faults.errorCode = 0;
 }
 
 Axes axesThatAre(const Subject& s, PositionState state) {

@@ -371,6 +371,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"SensorsThatAreNotFitted", [](Bus& b) { b.monitor("01FFFFFFFF000001").answered(); }, "fine"},
         Case{"OperationalError", [](Bus& b) { b.monitor("011D940371000045").answered("0200000000000B"); },
              "faults operational_error"},
+        Case{"OperationalErrorThatIsOver",
+             [](Bus& b) { b.monitor("011D940371000045").answered("0200000000000B").pass(100ms).statuses(); },
+             "fine"},
+        Case{"OperationalErrorThatIsOverAndFaultsThatAreNot",
+             [](Bus& b) { b.monitor("011D940371000045").answered("0200200000000B").pass(100ms).statuses(); },
+             "faults"},
+        Case{"OperationalErrorOfANodeThatIsOver",
+             [](Bus& b) {
+               b.node().hear("5A4", "4301500100000000").hear("1A4", "011D940371000045");
+               b.hear("5A4", "4B0150020B00").pass(50ms).hear("1A4", kPosition);
+             },
+             "fine"},
         Case{"StopError", [](Bus& b) { b.monitor("011D940371020001").answered(); }, "stop_error"},
         Case{"PositionThatIsNotValid", [](Bus& b) { b.monitor("0112350000000000").answered(); },
              "position_invalid"},
@@ -536,6 +548,17 @@ TEST(Health, KeepsOldFaultsAndANewErrorCodeApart) {
   EXPECT_EQ(health.faults, (NamedFaults{.map = 0, .errorCode = 11}));
   EXPECT_NE(health.oldFaults.map, 0u);
   EXPECT_EQ(health.oldFaults.errorCode, 0);
+}
+
+TEST(Health, NamesNoCodeOfAnOperationalErrorThatIsOver) {
+  Bus bus;
+  bus.monitor("011D940371000045").answered("0200000000000B").pass(100ms).statuses().pass(100ms);
+  bus.statuses("011D940371000045");
+  const auto health = [&] { return healthOf(bus.state(), *bus.device(kPinA)); };
+  EXPECT_EQ(listed(health()), "operational_error");
+  EXPECT_EQ(health().faults.errorCode, 0) << "the next one is asked anew";
+  bus.answered("0200000000000C");
+  EXPECT_EQ(health().faults.errorCode, 12);
 }
 
 TEST(Health, NamesWhatWasNeverHeardAndWhetherAnythingEverWas) {
