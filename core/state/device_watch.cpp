@@ -123,7 +123,11 @@ void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::v
   m_silenceDue = due > now ? due : kNever;
   if (m_silenceDue != kNever || state.channel(m_channel).link == ChannelLink::Down) return;
   const Health health = healthOf(state, device);
-  if (!health.has(HealthCause::Silent)) return;
+  if (!health.has(HealthCause::Silent)) {
+    // As long as another one sends from its address, its own silence cannot be told.
+    if (health.has(HealthCause::TwoAtOneAddress)) m_silenceDue = now + kSilentAfter;
+    return;
+  }
   m_isSilent = true;
   m_silentSince = lastBeat(state, device);
   compareSilence(state, out);

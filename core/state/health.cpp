@@ -92,10 +92,19 @@ Instant lastBeat(const Subject& s) {
   return last == kNotYet ? s.lastHeard() : last;
 }
 
+void takeShared(const Subject& s, Health& h);
+
+// Whoever lost its address to another device may still send from there: then nothing that came is its own for sure,
+// and nothing is missing for sure.
+bool isLost(const Subject& s, const Health& h) { return h.sharedAddress != kNullAddress && !s.hasAddress(); }
+
 bool isSilent(const Subject& s) {
   // One that has sent nothing of the kind yet has as long for it.
   const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
-  return sendsByItself(s) && s.isMissing(last, missingAfter(s));
+  if (!sendsByItself(s) || !s.isMissing(last, missingAfter(s))) return false;
+  Health h;
+  if (!s.hasAddress()) takeShared(s, h);
+  return !isLost(s, h);
 }
 
 AnswerAge ageOf(const Subject& s, Instant answered) {
@@ -242,7 +251,8 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return s.has(MessageId::DigitalOutputs) && !s.device->outputs().value().enable;
      }},
     {HealthCause::PositionInvalid, [](const Subject&, const Health& h) { return !h.invalid.isEmpty(); }},
-    {HealthCause::Late, [](const Subject& s, const Health& h) { return !h.late.isEmpty() && !isSilent(s); }},
+    {HealthCause::Late,
+     [](const Subject& s, const Health& h) { return !h.late.isEmpty() && !isSilent(s) && !isLost(s, h); }},
     {HealthCause::NotOperational,
      [](const Subject& s, const Health&) {
        return s.has(MessageId::Heartbeat) && s.device->heartbeat().value() != gateway::kOperational;

@@ -264,7 +264,16 @@ const std::vector<EventCase> kCases{
      },
      {"3.000 address_lost" MONITOR, "4.000 silent" MONITOR " since 1.000",
       "5.000 address_lost 1032AE100801036", "5.000 back" MONITOR " 4000 ms",
-      "5.250 two_at_one_address" MONITOR, "6.000 silent 1032AE100801036 since 3.000"}},
+      "5.250 two_at_one_address" MONITOR}},
+    {"TwoAtOneAddressOfWhomOneLostIt",
+     [](Story& s) {
+       s.hear("18EEFF80", Story::kNameOfB).hear("18EFFF80", Story::kAnnouncesB).goOn(5s);
+       s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA);
+       for (int i = 0; i < 200; ++i)
+         s.hear("18EFFF80", i % 2 == 0 ? Story::kPosition : "0112C10644000041").pass(50ms);
+     },
+     {"6.000 address_lost 1032AE100801036 to another", "6.000 appeared" MONITOR,
+      "6.250 two_at_one_address" MONITOR}},
     // Faults.
     {"FaultsRaisedAndCleared",
      [](Story& s) {
