@@ -11,6 +11,11 @@ bool isNear(std::int64_t stamp, std::int64_t before) {
   return step >= -FileClock::kBack.count() && step <= FileClock::kForward.count();
 }
 
+bool isFar(std::int64_t stamp, std::int64_t other) {
+  const std::int64_t away = saturatedMinus(stamp, other);
+  return away > FileClock::kForward.count() || away < -FileClock::kForward.count();
+}
+
 }  // namespace
 
 FileClock::Verdict FileClock::next(std::span<const Frame> frames, Follows follows, std::int64_t now) {
@@ -20,14 +25,14 @@ FileClock::Verdict FileClock::next(std::span<const Frame> frames, Follows follow
   if (channel.isKnown) {
     if (!isNear(frame.stamp, channel.lastStamp)) return step(channel, frames, follows, now);
     channel.lastStamp = frame.stamp;
+    channel.isLone = false;
     return {.time = saturatedPlus(frame.stamp, channel.offset), .offset = channel.offset};
   }
   channel.isKnown = true;
   channel.lastStamp = frame.stamp;
-  const std::int64_t away = saturatedMinus(frame.stamp, now);
-  const bool isFar = m_isStamped && (away > kForward.count() || away < -kForward.count());
+  const bool isAway = m_isStamped && isFar(frame.stamp, now);
   m_isStamped = true;
-  if (!isFar) return {.time = frame.stamp};
+  if (!isAway) return {.time = frame.stamp};
   channel.offset = saturatedMinus(now, frame.stamp);
   return {.kind = Kind::NewOffset, .time = now, .offset = channel.offset};
 }
@@ -47,6 +52,15 @@ FileClock::Holds FileClock::isHeld(std::int64_t lastStamp, std::span<const Frame
   if (after.size() == kLookAhead) return Holds::Yes;
   if (follows == Follows::More) return Holds::Undecided;
   return isLeap ? Holds::No : Holds::Yes;
+}
+
+bool FileClock::isDoubtful(const Channel& channel) const {
+  if (!channel.isLone) return false;
+  if (channel.offset != 0) return true;  // it was placed by the others
+  const std::int64_t time = saturatedPlus(channel.lastStamp, channel.offset);
+  return std::ranges::none_of(m_channels, [&](const Channel& other) {
+    return other.isKnown && &other != &channel && !isFar(saturatedPlus(other.lastStamp, other.offset), time);
+  });
 }
 
 const FileClock::Piece* FileClock::pieceMet(const Channel& channel, std::int64_t stamp, std::int64_t now) {
@@ -69,9 +83,11 @@ FileClock::Verdict FileClock::step(Channel& channel, std::span<const Frame> fram
     case Holds::No: return {.kind = Kind::Timeless, .isStep = true, .offset = channel.offset};
     case Holds::Yes: break;
   }
+  const bool beginsPiece = isBack || (met == nullptr && isDoubtful(channel));
   const Piece left{channel.offset, channel.lastStamp, now};
   channel.lastStamp = frame.stamp;
-  if (isBack) {
+  channel.isLone = false;
+  if (beginsPiece) {
     if (channel.earlier.size() == kMaxPieces) channel.earlier.erase(channel.earlier.begin());
     channel.earlier.push_back(left);
     channel.offset = saturatedMinus(now, frame.stamp);

@@ -11,6 +11,8 @@
 // 4. A step forward that holds is time that passed. But if it brings the clock back to an earlier piece of the
 //    channel, within kReturn, the offset of that piece returns. An earlier piece is met where it stopped, or
 //    where its clock would stand by now.
+//    Nor is a step forward time if it is the channel's first and refutes its one stamp before, which no other channel
+//    agrees with: then it begins a piece, too.
 // 5. Each step is one mark.
 // 6. A channel whose first stamp lies more than kForward from log time starts at the time of the frame before,
 //    without a mark.
@@ -63,6 +65,7 @@ class FileClock {
   };
   struct Channel {
     bool isKnown = false;
+    bool isLone = true;  // only one stamp came
     std::int64_t lastStamp = 0;
     std::int64_t offset = 0;
     std::vector<Piece> earlier;
@@ -72,6 +75,8 @@ class FileClock {
 
   enum class Holds : std::uint8_t { Yes, No, Undecided };
   static Holds isHeld(std::int64_t lastStamp, std::span<const Frame> frames, Follows follows, bool isReturn);
+  // Whether the last stamp of a channel is its only one, and no other channel agrees with it.
+  bool isDoubtful(const Channel& channel) const;
   static const Piece* pieceMet(const Channel& channel, std::int64_t stamp, std::int64_t now);
   Verdict step(Channel& channel, std::span<const Frame> frames, Follows follows, std::int64_t now);
 

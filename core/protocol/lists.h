@@ -38,6 +38,11 @@ constexpr bool isOwnPeriodicReport(const Message& message) {
   return isPeriodicReport(message) && message.device == DeviceEnd::Sender;
 }
 inline constexpr auto kOwnPeriodicReports = messagesWhere<isOwnPeriodicReport>();
+// Those that a CANopen node sends: how often is a setting of it.
+constexpr bool isNodeReport(const Message& message) {
+  return isOwnPeriodicReport(message) && (message.family == Family::Canopen || message.pdo != 0);
+}
+inline constexpr auto kNodeReports = messagesWhere<isNodeReport>();
 
 // The messages whose last one is kept of each device: periodic reports, and answers that its page shows.
 constexpr bool isReport(const Message& message) {
@@ -61,7 +66,8 @@ inline constexpr EnumArray<MessageId, std::uint8_t> kReportPlaces = [] {
   return places;
 }();
 
-constexpr Duration staleAfter(MessageId id) { return 3 * messageOf(id).period; }
+inline constexpr int kStalePeriods = 3;
+constexpr Duration staleAfter(MessageId id) { return kStalePeriods * messageOf(id).period; }
 
 // Byte 1 of a message; it must have one.
 constexpr std::uint8_t typeOf(MessageId id) { return static_cast<std::uint8_t>(messageOf(id).firstByte); }

@@ -86,7 +86,9 @@ void BusWatch::compareErrors(const State& state, std::vector<Event>& out) {
 
 void BusWatch::compareController(const State& state, std::vector<Event>& out) {
   const EventKind kind = kindOf(state.channel(m_channel).controller);
-  if (!m_controller.moves(static_cast<std::uint64_t>(kind), state.cursor().time, m_retry)) return;
+  if (!m_controller.moves(static_cast<std::uint64_t>(kind), state.cursor().time, m_retry,
+                          EventSlot::First::Always))
+    return;
   Event event = eventOf(state, kind);
   m_controller.settle(event);
   out.push_back(event);
@@ -116,10 +118,10 @@ void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices,
       if (device.address() != address) isTold = isTold || isLoser;
       if (device.address() == address && (isLoser || device.pin().isNull())) device.addressWasTaken();
     }
-    if (isTold || !m_losses.happens(event.time)) continue;
+    if (isTold || !m_losses[a].happens(event.time)) continue;
     event.was = static_cast<std::int64_t>(before.value);
     event.now = static_cast<std::int64_t>(holder.value);
-    m_losses.settle(event);
+    m_losses[a].settle(event);
     out.push_back(event);
   }
 }

@@ -76,8 +76,8 @@ class BusWatch {
   std::array<Name, 256> m_holders{};
   std::array<Name, 256> m_formerHolders{};  // by the address that each lost last
   std::array<Instant, 256> m_heldSince{};
-  std::vector<Name> m_cannotClaim;  // those of which it was told
-  TellCount m_losses;
+  std::vector<Name> m_cannotClaim;      // those of which it was told
+  std::array<TellCount, 256> m_losses;  // by address
   std::bitset<256> m_shared;
   std::array<StickWatch, Joysticks::kMax> m_sticks;
 

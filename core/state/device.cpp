@@ -42,6 +42,34 @@ Instant Device::staleDue(MessageId id) const {
   return std::max(last, listenedSince) + staleAfter(id);
 }
 
+Duration Device::periodOf(MessageId id) const {
+  const auto place = std::ranges::find(kNodeReports, id);
+  return place == kNodeReports.end()
+             ? 0ns
+             : m_periods[static_cast<std::size_t>(place - kNodeReports.begin())].value();
+}
+
+bool Device::hasPeriod() const {
+  return std::ranges::any_of(kNodeReports, [this](MessageId id) { return hasPeriod(id); });
+}
+
+// A setting that is slower than the usual one counts.
+Duration Device::staleAfter(MessageId id) const {
+  const Duration usual = deckpipe::staleAfter(id);
+  return kind == Kind::Node ? std::max(usual, kStalePeriods * periodOf(id)) : usual;
+}
+
+// A node is silent once each of its messages is missing.
+Duration Device::silentAfter() const {
+  Duration after = kSilentAfter;
+  if (kind != Kind::Node) return after;
+  for (const MessageId id : kNodeReports) {
+    if (report(id).isKnown())
+      after = std::max(after, report(id).at - lastStatus + deckpipe::silentAfter(periodOf(id)));
+  }
+  return after;
+}
+
 Instant Device::nextDeadline() const {
   Instant next = kNever;
   for (const MessageId id : kPeriodicReports) next = std::min(next, staleDue(id));
@@ -55,19 +83,28 @@ void Device::timeCame(Instant time) {
 }
 
 void Device::statusCame(Instant time) {
-  if (lastStatus != kNotYet && time - lastStatus >= kSilentAfter) resumed = time;
+  if (lastStatus != kNotYet && hasPeriod() && time - lastStatus >= silentAfter()) resumed = time;
   lastStatus = time;
 }
 
 // A status replaces the one before it, which tells how far the two are apart.
 void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
   statusCame(time);
-  // How often a gateway sends is a setting of it.
-  if (kind == Kind::Node || !report(id).isKnown()) return;
+  if (!report(id).isKnown()) return;
   const Frame before = report(id).frame();
-  const bool leaps = id == MessageId::PositionLimitStatus &&
-                     isLeap(PositionLimitStatus::of(before), PositionLimitStatus::of(frame));
-  takeDoubling(m_paces[paceOf(id)].next(id, time - report(id).at, before.data != frame.data, leaps), time);
+  const bool differs = before.data != frame.data;
+  bool leaps = false;
+  if (differs && id == MessageId::PositionLimitStatus) {
+    const PositionLimitStatus was = PositionLimitStatus::of(before), now = PositionLimitStatus::of(frame);
+    leaps = isLeap(was, now);
+    if (was.operationalError == Status2::On && now.operationalError != Status2::On) isErrorOver = true;
+  }
+  const Duration gap = time - report(id).at;
+  if (kind == Kind::Node) {
+    m_periods[static_cast<std::size_t>(std::ranges::find(kNodeReports, id) - kNodeReports.begin())].came(gap);
+  } else {
+    takeDoubling(m_paces[paceOf(id)].next(id, gap, differs, leaps), time);
+  }
 }
 
 void Device::takeDoubling(Doubling doubling, Instant time) {
@@ -111,6 +148,7 @@ void Device::take(const Frame& frame, MessageId id, Instant time) {
     case MessageId::Heartbeat:
       if (heartbeatState(frame) == gateway::kBooting) restarted = time;
       break;
+    case MessageId::FaultResponse: isErrorOver = false; break;
     default: break;
   }
 }
@@ -127,6 +165,7 @@ void Device::takeSdo(const Frame& frame, Instant time) {
     refused(Request::Fault);
   } else if (object == sdo::kOperationalError && size == 2) {
     operationalErrorCode.set(static_cast<std::uint16_t>(readBits(frame.data, gateway::kValue.bits)), time);
+    isErrorOver = false;
   }
 }
 

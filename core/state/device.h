@@ -4,6 +4,7 @@
 // Everything it reported, each with its time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -11,13 +12,17 @@
 #include "protocol/lists.h"
 #include "protocol/typed.h"
 #include "state/frame_rate.h"
+#include "state/own_period.h"
 #include "state/pace.h"
 #include "state/timed.h"
 
 namespace deckpipe {
 
-// Without a periodic message for so long a device is silent: three heartbeats, thirty of any other period.
+// Without a periodic message for so long a device is silent, if its own period is not longer: three heartbeats, thirty
+// of any other period.
 inline constexpr Duration kSilentAfter = 3s;
+// The same of one whose period was heard.
+constexpr Duration silentAfter(Duration period) { return std::max(kSilentAfter, kStalePeriods * period); }
 
 // From its first claim to its announcement a device needs up to this long.
 inline constexpr Duration kOneStart = 1s;
@@ -61,6 +66,7 @@ struct Device {
   Instant doubled = kNotYet;
   Instant paired = kNotYet;  // when a status changed last as in a log that holds each frame twice
   bool isOnlyEqual = false;  // nothing but equal statuses showed the two: the log may hold each frame twice
+  bool isErrorOver = false;  // so says a status of the operational error whose code an answer gave before
 
   Address permissiveFrom;  // the master controller that sent the permissive
 
@@ -112,6 +118,12 @@ struct Device {
   // Whether it was asked for something and the last answer does not say it: an SDO abort, or a wrong length.
   bool hasRefused(Request request) const { return m_refused.has(request); }
 
+  // Whether it is known how often it sends anything by itself. How often a node does is heard.
+  bool hasPeriod() const;
+  bool hasPeriod(MessageId id) const { return kind != Kind::Node || periodOf(id) > 0ns; }
+  // So long after lastStatus it is silent.
+  Duration silentAfter() const;
+
   // Whether one of kPeriodicReports came and is older than three of its periods.
   bool isStale(MessageId id) const { return m_stale.has(id); }
   const EnumSet<MessageId>& stale() const { return m_stale; }
@@ -140,6 +152,9 @@ struct Device {
     if (m_askedInVain[request] != kNotYet) m_refused.add(request);
     m_askedInVain[request] = kNotYet;
   }
+  // What was heard of it; 0: nothing yet, or of no node.
+  Duration periodOf(MessageId id) const;
+  Duration staleAfter(MessageId id) const;
   void statusCame(Instant time);
   void takeStatus(const Frame& frame, MessageId id, Instant time);
   void takeDoubling(Doubling doubling, Instant time);
@@ -147,6 +162,7 @@ struct Device {
 
   std::array<Report, kReports.size()> m_reports;
   std::array<Pace, kOwnPeriodicReports.size()> m_paces;
+  std::array<OwnPeriod, kNodeReports.size()> m_periods;
   EnumArray<Request, Instant> m_askedInVain = [] {
     EnumArray<Request, Instant> never;
     for (Instant& time : never) time = kNotYet;

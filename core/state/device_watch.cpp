@@ -119,11 +119,15 @@ void DeviceWatch::heard(const State& state, const Device& device, std::vector<Ev
 // Nothing can be heard while the link is down, which is told by itself.
 void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
-  const Instant due = std::max(lastBeat(state, device), m_linkChanged) + kSilentAfter;
+  const Instant due = std::max(lastBeat(state, device), m_linkChanged) + device.silentAfter();
   m_silenceDue = due > now ? due : kNever;
   if (m_silenceDue != kNever || state.channel(m_channel).link == ChannelLink::Down) return;
   const Health health = healthOf(state, device);
-  if (!health.has(HealthCause::Silent)) return;
+  if (!health.has(HealthCause::Silent)) {
+    // As long as another one sends from its address, its own silence cannot be told.
+    if (health.has(HealthCause::TwoAtOneAddress)) m_silenceDue = now + kSilentAfter;
+    return;
+  }
   m_isSilent = true;
   m_silentSince = lastBeat(state, device);
   compareSilence(state, out);
@@ -274,7 +278,7 @@ void DeviceWatch::comparePosition(const State& state, const Device& device, std:
   compareFlag(m_operationalError, status.operationalError == Status2::On, EventKind::OperationalError,
               EventKind::OperationalErrorOver, event, out);
   // The code belongs to the error that is over: the next one is asked anew.
-  if (hadError && m_operationalError.shown() == 0) m_errorCode = EventSlot(0);
+  if (hadError && m_operationalError.shown() == 0) m_errorCode.set(0);
   for (std::size_t axis = 0; axis < m_plusStops.size(); ++axis) {
     compareStop(m_plusStops[axis], status.plusStop[axis], onAxis(event, axis + 1, true), out);
     compareStop(m_minusStops[axis], status.minusStop[axis], onAxis(event, axis + 1, false), out);
@@ -289,20 +293,17 @@ void DeviceWatch::compareFaults(const State& state, const Device& device, std::v
   if (const auto answer = device.faults(); answer.isKnown()) {
     const FaultStatus faults = answer.value();
     if (faults.pcodeError) code = faults.pcodeError;
-    if (m_faults.moves(faults.map, event.time, m_retry)) {
-      const std::uint64_t changed = m_faults.shown() ^ faults.map;
-      m_faults.settle(event);
-      for (unsigned bit = 0; bit < 32; ++bit) {
-        if ((changed >> bit & 1u) == 0) continue;
-        const bool isRaised = (faults.map >> bit & 1u) != 0;
-        event.kind = isRaised ? EventKind::Fault : EventKind::FaultCleared;
-        event.was = event.now = bit;
-        out.push_back(event);
-      }
+    for (std::size_t bit = 0; bit < m_faults.size(); ++bit) {
+      const std::uint64_t isRaised = faults.map >> bit & 1u;
+      if (!m_faults[bit].moves(isRaised, event.time, m_retry)) continue;
+      Event told = event;
+      told.kind = isRaised != 0 ? EventKind::Fault : EventKind::FaultCleared;
+      told.was = told.now = static_cast<std::int64_t>(bit);
+      m_faults[bit].settle(told);
+      out.push_back(told);
     }
   }
-  event = eventOf(state);
-  if (!code || !m_errorCode.moves(*code, event.time, m_retry)) return;
+  if (!code || !m_errorCode.moves(*code, event.time, m_retry, EventSlot::First::Always)) return;
   event.kind = *code != 0 ? EventKind::ErrorCode : EventKind::ErrorCodeCleared;
   event.was = static_cast<std::int64_t>(m_errorCode.shown());
   event.now = *code;
@@ -334,10 +335,11 @@ void DeviceWatch::compareFlag(EventSlot& slot, bool value, EventKind on, EventKi
   out.push_back(event);
 }
 
-// Not available is neither reached nor left.
+// Not available is neither reached nor left. A stop that reports an error at first is told, one that is reached is not.
 void DeviceWatch::compareStop(EventSlot& slot, Status2 value, Event event, std::vector<Event>& out) {
   if (value == Status2::NotAvailable) return;
-  if (!slot.moves(static_cast<std::uint64_t>(value), event.time, m_retry)) return;
+  if (!slot.isKnown() && value == Status2::Error) slot = EventSlot(static_cast<std::uint64_t>(Status2::Off));
+  if (!slot.moves(static_cast<std::uint64_t>(value), event.time, m_retry, EventSlot::First::Always)) return;
   event.kind = value == Status2::On      ? EventKind::StopReached
                : value == Status2::Error ? EventKind::StopError
                                          : EventKind::StopLeft;

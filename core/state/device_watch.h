@@ -52,6 +52,11 @@ class DeviceWatch {
     none.fill(~0ull);
     return none;
   }
+  static std::array<EventSlot, 32> noFaults() {
+    std::array<EventSlot, 32> slots;
+    slots.fill(EventSlot(0));
+    return slots;
+  }
   bool isAsCompared(const Device& device, MessageId id, const Payload& data) const;
   void compareNew(const State& state, const Device& device, MessageId id, const Payload& data,
                   std::vector<Event>& out);
@@ -93,8 +98,10 @@ class DeviceWatch {
   EventSlot m_silence{0};
   TellCount m_restarts, m_moves;
   EventSlot m_rotationError{0}, m_elevationError{0}, m_operationalError{0};
-  EventSlot m_deviceFaulted{0}, m_faults{0}, m_errorCode{0};
-  EventSlot m_enable, m_remote, m_stowed, m_permissive, m_operational;
+  EventSlot m_deviceFaulted{0}, m_errorCode{0};
+  std::array<EventSlot, 32> m_faults = noFaults();  // by bit of the fault map
+  EventSlot m_enable{1}, m_operational{1};
+  EventSlot m_remote, m_stowed, m_permissive;
   std::array<EventSlot, 5> m_plusStops, m_minusStops;
   std::array<EventSlot, 4> m_limits;  // left, right, down, up
 };

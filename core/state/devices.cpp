@@ -42,7 +42,7 @@ Device* Devices::make() {
   return device;
 }
 
-Device* Devices::makeForPin(Channel channel, Address address) {
+Device* Devices::makeForPin(Channel channel, Address address, Instant time) {
   if (freePlace() == nullptr) {
     Device* oldest = nullptr;
     for (Device& device : m_devices) {
@@ -57,16 +57,17 @@ Device* Devices::makeForPin(Channel channel, Address address) {
       *oldest = {};
     }
   }
-  return atAddress(channel, address);
+  return atAddress(channel, address, time);
 }
 
-Device* Devices::atAddress(Channel channel, Address address) {
+Device* Devices::atAddress(Channel channel, Address address, Instant time) {
   if (Device* device = findAddress(channel, address)) return device;
   Device* device = make();
   if (device == nullptr) return nullptr;
   device->kind = Device::Kind::Address;
   device->channel = channel;
   device->address = address;
+  device->addressSince = time;
   m_byAddress[channel.value][address.value] = indexOf(*device);
   return device;
 }
@@ -109,7 +110,7 @@ void Devices::announced(Channel channel, Address address, const Pin& pin, Instan
   Device* device = const_cast<Device*>(byPin(channel, pin));
   if (device == nullptr) {
     device = findAddress(channel, address);  // heard before it said who it is
-    if (device == nullptr) device = makeForPin(channel, address);
+    if (device == nullptr) device = makeForPin(channel, address, time);
     if (device == nullptr) return;
     device->kind = Device::Kind::Pin;
     device->pin = pin;

@@ -33,7 +33,7 @@ class Devices {
   const Device* byNode(Channel channel, NodeId node) const;
 
   // The device at an address or node, made where there is none; null where there is no room.
-  Device* atAddress(Channel channel, Address address);
+  Device* atAddress(Channel channel, Address address, Instant time);
   Device* atNode(Channel channel, NodeId node);
   Device* findAddress(Channel channel, Address address) {
     return at(m_byAddress[channel.value][address.value]);
@@ -61,7 +61,7 @@ class Devices {
   Index indexOf(const Device& device) const { return static_cast<Index>(&device - m_devices.data()); }
   Device* freePlace();
   Device* make();
-  Device* makeForPin(Channel channel, Address address);
+  Device* makeForPin(Channel channel, Address address, Instant time);
   void giveAddress(Device& device, Address address, Instant time);
   void takeAddress(Device& device, Instant time);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is told as events, and how often. A value that flickers does not flood the list: kBurst changes are told as
 // they come, further ones at most every kEach. What came between is counted, and the value that it settles at is
-// told.
+// told. What is another matter is no flicker: each fault has a slot of its own, and where the values of one slot are
+// such matters (First::Always), each is told when it comes for the first time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -18,7 +20,7 @@ class TellLimit {
 
   Instant next() const { return m_paid == kNotYet ? kNotYet : m_paid - kEach * (kBurst - 1); }
   bool allows(Instant now) const { return next() <= now; }
-  void pay(Instant now) { m_paid = (m_paid < now ? now : m_paid) + kEach; }
+  void pay(Instant now) { m_paid = std::min((m_paid < now ? now : m_paid) + kEach, now + kEach * kBurst); }
 
  private:
   Instant m_paid = kNotYet;  // until when what was told has been paid for
@@ -45,6 +47,9 @@ class TellCount {
 
 class EventSlot {
  public:
+  // Whether a value that was never told is told however fast it comes.
+  enum class First : bool { AsOthers, Always };
+
   // The first value heard is no change.
   EventSlot() = default;
   // The first value heard is a change if it is another one than `usual`.
@@ -52,13 +57,14 @@ class EventSlot {
 
   // Whether a change is to be told now: from shown() to `value`. Then call settle(). If it is to be told later,
   // `retry` becomes the time to ask again, if that is sooner.
-  bool moves(std::uint64_t value, Instant now, Instant& retry) {
+  bool moves(std::uint64_t value, Instant now, Instant& retry, First first = First::AsOthers) {
     if (!m_isKnown) {
       m_isKnown = true;
       m_shown = m_last = value;
     }
     if (value == m_last && m_waiting == 0) return false;
-    if (!m_limit.allows(now)) {
+    const bool isNew = first == First::Always && value != m_last && (m_told & bitOf(value)) == 0;
+    if (!isNew && !m_limit.allows(now)) {
       take(value, now);
       if (m_limit.next() < retry) retry = m_limit.next();
       return false;
@@ -68,6 +74,7 @@ class EventSlot {
     if (!isLate) m_waiting = 0;
     return true;
   }
+  bool isKnown() const { return m_isKnown; }
   std::uint64_t shown() const { return m_shown; }
   // Sets the value without telling it.
   void set(std::uint64_t value) {
@@ -79,14 +86,16 @@ class EventSlot {
   void settle(Event& event) {
     if (m_waiting > 0) {
       event.folded = m_waiting - 1;
-      if (event.since == kNotYet) event.since = m_changed;
+      if (event.since == kNotYet && m_changed < event.time) event.since = m_changed;
     }
     m_shown = m_last;
+    m_told |= bitOf(m_last);
     m_waiting = 0;
     m_limit.pay(event.time);
   }
 
  private:
+  static std::uint64_t bitOf(std::uint64_t value) { return std::uint64_t{1} << (value & 63); }
   void take(std::uint64_t value, Instant now) {
     if (value == m_last) return;
     m_last = value;
@@ -95,6 +104,7 @@ class EventSlot {
   }
 
   std::uint64_t m_shown = 0, m_last = 0;
+  std::uint64_t m_told = 0;  // a bit for each value that was told: the value itself, or its low bits
   Instant m_changed = kNotYet;
   TellLimit m_limit;
   std::uint32_t m_waiting = 0;  // changes that are not told

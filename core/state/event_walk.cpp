@@ -174,8 +174,10 @@ void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
   if (!cob.hasNode()) return;
   const Device* device = m_state->devices().byNode({frame.channel}, cob.node);
   if (device == nullptr) return;
-  // Other buses use these identifiers too: nothing is told of a node that was not heard as one.
+  // Other buses use these identifiers too: nothing is told of a node that was not heard as one. Two of its statuses
+  // that are both in order are no coincidence.
   const bool isNode = device->heartbeat().isKnown() || device->faults().isKnown() ||
+                      (device->position().isKnown() && device->outputs().isKnown()) ||
                       m_state->channel({frame.channel}).book.isAkronNode(cob.node);
   const MessageId message = kByFunction[functionPlace(cob.function)];
   if (isNode && message != MessageId::Count) look(*device, message, frame.data, bus);

@@ -4,8 +4,8 @@
 //
 //   1. The events of a log are the same however often, and at which cursors, a walk through it stops.
 //   2. They come in the order of their times.
-//   3. The first value heard of anything is no change, but for faults and errors. Whoever is heard within
-//      kSettling of its channel's first frame was there before the log began.
+//   3. The first value heard of anything is no change, but for faults, errors, and what keeps a device from moving.
+//      Whoever is heard within kSettling of its channel's first frame was there before the log began.
 //   4. What changes faster than a person reads is told at the pace of event_slot.h.
 //
 // A frame costs a comparison with what its device said before; no state is compared with another one.

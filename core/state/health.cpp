@@ -21,11 +21,11 @@ struct Subject {
 
   // While the link is down, answers get no older than they were then.
   Instant now() const { return channel.heardUntil(state.cursor().time); }
-  // Whether nothing came for so long after `last` that it is missing. What was missing when the link went down is
+  // Whether nothing came for `after` since `last`, and is missing. What was missing when the link went down is
   // missing until it is heard; all else has as long again once the link is up.
-  bool isMissing(Instant last) const {
-    return last == kNotYet || last <= channel.missingUpTo ||
-           now() - std::max(last, channel.linkUp) >= kSilentAfter;
+  bool isMissing(Instant last, Duration after = kSilentAfter) const {
+    return last == kNotYet || last + (after - kSilentAfter) <= channel.missingUpTo ||
+           now() - std::max(last, channel.linkUp) >= after;
   }
   bool hasAddress() const { return address != kNullAddress; }
   const Joystick* joystick() const { return hasAddress() ? channel.joysticks.find(address) : nullptr; }
@@ -74,7 +74,14 @@ EnumSet<MessageId> repeats(const Subject& s) {
 bool sendsByItself(const Subject& s) {
   if (s.joystick() != nullptr) return true;
   if (s.device == nullptr) return !s.channel.wereOwn[s.address.value] && s.channel.nodes[s.address].isSteady;
+  if (s.isNode()) return s.device->hasPeriod();
   return s.device->lastStatus != kNotYet || !repeats(s).isEmpty();
+}
+
+// So long after the last beat it is missing.
+Duration missingAfter(const Subject& s) {
+  if (s.device != nullptr) return s.device->silentAfter();
+  return s.joystick() != nullptr ? kSilentAfter : silentAfter(s.channel.nodes[s.address].period);
 }
 
 // When something came last that comes by itself.
@@ -85,10 +92,19 @@ Instant lastBeat(const Subject& s) {
   return last == kNotYet ? s.lastHeard() : last;
 }
 
+void takeShared(const Subject& s, Health& h);
+
+// Whoever lost its address to another device may still send from there: then nothing that came is its own for sure,
+// and nothing is missing for sure.
+bool isLost(const Subject& s, const Health& h) { return h.sharedAddress != kNullAddress && !s.hasAddress(); }
+
 bool isSilent(const Subject& s) {
   // One that has sent nothing of the kind yet has as long for it.
   const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
-  return sendsByItself(s) && s.isMissing(last);
+  if (!sendsByItself(s) || !s.isMissing(last, missingAfter(s))) return false;
+  Health h;
+  if (!s.hasAddress()) takeShared(s, h);
+  return !isLost(s, h);
 }
 
 AnswerAge ageOf(const Subject& s, Instant answered) {
@@ -96,7 +112,7 @@ AnswerAge ageOf(const Subject& s, Instant answered) {
   if (answered < d.restarted) return AnswerAge::BeforeRestart;
   if (answered < d.resumed) return AnswerAge::BeforeSilence;
   // An answer that came while the statuses were missing is as good as any.
-  return isSilent(s) && s.now() - answered >= kSilentAfter ? AnswerAge::BeforeSilence : AnswerAge::Current;
+  return isSilent(s) && s.now() - answered >= missingAfter(s) ? AnswerAge::BeforeSilence : AnswerAge::Current;
 }
 
 // That two devices send from one address.
@@ -164,6 +180,8 @@ void takeAnswers(const Subject& s, Health& h) {
   const auto& code = d.operationalErrorCode;
   if (code.isKnown() && code.value != 0 && ageOf(s, code.at) == AnswerAge::Current)
     h.faults.errorCode = code.value;
+  // The code belongs to the error that is over: the next one is asked anew.
+  if (d.isErrorOver) h.faults.errorCode = 0;
 }
 
 Axes axesThatAre(const Subject& s, PositionState state) {
@@ -188,7 +206,7 @@ Health factsOf(const Subject& s) {
   for (const MessageId id : kOwnPeriodicReports) {
     // It comes, if in a wrong length.
     if (d.isMalformedNow(id, s.now())) continue;
-    if (d.isStale(id) && !isNotFitted(s, id)) h.late.add(id);
+    if (d.isStale(id) && d.hasPeriod(id) && !isNotFitted(s, id)) h.late.add(id);
     if (repeats(s).has(id) && !d.report(id).isKnown()) h.neverHeard.add(id);
   }
   h.sensorError = axesThatAre(s, PositionState::SensorError);
@@ -233,7 +251,8 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return s.has(MessageId::DigitalOutputs) && !s.device->outputs().value().enable;
      }},
     {HealthCause::PositionInvalid, [](const Subject&, const Health& h) { return !h.invalid.isEmpty(); }},
-    {HealthCause::Late, [](const Subject& s, const Health& h) { return !h.late.isEmpty() && !isSilent(s); }},
+    {HealthCause::Late,
+     [](const Subject& s, const Health& h) { return !h.late.isEmpty() && !isSilent(s) && !isLost(s, h); }},
     {HealthCause::NotOperational,
      [](const Subject& s, const Health&) {
        return s.has(MessageId::Heartbeat) && s.device->heartbeat().value() != gateway::kOperational;

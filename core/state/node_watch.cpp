@@ -19,7 +19,7 @@ void NodeWatch::timeCame(const State& state, std::vector<Event>& out) {
     const Node node = channel.nodes[address];
     if (node.isSteady && !m_silent[a] && state.devices().byAddress(m_channel, address) == nullptr &&
         channel.joysticks.find(address) == nullptr) {
-      const Instant due = std::max(node.lastHeard, m_linkChanged) + kSilentAfter;
+      const Instant due = std::max(node.lastHeard, m_linkChanged) + silentAfter(node.period);
       if (due > now) {
         m_due = std::min(m_due, due);
       } else if (healthOf(state, m_channel, address).has(HealthCause::Silent)) {

@@ -13,35 +13,64 @@
 
 namespace deckpipe {
 
-// Whether an address broadcasts something by itself: it did in each of four seconds in a row.
+// Whether an address broadcasts something by itself, and how often. It does if the seconds in which it broadcast came at
+// even gaps: four in a row if these are one second, as of whoever sends every second or faster, five if they are longer.
 class Broadcasts {
  public:
   void heard(Instant time) {
     const std::uint32_t second = static_cast<std::uint32_t>(time.ns / 1'000'000'000) & kSeconds;
-    const std::uint32_t since = (second - m_second) & kSeconds;
-    if (m_inRow == 0 || since > 1) {
-      m_inRow = 1;
-    } else if (since == 1 && m_inRow < kSteady) {
-      ++m_inRow;
-    }
+    const std::uint32_t gap = (second - m_second) & kSeconds;
+    if (m_inRow != 0 && gap == 0) return;
     m_second = second & kSeconds;
+    if (m_inRow == 0 || gap > kLongest) {
+      m_inRow = 1;
+      m_gap = 0;
+    } else if (m_gap != 0 && !isAlike(gap)) {
+      m_inRow = 2;
+      m_gap = gap & kLongest;
+    } else {
+      if (m_inRow < kSteady) ++m_inRow;
+      takeAlike(gap);
+    }
   }
-  bool isSteady() const { return m_inRow == kSteady; }
+  bool isSteady() const { return m_inRow >= (m_gap == 1 ? kSteadyFast : kSteady); }
+  // The longest pause between two broadcasts that is no surprise.
+  Duration period() const { return m_gap * Duration(1s); }
   friend bool operator==(const Broadcasts&, const Broadcasts&) = default;
 
  private:
-  static constexpr std::uint32_t kSeconds = (1u << 29) - 1;  // 17 years
-  static constexpr std::uint32_t kSteady = 4;
+  static constexpr std::uint32_t kSeconds = (1u << 20) - 1;  // 12 days
+  static constexpr std::uint32_t kLongest = 63;
+  static constexpr std::uint32_t kSteadyFast = 4, kSteady = 5;
+  static constexpr std::uint32_t kShorter = 7;
 
-  std::uint32_t m_second : 29 = 0;  // of the last broadcast
-  std::uint32_t m_inRow : 3 = 0;    // seconds with one, up to that; 0: there was none
+  // A gap is counted in whole seconds, so that it errs by one.
+  bool isAlike(std::uint32_t gap) const {
+    const std::uint32_t slack = 1 + m_gap / 8;
+    return gap <= m_gap + slack && m_gap <= gap + slack;
+  }
+  // It falls once several were shorter.
+  void takeAlike(std::uint32_t gap) {
+    m_shorter = gap < m_gap ? (m_shorter + 1) & kShorter : 0;
+    if (gap > m_gap || m_shorter == kShorter) {
+      m_gap = gap & kLongest;
+      m_shorter = 0;
+    }
+  }
+
+  std::uint32_t m_second : 20 = 0;  // of the last broadcast
+  std::uint32_t m_inRow : 3 = 0;    // seconds with one, at even gaps, up to kSteady; 0: there was none
+  std::uint32_t m_gap : 6 = 0;      // the longest of these gaps; 0: there was none
+  std::uint32_t m_shorter : 3 = 0;  // gaps in a row that were shorter
 };
+static_assert(sizeof(Broadcasts) == 4, "State holds one for every address of every channel");
 
 struct Node {
   Instant lastHeard = kNotYet;
   std::uint32_t frames = 0;
   FrameRate rate;
   bool isSteady = false;        // something of it comes by itself
+  Duration period{0};           // of that
   std::uint16_t malformed = 0;  // stays at its most
 
   bool isHeard() const { return lastHeard != kNotYet; }
@@ -51,7 +80,9 @@ class Nodes {
  public:
   Node operator[](Address a) const {
     const Heard& heard = m_heard[a.value];
-    return {heard.last, heard.frames, heard.rate, m_broadcasts[a.value].isSteady(), m_malformed[a.value]};
+    const Broadcasts& broadcasts = m_broadcasts[a.value];
+    return {heard.last,          heard.frames,        heard.rate, broadcasts.isSteady(),
+            broadcasts.period(), m_malformed[a.value]};
   }
   void heard(Address source, Instant time) {
     Heard& heard = m_heard[source.value];

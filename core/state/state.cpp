@@ -49,10 +49,22 @@ bool isPushed(const Device& device, Address source, Instant time) {
   return device.address == source || (lost.address == source && lost.until == time);
 }
 
-// Whether statuses were missing, up to now or to the loss of its address.
-bool isMute(const Device& device, Instant time) {
+// Whether its periodic messages were missing, up to now or to the loss of its address, although they could have been
+// heard.
+bool isMute(const Device& device, Instant lastBeat, Instant time) {
   const Instant until = device.address == kNullAddress ? device.formerAddresses.front().until : time;
-  return device.lastStatus != kNotYet && until - device.lastStatus >= kMuteAfter;
+  return lastBeat != kNotYet && until - std::max(lastBeat, device.listenedSince) >= kMuteAfter;
+}
+
+// Whether a device that says its NAME or PIN has just started: it had no cause to say it, or it is the first thing
+// that it says after its periodic messages were missing. One that runs without them is asked more than once.
+bool isStart(const ChannelState& channel, const Device& device, Instant time) {
+  Instant lastBeat = device.lastStatus;
+  if (const Joystick* stick = channel.joysticks.find(device.address))
+    lastBeat = std::max({lastBeat, stick->basic.at, stick->extended.at});
+  const bool isUnasked = !isRecent(channel.namesAsked, time) && !isRecent(device.provoked, time);
+  if (isMute(device, lastBeat, time)) return isUnasked || device.restarted <= lastBeat;
+  return isUnasked && device.address != kNullAddress;
 }
 
 // Sent to all, and neither a request nor what one may cause.
@@ -152,7 +164,7 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
           // end is the device if both may be.
           const bool isPresumed = what.family == Family::Presumed && !isDynamicAddress(id.destination);
           const bool isDevice = isPresumed || channel.book.isAkron(id.source);
-          if (sender == nullptr && isDevice) sender = m_devices.atAddress(channelId, id.source);
+          if (sender == nullptr && isDevice) sender = m_devices.atAddress(channelId, id.source, time);
           if (sender != nullptr) sender->take(frame, what.message, time);
         } else if (message.part == Part::Asks) {
           if (Device* device = m_devices.findAddress(channelId, id.destination))
@@ -187,9 +199,8 @@ void State::nameHeard(Channel channelId, const Frame& frame, Instant time) {
     if (!isJ1939 || device.channel != channelId) continue;
     if (!isNamed(device, name, channel.book)) {
       if (isPushed(device, source, time)) device.provoked = time;
-    } else if (isNode(source) && !isRecent(channel.namesAsked, time)) {
-      const bool isOfItsOwn = device.address != kNullAddress && !isRecent(device.provoked, time);
-      if (isOfItsOwn || isMute(device, time)) device.starts(time);
+    } else if (isNode(source) && isStart(channel, device, time)) {
+      device.starts(time);
     }
   }
 }
@@ -199,12 +210,13 @@ void State::announced(ChannelState& channel, Channel channelId, Address source, 
   const std::optional<Pin> pin = announcedPin(frame);
   if (!pin || !isNode(source)) return;
   const Device* before = m_devices.findAddress(channelId, source);
-  // Whoever says who it is unasked, and from where it was before, has just started.
-  const bool hasStayed = before != nullptr && (before->kind != Device::Kind::Pin || before->pin == *pin);
+  // Whoever says who it is from where it was before, and not as the end of its first start, may have just started.
+  const bool hasStayed =
+      before != nullptr &&
+      (before->kind == Device::Kind::Pin ? before->pin == *pin : time - before->addressSince > kOneStart);
   m_devices.announced(channelId, source, *pin, time);
   Device* device = m_devices.findAddress(channelId, source);
-  if (device == nullptr || !hasStayed) return;
-  if (!isRecent(channel.namesAsked, time) && !isRecent(device->provoked, time)) device->starts(time);
+  if (device != nullptr && hasStayed && isStart(channel, *device, time)) device->starts(time);
 }
 
 void State::applyStandard(const Frame& frame, Instant time, const Classified& what) {

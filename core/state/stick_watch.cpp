@@ -95,7 +95,7 @@ void StickWatch::lookAtRank(const State& state, Channel channel, const Joystick&
   for (std::size_t axis = 0; axis < before.size(); ++axis) {
     const Address by = before[axis];
     EventSlot& slot = m_outranked[axis];
-    if (!slot.moves(by.value, state.cursor().time, m_due)) continue;
+    if (!slot.moves(by.value, state.cursor().time, m_due, EventSlot::First::Always)) continue;
     Event event = eventOf(
         state, channel, by == kNullAddress ? EventKind::JoystickOutrankedOver : EventKind::JoystickOutranked);
     event.axis = static_cast<std::uint8_t>(axis + 1);

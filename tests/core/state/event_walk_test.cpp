@@ -88,6 +88,37 @@ const std::vector<EventCase> kCases{
        s.hear("18EEFF80", Story::kNameOfA).pass(240ms).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
      },
      {"7.000 restarted" MONITOR}},
+    {"ARestartAmongRequestsToAllForTheirNames",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 3; ++i) s.hear("18EAFFF9", "00EE00").pass(900ms);
+       s.hear("18EEFF80", Story::kNameOfA).pass(250ms).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {"8.700 restarted" MONITOR, "8.900 silent" MONITOR " since 5.900", "8.950 back" MONITOR " 3050 ms"}},
+    {"AMonitorWithoutStatusesThatIsAskedForItsNameAgainAndAgain",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 10; ++i)
+         s.hear("18EAFFF9", "00EE00").hear("18EEFF80", Story::kNameOfA).pass(900ms);
+     },
+     {"6.900 restarted" MONITOR, "8.900 silent" MONITOR " since 5.900"}},
+    {"AMonitorThatIsAskedForItsNameOnceItsLinkIsUpAgain",
+     [](Story& s) {
+       s.monitor()
+           .note(note::LinkDown{})
+           .pass(40s)
+           .note(note::LinkUp{})
+           .pass(50ms)
+           .hear("18EAFFF9", "00EE00");
+       s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {}},
+    {"ADeviceThatTakesTheAddressOfAnother",
+     [](Story& s) {
+       s.hear("18EEFF80", Story::kNameOfB).hear("18EFFF80", Story::kAnnouncesB).goOn(5s);
+       s.hear("18EEFF80", Story::kNameOfA).goOn(300ms).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {"6.000 address_lost 1032AE100801036 to another", "6.000 appeared 80"}},
     {"ANodeThatRestarts",
      [](Story& s) {
        for (const char* state : {"05", "05", "00", "7F", "05"}) s.hear("724", state).pass(1s);
@@ -102,15 +133,50 @@ const std::vector<EventCase> kCases{
     {"ANodeThatIsSilent",
      [](Story& s) { s.hear("724", "05").pass(1s).hear("724", "05").pass(9s).hear("724", "05"); },
      {"5.000 silent node 24 since 2.000", "11.000 back node 24 9000 ms"}},
+    {"ANodeWithASlowHeartbeat",
+     [](Story& s) {
+       for (int i = 0; i < 5; ++i) s.hear("724", "05").pass(5s);
+       s.pass(20s);
+     },
+     {"36.000 silent node 24 since 21.000"}},
+    {"ANodeThatIsNotOperationalAtFirst",
+     [](Story& s) { s.hear("724", "7F").pass(1s).hear("724", "05"); },
+     {"1.000 not_operational node 24", "2.000 operational node 24"}},
+    {"ANodeOfAGatewayThatSendsStatusesAlone",
+     [](Story& s) {
+       const auto goOn = [&](const char* position, const char* outputs) {
+         for (int i = 0; i < 10; ++i) s.hear("1A4", position).hear("2A4", outputs).pass(100ms);
+       };
+       goOn(Story::kPosition, "83C001");
+       goOn("01FFF40371000041", "834001");
+       s.pass(40s);
+     },
+     {"2.000 sensor_error node 24 -1", "2.000 disabled node 24", "5.900 silent node 24 since 2.900"}},
+    {"WhatOnlyLooksLikeAStatusOfANode",
+     [](Story& s) { s.hear("1A4", Story::kPosition).pass(100ms).hear("1A4", "01FFF40371000041").pass(40s); },
+     {}},
     {"ANodeOfAnotherMakerThatIsSilent",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
        s.pass(9s).hear("18FF1028", "00");
      },
      {"9.000 silent 28 since 6.000", "16.000 back 28 10000 ms"}},
-    {"ANodeOfAnotherMakerThatSendsNowAndThen",
+    {"ANodeOfAnotherMakerThatSendsEveryTwoSecondsAndIsSilent",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(2s);
+       s.pass(30s).hear("18FF1028", "00");
+     },
+     {"17.000 silent 28 since 11.000", "43.000 back 28 32000 ms"}},
+    {"ANodeOfAnotherMakerThatSendsEveryNineSecondsAndIsSilent",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(9s);
+       s.pass(30s);
+     },
+     {"73.000 silent 28 since 46.000"}},
+    {"ANodeOfAnotherMakerThatSendsNowAndThen",
+     [](Story& s) {
+       for (const Duration pause : {9s, 4s, 9s, 2s, 9s, 1s, 9s, 5s, 9s, 2s, 60s})
+         s.hear("18FF1028", "00").pass(pause);
      },
      {}},
     {"ANodeOfAnotherMakerBehindALinkThatIsDown",
@@ -156,6 +222,17 @@ const std::vector<EventCase> kCases{
     {"AnAddressLostForWantOfAnAnswer",
      [](Story& s) { s.monitor().hear("18EEFF80", Story::kHigherName).pass(1s); },
      {"6.250 address_lost" MONITOR " to another"}},
+    {"AddressesThatAreLostAtOnce",
+     [](Story& s) {
+       for (const char* id : {"18EEFF20", "18EEFF21", "18EEFF22", "18EEFF23", "18EEFF24", "18EEFF25"})
+         s.hear(id, Story::kHigherName);
+       s.pass(1s);
+       for (const char* id : {"18EEFF20", "18EEFF21", "18EEFF22", "18EEFF23", "18EEFF24", "18EEFF25"})
+         s.hear(id, Story::kLowerName);
+     },
+     {"2.000 address_lost 20 to another", "2.000 address_lost 21 to another",
+      "2.000 address_lost 22 to another", "2.000 address_lost 23 to another",
+      "2.000 address_lost 24 to another", "2.000 address_lost 25 to another"}},
     {"AnAddressOfAnotherMakerThatIsLost",
      [](Story& s) { s.hear("18EEFF21", Story::kHigherName).pass(1s).hear("18EEFF21", Story::kLowerName); },
      {"2.000 address_lost 21 to another"}},
@@ -187,7 +264,16 @@ const std::vector<EventCase> kCases{
      },
      {"3.000 address_lost" MONITOR, "4.000 silent" MONITOR " since 1.000",
       "5.000 address_lost 1032AE100801036", "5.000 back" MONITOR " 4000 ms",
-      "5.250 two_at_one_address" MONITOR, "6.000 silent 1032AE100801036 since 3.000"}},
+      "5.250 two_at_one_address" MONITOR}},
+    {"TwoAtOneAddressOfWhomOneLostIt",
+     [](Story& s) {
+       s.hear("18EEFF80", Story::kNameOfB).hear("18EFFF80", Story::kAnnouncesB).goOn(5s);
+       s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA);
+       for (int i = 0; i < 200; ++i)
+         s.hear("18EFFF80", i % 2 == 0 ? Story::kPosition : "0112C10644000041").pass(50ms);
+     },
+     {"6.000 address_lost 1032AE100801036 to another", "6.000 appeared" MONITOR,
+      "6.250 two_at_one_address" MONITOR}},
     // Faults.
     {"FaultsRaisedAndCleared",
      [](Story& s) {
@@ -199,6 +285,37 @@ const std::vector<EventCase> kCases{
     {"AFaultInTheFirstAnswer",
      [](Story& s) { s.monitor().answers("02002000000000"); },
      {"6.000 fault" MONITOR " 21>21"}},
+    {"FaultsThatComeOneAfterTheOther",
+     [](Story& s) {
+       s.monitor();
+       for (const char* faults : {"02000000010000", "02000000020000", "02000000040000", "02000000080000",
+                                  "02000000100000", "02000000200000"})
+         s.answers(faults).goOn(1s);
+     },
+     {"6.000 fault" MONITOR " 0>0", "7.000 fault_cleared" MONITOR " 0>0", "7.000 fault" MONITOR " 1>1",
+      "8.000 fault_cleared" MONITOR " 1>1", "8.000 fault" MONITOR " 2>2",
+      "9.000 fault_cleared" MONITOR " 2>2", "9.000 fault" MONITOR " 3>3",
+      "10.000 fault_cleared" MONITOR " 3>3", "10.000 fault" MONITOR " 4>4",
+      "11.000 fault_cleared" MONITOR " 4>4", "11.000 fault" MONITOR " 5>5"}},
+    {"AFaultThatFlickersBesideOthers",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 8; ++i) s.answers(i % 2 == 0 ? "02000000010000" : Story::kNoFaults).goOn(1s);
+       s.answers("02000000020000").goOn(10s);
+     },
+     {"6.000 fault" MONITOR " 0>0", "7.000 fault_cleared" MONITOR " 0>0", "8.000 fault" MONITOR " 0>0",
+      "9.000 fault_cleared" MONITOR " 0>0", "14.000 fault" MONITOR " 1>1",
+      "16.000 fault_cleared" MONITOR " 0>0 since 13.000 (3)"}},
+    {"ErrorCodesThatComeOneAfterTheOther",
+     [](Story& s) {
+       s.monitor();
+       for (const char* code : {"01", "02", "03", "04", "05", "06", "07", "08"})
+         s.answers(std::string("020000000000") + code).goOn(1s);
+     },
+     {"6.000 error_code" MONITOR " 0>1", "7.000 error_code" MONITOR " 1>2", "8.000 error_code" MONITOR " 2>3",
+      "9.000 error_code" MONITOR " 3>4", "10.000 error_code" MONITOR " 4>5",
+      "11.000 error_code" MONITOR " 5>6", "12.000 error_code" MONITOR " 6>7",
+      "13.000 error_code" MONITOR " 7>8"}},
     {"PollsThatRepeatAnAnswer",
      [](Story& s) {
        s.monitor();
@@ -253,6 +370,13 @@ const std::vector<EventCase> kCases{
     {"DisabledAndEnabled",
      [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "834051").goOn(1s); },
      {"6.000 disabled" MONITOR, "7.000 enabled" MONITOR}},
+    {"DisabledWithAStopErrorAtFirst",
+     [](Story& s) {
+       s.hear("18FEF100", "11").pass(10s).hear("18EFFF80", Story::kAnnouncesA);
+       s.goOn(1s, "011D940371840041", "834051").goOn(1s);
+     },
+     {"11.000 appeared" MONITOR, "11.000 stop_error" MONITOR " +1 0>2", "11.000 disabled" MONITOR,
+      "12.000 stop_left" MONITOR " +1 2>0", "12.000 stop_left" MONITOR " +2 1>0", "12.000 enabled" MONITOR}},
     {"RemoteMode",
      [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "83C059").goOn(1s); },
      {"6.000 remote_mode" MONITOR, "7.000 remote_mode_over" MONITOR}},
@@ -359,6 +483,13 @@ const std::vector<EventCase> kCases{
      },
      {"1.000 error_frames", "1.000 error_passive", "1.010 bus_off", "1.020 error_active",
       "2.020 error_frames_over 0>3"}},
+    {"AControllerThatIsBusOffAfterItFlickered",
+     [](Story& s) {
+       for (int i = 0; i < 3; ++i) s.errorFrame(0x4, 0x20).pass(100ms).errorFrame(0x4, 0x40).pass(100ms);
+       s.errorFrame(0x40).pass(100ms).errorFrame(0x100).pass(1s);
+     },
+     {"1.000 error_frames", "1.000 error_passive", "1.100 error_active", "1.200 error_passive",
+      "1.300 error_active", "1.600 bus_off (2)", "2.700 error_frames_over 0>8"}},
     {"AControllerThatIsBusOffAgainAfterItsLinkWasUpAgain",
      [](Story& s) {
        s.errorFrame(0x40).pass(2s).note(note::LinkDown{}).pass(1s).note(note::LinkUp{}).pass(1s);

@@ -81,6 +81,26 @@ INSTANTIATE_TEST_SUITE_P(
                b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
              },
              "fine"},
+        Case{"ARestartAmongRequestsToAllForTheirNames",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s);
+               for (int i = 0; i < 3; ++i) b.hear("18EAFFF9", kAsksForNames).pass(800ms);
+               b.hear("18EEFF80", kNameOfA).pass(150ms).hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "faults_old"},
+        Case{"ARestartWithinASecondOfARequestForItsName",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).pass(400ms).hear("18EA80F9", kAsksForNames).pass(700ms);
+               b.hear("18EFFF80", kAnnouncesA).statuses();
+             },
+             "faults_old"},
+        Case{"ANameThatIsAskedForOnceTheLinkIsUpAgain",
+             [](Bus& b) {
+               b.monitor().answered().note(note::LinkDown{}).pass(2s).note(note::LinkUp{}).pass(50ms);
+               b.hear("18EAFFF9", kAsksForNames).hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
+               b.statuses();
+             },
+             "fine"},
         Case{"AnAddressThatWasDefended",
              [](Bus& b) {
                b.monitor().answered().goOn(2s).hear("18EEFF80", kHigherForeignName).pass(50ms).statuses();
@@ -297,6 +317,25 @@ INSTANTIATE_TEST_SUITE_P(
                for (int i = 0; i < 50; ++i) b.hear("18FEF121", "11").pass(100ms);
              },
              "cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatSendsEveryFiveSeconds",
+             [](Bus& b) {
+               for (int i = 0; i < 6; ++i) b.hear("18FEF121", "11").pass(5s);
+               b.pass(9900ms);
+             },
+             "cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatSentEveryFiveSeconds",
+             [](Bus& b) {
+               for (int i = 0; i < 6; ++i) b.hear("18FEF121", "11").pass(5s);
+               b.pass(10s);
+             },
+             "silent cannot_be_asked"},
+        Case{"ANodeOfAnotherMakerThatBecameFaster",
+             [](Bus& b) {
+               for (int i = 0; i < 6; ++i) b.hear("18FEF121", "11").pass(5s);
+               for (int i = 0; i < 12; ++i) b.hear("18FEF121", "11").pass(1s);
+               b.pass(2s);
+             },
+             "silent cannot_be_asked"},
         Case{"ANodeOfAnotherMakerHeardNowAndThen",
              [](Bus& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle cannot_be_asked"},
         Case{"ANodeOfAnotherMakerThatOnlyAnswered",
@@ -332,6 +371,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"SensorsThatAreNotFitted", [](Bus& b) { b.monitor("01FFFFFFFF000001").answered(); }, "fine"},
         Case{"OperationalError", [](Bus& b) { b.monitor("011D940371000045").answered("0200000000000B"); },
              "faults operational_error"},
+        Case{"OperationalErrorThatIsOver",
+             [](Bus& b) { b.monitor("011D940371000045").answered("0200000000000B").pass(100ms).statuses(); },
+             "fine"},
+        Case{"OperationalErrorThatIsOverAndFaultsThatAreNot",
+             [](Bus& b) { b.monitor("011D940371000045").answered("0200200000000B").pass(100ms).statuses(); },
+             "faults"},
+        Case{"OperationalErrorOfANodeThatIsOver",
+             [](Bus& b) {
+               b.node().hear("5A4", "4301500100000000").hear("1A4", "011D940371000045");
+               b.hear("5A4", "4B0150020B00").pass(50ms).hear("1A4", kPosition);
+             },
+             "fine"},
         Case{"StopError", [](Bus& b) { b.monitor("011D940371020001").answered(); }, "stop_error"},
         Case{"PositionThatIsNotValid", [](Bus& b) { b.monitor("0112350000000000").answered(); },
              "position_invalid"},
@@ -394,10 +445,42 @@ INSTANTIATE_TEST_SUITE_P(
              [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "4301500100000000"); }, "fine"},
         Case{"NodeThatAborts",
              [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "8001500100000206").pass(2s); },
-             "late faults_refused"},
+             "faults_refused"},
         Case{"NodeWhoseMasterAborts",
              [](Bus& b) { b.node().hear("624", "40015001").hear("624", "8001500100000405").pass(2s); },
-             "late faults_not_answered"},
+             "faults_not_answered"},
+        // Its periods are settings: they are heard.
+        Case{"NodeWithASlowHeartbeatBetweenTwo",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.hear("724", "05").hear("5A4", "4301500100000000").pass(5s);
+               b.pass(9900ms);
+             },
+             "fine"},
+        Case{"NodeWithASlowHeartbeatThatStops",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.hear("724", "05").hear("5A4", "4301500100000000").pass(5s);
+               b.pass(10s);
+             },
+             "silent faults_old"},
+        Case{"NodeWithSlowStatuses",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.node().hear("5A4", "4301500100000000").pass(1s);
+               b.pass(1900ms);
+             },
+             "fine"},
+        Case{"NodeWithSlowStatusesOfWhichOneStops",
+             [](Bus& b) {
+               for (int i = 0; i < 4; ++i) b.node().hear("5A4", "4301500100000000").pass(1s);
+               for (int i = 0; i < 3; ++i) b.hear("724", "05").hear("1A4", kPosition).pass(1s);
+             },
+             "late"},
+        Case{"NodeThatMissedAMessage",
+             [](Bus& b) {
+               for (const Duration pause : {1s, 1s, 30s, 1s, 3s}) b.hear("724", "05").pass(pause);
+             },
+             "silent cannot_be_asked"},
+        Case{"NodeOfWhichOneMessageCame", [](Bus& b) { b.hear("724", "05").pass(1h); },
+             "idle cannot_be_asked"},
         Case{"NodeThatAnswersInAnotherSize",
              [](Bus& b) { b.node().hear("624", "40015001").hear("5A4", "4B0150010000"); }, "faults_refused"},
         Case{"NodeThatAnswersAfterAnAbort",
@@ -465,6 +548,17 @@ TEST(Health, KeepsOldFaultsAndANewErrorCodeApart) {
   EXPECT_EQ(health.faults, (NamedFaults{.map = 0, .errorCode = 11}));
   EXPECT_NE(health.oldFaults.map, 0u);
   EXPECT_EQ(health.oldFaults.errorCode, 0);
+}
+
+TEST(Health, NamesNoCodeOfAnOperationalErrorThatIsOver) {
+  Bus bus;
+  bus.monitor("011D940371000045").answered("0200000000000B").pass(100ms).statuses().pass(100ms);
+  bus.statuses("011D940371000045");
+  const auto health = [&] { return healthOf(bus.state(), *bus.device(kPinA)); };
+  EXPECT_EQ(listed(health()), "operational_error");
+  EXPECT_EQ(health().faults.errorCode, 0) << "the next one is asked anew";
+  bus.answered("0200000000000C");
+  EXPECT_EQ(health().faults.errorCode, 12);
 }
 
 TEST(Health, NamesWhatWasNeverHeardAndWhetherAnythingEverWas) {

@@ -118,6 +118,17 @@ TEST(TwoAtOneAddress, IsWhereTheFirstPinComesBackAndTheSecondDoesNotGo) {
   EXPECT_EQ(listed(bus), "two_at_one_address faults_never_asked");
 }
 
+TEST(TwoAtOneAddress, IsNoSilenceOfTheOneThatLostIt) {
+  Bus bus;
+  bus.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).statuses().answered().pass(500ms);
+  bus.hear("18EEFF80", kNameOfB).hear("18EFFF80", kAnnouncesB).pass(100ms);
+  for (int i = 0; i < 200; ++i)
+    bus.hear("18EFFF80", i % 2 == 0 ? kPosition : kOtherPosition).hear("18EFFF80", kOutputs).pass(50ms);
+  EXPECT_EQ(listed(bus, kPinA), "two_at_one_address address_lost");
+  bus.goOn(15s);
+  EXPECT_EQ(listed(bus, kPinA), "silent address_lost faults_old") << "the other one alone sends";
+}
+
 TEST(TwoAtOneAddress, IsOfNobodyWhoLeftItBefore) {
   Bus bus;
   bus.monitor().pass(1s).hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB);
