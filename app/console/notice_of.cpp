@@ -7,6 +7,7 @@
 #include "status_text.h"
 #include "text/device_text.h"
 #include "text/elapsed_text.h"
+#include "text/service_text.h"
 #include "words.h"
 
 namespace deckpipe {
@@ -51,23 +52,10 @@ Notice pastNotice(const Snapshot& snapshot) {
 
 // What was wanted, confirmed perhaps, came to nothing.
 Notice unsentNotice(Refusal why) {
-  Notice notice{Severity::Warning};
-  switch (why) {
-    case Refusal::None: return {};
-    case Refusal::NotLive:
-      notice.text = NoticeText::tr(
-          "Nothing was sent: the view stands in the past, where nothing can be begun. "
-          "Go to the end and ask again.");
-      notice.action = Notice::Action::GoToEnd;
-      break;
-    case Refusal::LogFull:
-      notice.text = NoticeText::tr(
-          "Nothing was sent: there is no room for more frames, neither in memory nor "
-          "on disk, and what is not recorded is not sent.");
-      break;
-    default: notice.text = NoticeText::tr("Nothing was sent: there is no link any more."); break;
-  }
-  return notice;
+  if (why == Refusal::None) return {};
+  return {.tone = Severity::Warning,
+          .text = NoticeText::tr("Nothing was sent. %1").arg(refusalText(why)),
+          .action = why == Refusal::NotLive ? Notice::Action::GoToEnd : Notice::Action::None};
 }
 
 // The notice about the log or link that is open.

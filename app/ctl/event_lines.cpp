@@ -75,7 +75,7 @@ constexpr const char* kNotesHelp =
     "unlocked, own_address (reason),\n"
     "drive_said, drive_unsaid, asked (ask), ask_ended (ask, end), ask_waits (ask), still_waits (frames), "
     "pipe (file),\n"
-    "left_out (frames), label (text), added (frames)";
+    "left_out (frames, reason), label (text), added (frames)";
 
 std::string faultKey(std::int64_t bit) {
   const auto found =
@@ -253,7 +253,9 @@ void EventLines::append(std::string& out, const Note& note) const {
                },
                [&](const note::Dropped& n) { what += ": " + framesText(n.count); },
                [&](const note::StillWaits& n) { what += ": " + framesText(n.count); },
-               [&](const note::LeftOut& n) { what += ": " + framesText(n.count); },
+               [&](const note::LeftOut& n) {
+                 what += ": " + framesText(n.count) + ", " + spoken(leftOutWord(n.why));
+               },
                [&](const note::Added& n) { what += ": " + framesText(n.count); },
                [&](const note::Label& n) { what += ": " + std::string(n.text.str()); },
                [&](const note::LinkUp& n) {
@@ -343,7 +345,9 @@ std::string EventLines::json(const Note& note) const {
                  if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
                  if (n.bitRate != 0) line.add("bit_rate", std::int64_t{n.bitRate});
                },
-               [&](const note::LeftOut& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
+               [&](const note::LeftOut& n) {
+                 line.add("frames", static_cast<std::int64_t>(n.count)).add("reason", leftOutWord(n.why));
+               },
                [&](const note::Added& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
                [&](const note::Label& n) { line.add("text", n.text.str()); }, [](const note::Locked&) {},
                [](const note::Unlocked&) {}, [](const note::DriveSaid&) {}},

@@ -114,13 +114,13 @@ TEST(NoticeText, SaysThatNothingWasSentAndWhy) {
   Snapshot snapshot = link(Progress::Running);
   snapshot.view.atEnd = false;
   snapshot.notSent = Refusal::NotLive;
-  EXPECT_TRUE(says(notice(snapshot), "Nothing was sent: the view stands in the past"));
+  EXPECT_TRUE(says(notice(snapshot), "Nothing was sent. The view stands in the past"));
   EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::GoToEnd);
   snapshot.notSent = Refusal::LogFull;
   EXPECT_TRUE(says(notice(snapshot), "what is not recorded is not sent"));
   snapshot = {};
   snapshot.notSent = Refusal::NoLink;
-  EXPECT_TRUE(says(noticeOf(snapshot, {}).text.toStdString(), "Nothing was sent: there is no link"));
+  EXPECT_TRUE(says(noticeOf(snapshot, {}).text.toStdString(), "Nothing was sent. The link is not up"));
 }
 
 TEST(NoticeOf, SaysThatTheStateAtTheCursorIsStillBeingFound) {
