@@ -80,10 +80,10 @@ void Session::openDemo() {
   connect(m_simulator, &SimulatorRunner::simulatorChanged, this, [this, own](const SimulatorStatus& status) {
     if (m_document != nullptr && own.lock() == m_document) Q_EMIT simulatorChanged(status);
   });
-  connect(m_simulator, &SimulatorRunner::failed, this, [this, own](const QString& reason) {
+  connect(m_simulator, &SimulatorRunner::failed, this, [this, own](const LinkError& why) {
     if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
-    m_snapshot.source.error = LinkError{LinkFault::Other, reason.toStdString()};
+    m_snapshot.source.error = why;
     Q_EMIT changed();
   });
   m_buses->start(

@@ -318,7 +318,7 @@ TEST_F(LogActions, LeavingAndQuittingWaitForMarksThatAreBeingWritten) {
   trigger("closeAction");
   EXPECT_TRUE(m_session.snapshot().view.document);
   keeping.source.isKeepingMarks = false;
-  keeping.source.unkeptMarks = QStringLiteral("the disk does not answer");
+  keeping.source.unkeptMarks = UnkeptMarks{UnkeptMarks::Why::NoAnswer};
   m_window.setSnapshot(keeping);
   EXPECT_TRUE(m_session.snapshot().view.document);
   EXPECT_TRUE(named<QMessageBox>("leaveQuestion")->text().contains(QStringLiteral("does not answer")));
