@@ -63,7 +63,6 @@ void Session::openDemo() {
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.simulated = true;
-  m_snapshot.source.name = tr("Simulated truck");
   m_snapshot.source.plugin = QStringLiteral("virtualcan");
   m_snapshot.source.interfaceName = QStringLiteral("can0");
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;

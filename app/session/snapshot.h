@@ -61,7 +61,7 @@ struct SourceStatus {
   };
   Kind kind = Kind::Nothing;
   Progress progress = Progress::Idle;
-  QString name;                  // file path, or plugin and interface
+  QString name;                  // file path, or plugin and interface; empty for the simulator
   SourceError error;             // the last thing that went wrong
   double fraction = 0;           // of a file being read, 0..1
   std::uint64_t unreadable = 0;  // lines of a file
