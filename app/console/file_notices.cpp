@@ -157,7 +157,7 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.unkeptMarks)
     return {Severity::Warning,
             NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” keeps them.")
-                .arg(*source.unkeptMarks)};
+                .arg(unkeptMarksText(*source.unkeptMarks))};
   // Before the rest, as nothing else that is said of times is true before they are added up.
   if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
     return {.tone = Severity::Warning,

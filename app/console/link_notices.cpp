@@ -41,9 +41,10 @@ Notice failedLink(const SourceStatus& source) {
     return notice;
   }
   const auto* error = std::get_if<LinkError>(&source.error);
+  const QString detail = error != nullptr ? QString::fromStdString(error->detail) : QString();
   switch (error != nullptr ? error->fault : LinkFault::None) {
     case LinkFault::NoPlugin:
-      notice.text = NoticeText::tr("The adapter plugin “%1” cannot be used: %2").arg(source.plugin, reason);
+      notice.text = NoticeText::tr("The adapter plugin “%1” cannot be used: %2").arg(source.plugin, detail);
       break;
     case LinkFault::NoInterface:
       notice.text =
@@ -60,12 +61,13 @@ Notice failedLink(const SourceStatus& source) {
       notice.command = setUpCommand(name, source.bitRate, true);
       break;
     case LinkFault::WrongBitRate:
-      notice.text = NoticeText::tr("%1 is set to another bit rate (%2). To change it:").arg(name, reason);
+      notice.text = NoticeText::tr("%1 is set to another bit rate: %2. To change it:").arg(name, reason);
       notice.command =
           QStringLiteral("sudo ip link set %1 down; ").arg(name) + setUpCommand(name, kJ1939BitRate, true);
       break;
     case LinkFault::BitRateRefused:
-      notice.text = NoticeText::tr("%1 does not take this bit rate: %2").arg(name, reason);
+      notice.text = detail.isEmpty() ? NoticeText::tr("%1 does not take this bit rate.").arg(name)
+                                     : NoticeText::tr("%1 does not take this bit rate: %2").arg(name, detail);
       break;
     case LinkFault::NoAnswer:
       notice.text =

@@ -9,11 +9,12 @@
 #include "recent_logs.h"
 #include "recordings_list.h"
 #include "save_bar.h"
+#include "status_text.h"
 
 namespace deckpipe {
 
-QString MainWindow::lostMarksText(const QString& why) {
-  return tr("Marks of the open log are in memory alone, and are lost: %1.").arg(why);
+QString MainWindow::lostMarksText(const UnkeptMarks& marks) {
+  return tr("Marks of the open log are in memory alone, and are lost: %1.").arg(unkeptMarksText(marks));
 }
 
 // Goes on once marks that are being written are in their file, or are known not to be: MarkKeeper::kHangs later at
@@ -29,7 +30,7 @@ void MainWindow::leave(std::function<void()> go) {
     return onceMarksAreKept([this, go = std::move(go)]() mutable { leave(std::move(go)); });
   QStringList lines;
   if (const auto waiting = m_snapshot.services->unconfirmed; waiting > 0) lines << waitingText(waiting);
-  if (const auto& why = m_snapshot.source.unkeptMarks) lines << lostMarksText(*why);
+  if (const auto& marks = m_snapshot.source.unkeptMarks) lines << lostMarksText(*marks);
   if (lines.isEmpty()) return go();
   auto* question = new QMessageBox(QMessageBox::Warning, tr("Leave this log"), lines.join(QLatin1Char('\n')),
                                    QMessageBox::NoButton, this);
@@ -77,7 +78,7 @@ QStringList MainWindow::runningWork() const {
   const ServiceStatus& services = *m_snapshot.services;
   if (m_session.holdsUnwritten())
     work << tr("The disk does not take all of a recording: what is in memory alone is lost.");
-  if (const auto& why = m_snapshot.source.unkeptMarks) work << lostMarksText(*why);
+  if (const auto& marks = m_snapshot.source.unkeptMarks) work << lostMarksText(*marks);
   if (m_recordings->isBusy()) work << tr("A copy of a recording is being saved: it is broken off.");
   if (m_saveBar->isSaving()) work << tr("A log is being saved: what is written of it so far is discarded.");
   for (const DeviceServices& device : services.devices) {

@@ -80,7 +80,7 @@ class MainWindow : public QMainWindow {
   QList<QWidget*> panes() const;
   void saveLayout() const;
   QStringList runningWork() const;
-  static QString lostMarksText(const QString& why);
+  static QString lostMarksText(const UnkeptMarks& marks);
   // main_leaving.cpp: the ways out of the open log. Nothing else calls these of the session.
   void openLog(const QString& path);
   void addUpTimes();

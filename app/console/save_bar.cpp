@@ -17,6 +17,8 @@ namespace {
 QString outcomeText(const LogSaving& saving, LogSaving::Outcome outcome, const QString& reason) {
   const QString path = saving.path();
   if (outcome == LogSaving::Outcome::Cancelled) return SaveBar::tr("Cancelled: nothing was saved.");
+  if (outcome == LogSaving::Outcome::IsGrowing)
+    return SaveBar::tr("%1 cannot be saved: it is a recording that goes on").arg(path);
   if (outcome == LogSaving::Outcome::Failed) return SaveBar::tr("%1 cannot be saved: %2").arg(path, reason);
   QString text = SaveBar::tr("Saved %1 to %2").arg(frameCountText(saving.written()), path);
   if (saving.added() > 0)

@@ -118,16 +118,43 @@ Severity sourceTone(const SourceStatus& source) {
   return Severity::Unknown;
 }
 
+QString linkErrorWords(const LinkError& error) {
+  const QString detail = QString::fromStdString(error.detail);
+  if (!detail.isEmpty() && (error.fault == LinkFault::None || error.fault == LinkFault::Other)) return detail;
+  const QString fault = error.bitRate != 0
+                            ? StatusText::tr("the interface runs at %1 kbit/s").arg(error.bitRate / 1000.0)
+                            : linkFaultText(error.fault);
+  return detail.isEmpty() ? fault : QStringLiteral("%1 (%2)").arg(fault, detail);
+}
+
 }  // namespace
 
 QString sourceErrorText(const SourceError& error) {
   return std::visit(
       Overload{[](std::monostate) { return QString(); }, [](const ReadError& e) { return readErrorWords(e); },
-               [](const LinkError& e) { return QString::fromStdString(e.detail); },
+               [](const LinkError& e) { return linkErrorWords(e); },
                [](const StoreFull&) {
                  return StatusText::tr("No room for more frames, neither in memory nor on disk.");
                }},
       error);
+}
+
+QString unkeptMarksText(const UnkeptMarks& marks) {
+  switch (marks.why) {
+    case UnkeptMarks::Why::LogIsBeingRead: return StatusText::tr("the log is still being read");
+    case UnkeptMarks::Why::LogIsCut: return StatusText::tr("the log could not be read to its end");
+    case UnkeptMarks::Why::IsARecording:
+      return StatusText::tr("nothing is added to a recording that is opened");
+    case UnkeptMarks::Why::SidecarUnusable:
+      return StatusText::tr("the file of notes beside the log could not be used, and is not replaced");
+    case UnkeptMarks::Why::SidecarNewer:
+      return StatusText::tr("the file of notes beside the log is of a newer version, and is not replaced");
+    case UnkeptMarks::Why::SidecarChanged:
+      return StatusText::tr("the file of notes beside the log was changed meanwhile, and is not replaced");
+    case UnkeptMarks::Why::NoAnswer: return StatusText::tr("the disk does not answer");
+    case UnkeptMarks::Why::CannotWrite: return marks.detail;
+  }
+  return {};
 }
 
 QString loadWords(long percent) { return StatusText::tr("Load %1 %").arg(percent); }

@@ -19,8 +19,9 @@ struct StatusFact {
   std::optional<Glyph> glyph{};
 };
 
-// The sentence for an error, or the system's own words for it; empty if there is no error.
+// The sentence for an error, with the system's own words where it has any; empty if there is no error.
 QString sourceErrorText(const SourceError& error);
+QString unkeptMarksText(const UnkeptMarks& marks);
 StatusFact sourceFact(const SourceStatus& source);
 StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);
 StatusFact rateFact(const BusRates& rates);

@@ -22,7 +22,7 @@ void BusFollower::follow(const LogView& view) {
       ++m_notesTaken;
       if (const auto* down = std::get_if<note::LinkDown>(&notes[next].value)) {
         ++m_linkDowns;
-        m_linkDownReason = down->words.isEmpty() ? kLinkFaultKeys[down->fault] : down->words.str();
+        m_linkDownReason = {.fault = down->fault, .detail = std::string(down->words.str())};
       }
       onNote(notes[next]);
       onChange();

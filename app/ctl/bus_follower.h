@@ -5,8 +5,8 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
+#include "link/link_status.h"
 #include "protocol/classify.h"
 #include "state/log_view.h"
 
@@ -25,7 +25,7 @@ class BusFollower {
   const State& state() const { return m_state; }
   // The times that the link went down, and why it did last. Short gaps count too.
   unsigned linkDowns() const { return m_linkDowns; }
-  const std::string& linkDownReason() const { return m_linkDownReason; }
+  const LinkError& linkDownReason() const { return m_linkDownReason; }
   // The device that a frame of PGN EF00 or a CANopen node's is from or for, as `what` says; null if none.
   const Device* deviceOf(const Frame& frame, const Classified& what) const;
 
@@ -34,7 +34,7 @@ class BusFollower {
   std::uint64_t m_next = 0;      // frame
   std::size_t m_notesTaken = 0;  // of those that stand before it
   unsigned m_linkDowns = 0;
-  std::string m_linkDownReason;
+  LinkError m_linkDownReason;
 };
 
 // Nanoseconds since 1970 at a log time of a live link.

@@ -10,6 +10,7 @@
 #include "base/overload.h"
 #include "counts.h"
 #include "link/plugins.h"
+#include "link_words.h"
 #include "request_words.h"
 #include "signals.h"
 
@@ -18,14 +19,13 @@ namespace deckpipe::ctl {
 namespace {
 
 QString reasonOf(const SourceError& error) {
-  const auto gone = QStringLiteral("the link is gone");
   return std::visit(
-      Overload{[&](std::monostate) { return gone; },
-               [&](const LinkError& e) { return e.detail.empty() ? gone : QString::fromStdString(e.detail); },
+      Overload{[](std::monostate) { return linkErrorText({}); },
+               [](const LinkError& e) { return linkErrorText(e); },
                [](const StoreFull&) {
                  return QStringLiteral("No room for more frames, neither in memory nor on disk.");
                },
-               [&](const ReadError&) { return gone; }},  // a link reads no file
+               [](const ReadError&) { return linkErrorText({}); }},  // a link reads no file
       error);
 }
 
@@ -84,9 +84,7 @@ bool LiveRun::isLinkUp() {
     m_linkDowns = m_follower.linkDowns();
     // A link that is back already has no error any more; only its note tells the reason.
     const auto* error = std::get_if<LinkError>(&source.error);
-    linkWentDown(error != nullptr && !error->detail.empty()
-                     ? QString::fromStdString(error->detail)
-                     : QString::fromStdString(m_follower.linkDownReason()));
+    linkWentDown(linkErrorText(error != nullptr ? *error : m_follower.linkDownReason()));
   }
   if (m_isOver || source.progress != Progress::Running) return false;
   if (std::exchange(m_isWaiting, false)) say(m_settings.link.interfaceName + QStringLiteral(": is back"));
@@ -94,8 +92,7 @@ bool LiveRun::isLinkUp() {
 }
 
 void LiveRun::linkWentDown(const QString& reason) {
-  const QString why = m_settings.link.interfaceName + QStringLiteral(": ") +
-                      (reason.isEmpty() ? QStringLiteral("the link went down") : reason);
+  const QString why = m_settings.link.interfaceName + QStringLiteral(": ") + reason;
   if (!outlivesLink || !isSocketCan(m_settings.link.plugin)) {
     say(why);
     return finish(kNotWhole);

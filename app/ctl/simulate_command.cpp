@@ -11,6 +11,7 @@
 #include "command.h"
 #include "counts.h"
 #include "link/plugins.h"
+#include "link_words.h"
 #include "live_options.h"
 #include "log/log_format.h"
 #include "log/sidecar.h"
@@ -111,10 +112,11 @@ ExitStatus runOnInterface(SimulatorRunner& runner, const LinkSettings& settings,
     status = kNotWhole;
     QCoreApplication::quit();
   };
-  QObject::connect(&runner, &SimulatorRunner::failed, fail);
-  QObject::connect(&runner, &SimulatorRunner::lost, [&](const QString& reason) {
-    if (!isSocketCan(settings.plugin)) return fail(reason);
-    say(reason + QStringLiteral(" Waiting for it."));
+  QObject::connect(&runner, &SimulatorRunner::failed,
+                   [&](const LinkError& why) { fail(linkErrorText(why)); });
+  QObject::connect(&runner, &SimulatorRunner::lost, [&](const LinkError& why) {
+    if (!isSocketCan(settings.plugin)) return fail(linkErrorText(why));
+    say(linkErrorText(why) + QStringLiteral("; waiting for it."));
   });
   QObject::connect(&runner, &SimulatorRunner::wordMissing, [&] {
     status = badUsage(movesMonitorsMissing(QStringLiteral("simulate"), settings.interfaceName));

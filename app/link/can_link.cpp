@@ -14,20 +14,18 @@ namespace {
 struct Judgement {
   LinkEvent event = LinkEvent::Fits;
   LinkFault fault = LinkFault::None;
-  QString reason;
 };
 
 Judgement judge(const CanInterface& facts, int bitRate) {
   if (!facts.isCan) {
-    return {LinkEvent::Unfit, LinkFault::NoInterface, CanLink::tr("This is no CAN interface.")};
+    return {LinkEvent::Unfit, LinkFault::NoInterface};
   }
   if (!facts.isUp) {
-    return {LinkEvent::IsDown, LinkFault::InterfaceDown, CanLink::tr("The interface is down.")};
+    return {LinkEvent::IsDown, LinkFault::InterfaceDown};
   }
   const auto asked = static_cast<std::uint32_t>(bitRate);
   if (asked != 0 && facts.bitRate != 0 && facts.bitRate != asked) {
-    return {LinkEvent::Unfit, LinkFault::WrongBitRate,
-            CanLink::tr("The interface runs at %1 bit/s, not at %2.").arg(facts.bitRate).arg(asked)};
+    return {LinkEvent::Unfit, LinkFault::WrongBitRate};
   }
   return {};
 }
@@ -44,7 +42,7 @@ CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock,
       m_device(std::make_unique<LinkDevice>(m_settings, this)) {
   m_waiting.setSingleShot(true);
   connect(&m_waiting, &QTimer::timeout, this,
-          [this] { happened(LinkEvent::DeviceFailed, LinkFault::NoAnswer, tr("No answer.")); });
+          [this] { happened(LinkEvent::DeviceFailed, LinkFault::NoAnswer); });
   connect(m_device.get(), &LinkDevice::connected, this, [this] { happened(LinkEvent::DeviceConnected); });
   connect(m_device.get(), &LinkDevice::failed, this, [this](LinkFault fault, const QString& reason) {
     happened(LinkEvent::DeviceFailed, fault, reason);
@@ -62,7 +60,7 @@ CanLink::CanLink(LinkSettings settings, QObject* parent, WallClock clock,
           [this](const QString& reason) { happened(LinkEvent::Missing, LinkFault::NoInterface, reason); });
   connect(m_hardware.get(), &HardwareFacts::removed, this, [this] {
     m_status.hardware.reset();
-    happened(LinkEvent::Missing, LinkFault::Gone, tr("The interface was removed."));
+    happened(LinkEvent::Missing, LinkFault::Gone);
   });
   connect(m_hardware.get(), &HardwareFacts::lost, this, [this](std::uint32_t frames) {
     m_delivery.overran(frames);
@@ -146,8 +144,8 @@ void CanLink::follow(const CanInterface& facts) {
   const bool wasUp = m_stage == LinkStage::Up;
   m_status.hardware = facts;
   const Judgement judged = judge(facts, m_settings.bitRate);
-  happened(judged.event, judged.fault, judged.reason);
-  if (wasUp && m_stage == LinkStage::Up && isBusOff() && !wasBusOff) report(tr("The controller is bus-off."));
+  happened(judged.event, judged.fault);
+  if (wasUp && m_stage == LinkStage::Up && isBusOff() && !wasBusOff) report({});
 }
 
 // A fault that leaves the link standing.

@@ -84,8 +84,7 @@ std::optional<LinkObstacle> LinkDevice::setBitRate() {
   m_device->setConfigurationParameter(QCanBusDevice::BitRateKey, asked);
   const bool isTaken = m_device->configurationParameter(QCanBusDevice::BitRateKey) == asked;
   if (isTaken && (m_settings.bitRate != 0 || leavesIt)) return {};
-  const QString why = m_device->errorString();
-  return LinkObstacle{LinkFault::BitRateRefused, why.isEmpty() ? tr("It needs a bit rate.") : why};
+  return LinkObstacle{LinkFault::BitRateRefused, m_device->errorString()};
 }
 
 std::optional<LinkObstacle> LinkDevice::connectDevice() {

@@ -47,7 +47,7 @@ class LinkDevice : public QObject {
   // No signal is emitted until the next open().
   void close(Leave leave);
 
-  // Sets `reason` where the result is not Accepted.
+  // Sets `reason` to the adapter's words, if it has any, where the result is not Accepted.
   WriteResult write(const Frame& frame, QString& reason);
   // The frames that have arrived. None while it is not connected.
   QList<QCanBusFrame> takeFrames();

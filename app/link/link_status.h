@@ -21,11 +21,21 @@ struct LinkSettings {
   Channel channel;        // put into every frame
 };
 
+// Why a link is not up or, without a fault, an error that it survived. The window and the headless tool each have their
+// own sentences for it.
+struct LinkError {
+  LinkFault fault = LinkFault::None;
+  std::uint32_t bitRate =
+      0;                 // of the interface, in bit/s, if the fault is that it has another than asked for
+  std::string detail{};  // the system's or the adapter's own words, never ours; may be empty
+  friend bool operator==(const LinkError&, const LinkError&) = default;
+};
+
 // Counters are since open().
 struct LinkStatus {
   LinkState state = LinkState::Closed;
   LinkFault fault = LinkFault::None;
-  std::string reason;                    // of the last fault or refused write, in words
+  std::string reason;  // of the last fault or refused write: the system's or the adapter's own words
   std::optional<CanInterface> hardware;  // bit rate, listen-only, controller; of socketcan only
   std::uint64_t received = 0;            // frames of others
   std::uint64_t written = 0;             // frames that the adapter accepted
@@ -33,6 +43,11 @@ struct LinkStatus {
   std::uint64_t refused = 0;             // writes that were not Accepted
   std::uint64_t notKept = 0;
   std::uint64_t errors = 0;  // reports of the adapter that left the link up
+
+  LinkError error() const {
+    const bool isOther = fault == LinkFault::WrongBitRate && hardware;
+    return {.fault = fault, .bitRate = isOther ? hardware->bitRate : 0, .detail = reason};
+  }
 };
 
 }  // namespace deckpipe

@@ -44,8 +44,7 @@ void LogSaving::write(const std::stop_token& stop) {
         this, [=, this] { Q_EMIT ended(outcome, reason); }, Qt::QueuedConnection);
   };
   // The name would go to the copy, and what is received to a file without one.
-  if (isBeingWritten(QFile::encodeName(m_path).toStdString()))
-    return end(Outcome::Failed, tr("it is a recording that goes on"));
+  if (isBeingWritten(QFile::encodeName(m_path).toStdString())) return end(Outcome::IsGrowing, {});
   QSaveFile file(m_path);
   if (!file.open(QIODevice::WriteOnly)) return end(Outcome::Failed, file.errorString());
   const auto writer = m_format.makeWriter();

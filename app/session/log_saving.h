@@ -33,7 +33,12 @@ struct SavedPart {
 class LogSaving : public QObject {
   Q_OBJECT
  public:
-  enum class Outcome { Saved, Cancelled, Failed };
+  enum class Outcome {
+    Saved,
+    Cancelled,
+    Failed,
+    IsGrowing,  // the file is a recording that some program is writing
+  };
 
   LogSaving(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part = {},
             QObject* parent = nullptr);
@@ -53,7 +58,7 @@ class LogSaving : public QObject {
   void cancel() { m_thread.request_stop(); }
 
  Q_SIGNALS:
-  // Once. `reason`: the system's words, where it failed; of a log that was saved, why its sidecar was not.
+  // Once. `reason`: the system's words alone: of Failed, and of a log that was saved, why its sidecar was not.
   void ended(deckpipe::LogSaving::Outcome outcome, const QString& reason);
 
  private:

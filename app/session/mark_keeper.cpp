@@ -16,6 +16,8 @@
 namespace deckpipe {
 namespace {
 
+using Why = UnkeptMarks::Why;
+
 QString sidecarOf(const QString& logPath) {
   return QFile::decodeName(sidecarPath(QFile::encodeName(logPath).toStdString()).c_str());
 }
@@ -27,8 +29,8 @@ QDateTime modifiedOf(const QString& path) { return QFileInfo(path).lastModified(
 QDateTime sidecarTime(const QString& logPath) { return modifiedOf(sidecarOf(logPath)); }
 
 struct MarkKeeper::Work {
-  const QString path;      // of the sidecar
-  const QString mayNot;    // why it must not be written; empty if it may
+  const QString path;                       // of the sidecar
+  const std::optional<UnkeptMarks> mayNot;  // why it must not be written; nothing if it may
   QDateTime modified;      // when it was read or written; invalid if there was none. The thread's own
   const Write writeWhole;  // the thread's own
 
@@ -36,27 +38,27 @@ struct MarkKeeper::Work {
   std::condition_variable ended{};
   std::shared_ptr<const LogDocument> wanted{};  // null: its marks are in the file, or are being written
   Instant busySince = kNotYet;                  // kNotYet: no thread
-  QString reason{};
+  std::optional<UnkeptMarks> unkept{};
 
   void run() {
     std::unique_lock guard(lock);
     while (const auto log = std::exchange(wanted, nullptr)) {
       busySince = bootTime();
       guard.unlock();
-      const QString why = write(*log);
+      std::optional<UnkeptMarks> why = write(*log);
       guard.lock();
-      reason = why;
+      unkept = std::move(why);
     }
     busySince = kNotYet;
     ended.notify_all();
   }
 
-  QString write(const LogDocument& log) {
-    if (modifiedOf(path) != modified)
-      return tr("the file of notes beside the log was changed meanwhile, and is not replaced");
+  std::optional<UnkeptMarks> write(const LogDocument& log) {
+    if (modifiedOf(path) != modified) return UnkeptMarks{Why::SidecarChanged};
     const QString why = writeWhole(path, SidecarMaker::textOf(log.frames, log.notes));
-    if (why.isEmpty()) modified = modifiedOf(path);
-    return why;
+    if (!why.isEmpty()) return UnkeptMarks{Why::CannotWrite, why};
+    modified = modifiedOf(path);
+    return {};
   }
 };
 
@@ -69,15 +71,15 @@ MarkKeeper::~MarkKeeper() {
 }
 
 void MarkKeeper::opened(const QString& path, const ReadSummary& read, const QDateTime& sidecarTime) {
-  QString mayNot;
+  std::optional<UnkeptMarks> mayNot;
   if (!read.mayHaveSidecar) {
-    mayNot = tr("nothing is added to a recording that is opened");
+    mayNot = UnkeptMarks{Why::IsARecording};
   } else if (read.sidecarFault) {
-    mayNot = tr("the file of notes beside the log could not be used, and is not replaced");
+    mayNot = UnkeptMarks{Why::SidecarUnusable};
   } else if (read.newerParts > 0) {
-    mayNot = tr("the file of notes beside the log is of a newer version, and is not replaced");
+    mayNot = UnkeptMarks{Why::SidecarNewer};
   } else if (sidecarTime.isValid() != read.hasSidecar) {
-    mayNot = tr("the file of notes beside the log was changed meanwhile, and is not replaced");
+    mayNot = UnkeptMarks{Why::SidecarChanged};
   }
   std::erase_if(m_works, [](const auto& work) {
     const std::lock_guard guard(work->lock);
@@ -89,8 +91,8 @@ void MarkKeeper::opened(const QString& path, const ReadSummary& read, const QDat
 void MarkKeeper::keep(std::shared_ptr<const LogDocument> log) {
   const std::shared_ptr<Work> work = m_works.back();
   const std::lock_guard guard(work->lock);
-  work->reason = work->mayNot;
-  if (!work->mayNot.isEmpty()) return;
+  work->unkept = work->mayNot;
+  if (work->mayNot) return;
   work->wanted = std::move(log);
   if (work->busySince != kNotYet) return;
   work->busySince = bootTime();
@@ -99,15 +101,15 @@ void MarkKeeper::keep(std::shared_ptr<const LogDocument> log) {
 
 void MarkKeeper::forget() {
   const std::lock_guard guard(m_works.back()->lock);
-  m_works.back()->reason.clear();
+  m_works.back()->unkept.reset();
 }
 
 MarkKeeper::Status MarkKeeper::status(Instant now) const {
   const Work& work = *m_works.back();
   const std::lock_guard guard(m_works.back()->lock);
-  if (work.busySince == kNotYet) return {.reason = work.reason};
+  if (work.busySince == kNotYet) return {.unkept = work.unkept};
   if (now - work.busySince <= kHangs) return {.isBusy = true};
-  return {.reason = tr("the disk does not answer")};
+  return {.unkept = UnkeptMarks{Why::NoAnswer}};
 }
 
 QString MarkKeeper::writeFile(const QString& path, const std::string& text) {

@@ -5,15 +5,14 @@
 // read, or that was not read whole, is never replaced.
 #pragma once
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QString>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "log/reading.h"
-#include "state/log_view.h"
+#include "session/snapshot.h"
 
 namespace deckpipe {
 
@@ -21,9 +20,8 @@ namespace deckpipe {
 QDateTime sidecarTime(const QString& logPath);
 
 class MarkKeeper {
-  Q_DECLARE_TR_FUNCTIONS(MarkKeeper)
  public:
-  // Writes a whole file, or leaves it as it was. The reason why not; empty if it is on the disk.
+  // Writes a whole file, or leaves it as it was. The system's words why not; empty if it is on the disk.
   using Write = std::function<QString(const QString& path, const std::string& text)>;
   // A disk that takes longer is said not to answer.
   static constexpr Duration kHangs = 2s;
@@ -31,7 +29,8 @@ class MarkKeeper {
 
   struct Status {
     bool isBusy = false;  // marks are being written
-    QString reason{};  // why marks are in memory alone; empty if they are in the file, or are being written
+    // Why marks are in memory alone; nothing if they are in the file, or are being written.
+    std::optional<UnkeptMarks> unkept{};
     friend bool operator==(const Status&, const Status&) = default;
   };
 

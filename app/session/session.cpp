@@ -223,9 +223,9 @@ void Session::keepMarks() {
   SourceStatus& source = m_snapshot.source;
   if (source.kind != SourceStatus::Kind::File) return;
   if (source.progress == SourceStatus::Progress::Opening) {
-    source.unkeptMarks = tr("the log is still being read");
+    source.unkeptMarks = UnkeptMarks{UnkeptMarks::Why::LogIsBeingRead};
   } else if (!isRead()) {
-    source.unkeptMarks = tr("the log could not be read to its end");
+    source.unkeptMarks = UnkeptMarks{UnkeptMarks::Why::LogIsCut};
   } else {
     m_marks.keep(m_document);
     followMarks();
@@ -233,9 +233,9 @@ void Session::keepMarks() {
 }
 
 void Session::followMarks() {
-  const MarkKeeper::Status status = m_marks.status(bootTime());
+  MarkKeeper::Status status = m_marks.status(bootTime());
   m_snapshot.source.isKeepingMarks = status.isBusy;
-  m_snapshot.source.unkeptMarks = status.reason.isEmpty() ? std::nullopt : std::optional(status.reason);
+  m_snapshot.source.unkeptMarks = std::move(status.unkept);
 }
 
 void Session::setLabels(LabelsByPin labels) {

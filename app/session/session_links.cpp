@@ -63,7 +63,6 @@ void Session::openDemo() {
   m_snapshot.source.kind = SourceStatus::Kind::Link;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.simulated = true;
-  m_snapshot.source.name = tr("Simulated truck");
   m_snapshot.source.plugin = QStringLiteral("virtualcan");
   m_snapshot.source.interfaceName = QStringLiteral("can0");
   m_snapshot.source.bitRate = LinkSettings{}.bitRate;
@@ -80,10 +79,10 @@ void Session::openDemo() {
   connect(m_simulator, &SimulatorRunner::simulatorChanged, this, [this, own](const SimulatorStatus& status) {
     if (m_document != nullptr && own.lock() == m_document) Q_EMIT simulatorChanged(status);
   });
-  connect(m_simulator, &SimulatorRunner::failed, this, [this, own](const QString& reason) {
+  connect(m_simulator, &SimulatorRunner::failed, this, [this, own](const LinkError& why) {
     if (m_document == nullptr || own.lock() != m_document) return;
     m_snapshot.source.progress = SourceStatus::Progress::Failed;
-    m_snapshot.source.error = LinkError{LinkFault::Other, reason.toStdString()};
+    m_snapshot.source.error = why;
     Q_EMIT changed();
   });
   m_buses->start(

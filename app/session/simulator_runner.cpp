@@ -26,7 +26,7 @@ SimulatorRunner::~SimulatorRunner() = default;
 void SimulatorRunner::startDemo() {
   m_bus = std::make_unique<VirtualBus>();
   if (!m_bus->start()) {
-    Q_EMIT failed(m_bus->errorString());
+    Q_EMIT failed({.fault = LinkFault::Other, .detail = m_bus->errorString().toStdString()});
     return;
   }
   LinkSettings settings;
@@ -52,7 +52,7 @@ void SimulatorRunner::start(const LinkSettings& settings, bool movesMonitors) {
 // Simulator time starts at 0 with power-on.
 Instant SimulatorRunner::now() const { return Instant{} + (monotonicTime() - m_powerOn); }
 
-void SimulatorRunner::linkChanged(LinkState state, const std::string& reason) {
+void SimulatorRunner::linkChanged(LinkState state, const std::string&) {
   if (state == LinkState::Up) {
     // Also said of a link that stays up, when the adapter reports a fault.
     if (m_sending == Sending::NoBus) busCame();
@@ -62,9 +62,9 @@ void SimulatorRunner::linkChanged(LinkState state, const std::string& reason) {
   m_watch.reset();
   m_listening->stop();
   if (state == LinkState::Closed && m_link != nullptr && m_link->status().fault != LinkFault::None) {
-    Q_EMIT failed(QString::fromStdString(reason));
+    Q_EMIT failed(m_link->status().error());
   } else if (state == LinkState::Lost) {
-    Q_EMIT lost(QString::fromStdString(reason));
+    Q_EMIT lost(m_link->status().error());
   }
 }
 

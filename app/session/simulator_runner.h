@@ -45,9 +45,9 @@ class SimulatorRunner : public QObject, private PortListener {
  Q_SIGNALS:
   void busReady(const QString& interfaceName);
   // It will not start, or its link went away for good.
-  void failed(const QString& reason);
+  void failed(const deckpipe::LinkError& why);
   // Its bus went down after it was there. Only an interface of Linux comes back by itself.
-  void lost(const QString& reason);
+  void lost(const deckpipe::LinkError& why);
   // It sends nothing from now on: real monitors may be there and nobody said that it may move them …
   void wordMissing();
   // … or these were heard.

@@ -16,18 +16,29 @@
 
 namespace deckpipe {
 
-// A link that failed or, without a fault, an error that it survived.
-struct LinkError {
-  LinkFault fault = LinkFault::None;
-  std::string detail;  // the system's or the adapter's own words; may be empty
-  friend bool operator==(const LinkError&, const LinkError&) = default;
-};
 // Neither memory nor disk has room for more frames of the link.
 struct StoreFull {
   friend bool operator==(const StoreFull&, const StoreFull&) = default;
 };
 // What went wrong with a source. The window translates it (app/console/status_text.h).
 using SourceError = std::variant<std::monostate, ReadError, LinkError, StoreFull>;
+
+// Marks that a person made in the log of a file are in memory alone. The window says why.
+struct UnkeptMarks {
+  enum class Why : std::uint8_t {
+    LogIsBeingRead,
+    LogIsCut,         // it could not be read to its end
+    IsARecording,     // one that is opened is not added to
+    SidecarUnusable,  // and is not replaced
+    SidecarNewer,     // the same of one of a newer version
+    SidecarChanged,   // the same of one that was changed meanwhile
+    NoAnswer,         // the disk gives none
+    CannotWrite,
+  };
+  Why why = Why::CannotWrite;
+  QString detail{};  // the system's words; of CannotWrite only
+  friend bool operator==(const UnkeptMarks&, const UnkeptMarks&) = default;
+};
 
 // A log that was to be opened and cannot be read, while what was open stays so.
 struct NotOpened {
@@ -50,7 +61,7 @@ struct SourceStatus {
   };
   Kind kind = Kind::Nothing;
   Progress progress = Progress::Idle;
-  QString name;                  // file path, or plugin and interface
+  QString name;                  // file path, or plugin and interface; empty for the simulator
   SourceError error;             // the last thing that went wrong
   double fraction = 0;           // of a file being read, 0..1
   std::uint64_t unreadable = 0;  // lines of a file
@@ -64,8 +75,7 @@ struct SourceStatus {
   bool simulated = false;  // behind it is the simulator
   // Marks that a person made in a file are being written beside it.
   bool isKeepingMarks = false;
-  // The reason why they are in memory alone; nothing if there are no such marks.
-  std::optional<QString> unkeptMarks{};
+  std::optional<UnkeptMarks> unkeptMarks{};
   // Of a link: how it is written down. A recording without a path has no frame yet, or could not be begun.
   std::optional<JournalStatus> recording{};
 

@@ -8,7 +8,7 @@ SourceError errorOf(const LiveBus::Published& published) {
   const LinkStatus& link = published.link;
   if (published.storeFull) return StoreFull{};
   if (link.fault == LinkFault::None && link.reason.empty()) return {};
-  return LinkError{link.fault, link.reason};
+  return link.error();
 }
 
 // An interface that went down, or is another one since, holds no frame any more.

@@ -52,7 +52,7 @@ QString linkFaultText(LinkFault fault) {
   switch (fault) {
     case LinkFault::None: return {};
     case LinkFault::NoPlugin: return ServiceText::tr("its plugin cannot be used");
-    case LinkFault::NoInterface: return ServiceText::tr("there is no such interface");
+    case LinkFault::NoInterface: return ServiceText::tr("there is no such CAN interface");
     case LinkFault::InterfaceDown: return ServiceText::tr("the interface is down");
     case LinkFault::WrongBitRate: return ServiceText::tr("the interface has another bit rate");
     case LinkFault::BitRateRefused: return ServiceText::tr("the adapter does not take the bit rate");

@@ -14,6 +14,7 @@
 #include "console/recent_logs.h"
 #include "console/settings_labels.h"
 #include "console/workspace.h"
+#include "log/journal_file.h"
 #include "log/journal_reader.h"
 #include "model/event_model.h"
 #include "panel/connect/connection_page.h"
@@ -219,6 +220,11 @@ TEST_F(LogActions, SayWhyALogCannotBeSaved) {
   m_window.saveLog(m_dir.filePath(QStringLiteral("absent/saved.log")));
   ASSERT_TRUE(QTest::qWaitFor([&] { return text("saveText").contains(QStringLiteral("cannot be saved")); },
                               kPatience));
+  const MadeJournalFile growing = createJournalFile(m_dir.filePath(QStringLiteral("growing")).toStdString());
+  ASSERT_TRUE(growing);
+  m_window.saveLog(QString::fromStdString(growing.value()->path()));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("saveText").contains(QStringLiteral("a recording that goes on")); }, kPatience));
 }
 
 TEST_F(LogActions, KeepAMarkWithItsWordsAtTheCursor) {
@@ -318,7 +324,7 @@ TEST_F(LogActions, LeavingAndQuittingWaitForMarksThatAreBeingWritten) {
   trigger("closeAction");
   EXPECT_TRUE(m_session.snapshot().view.document);
   keeping.source.isKeepingMarks = false;
-  keeping.source.unkeptMarks = QStringLiteral("the disk does not answer");
+  keeping.source.unkeptMarks = UnkeptMarks{UnkeptMarks::Why::NoAnswer};
   m_window.setSnapshot(keeping);
   EXPECT_TRUE(m_session.snapshot().view.document);
   EXPECT_TRUE(named<QMessageBox>("leaveQuestion")->text().contains(QStringLiteral("does not answer")));

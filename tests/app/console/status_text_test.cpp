@@ -452,6 +452,17 @@ TEST(SourceError, NamesTheFormatThatAFileSeemsToBe) {
                    "seems to be PEAK TRC"));
 }
 
+TEST(SourceError, OfALinkIsSaidInTheWindowsOwnWords) {
+  for (const LinkFault fault : kAllOf<LinkFault>) {
+    EXPECT_EQ(sourceErrorText(LinkError{.fault = fault}).isEmpty(), fault == LinkFault::None);
+    EXPECT_TRUE(
+        sourceErrorText(LinkError{.fault = fault, .detail = "EBUSY"}).contains(QStringLiteral("EBUSY")));
+  }
+  EXPECT_TRUE(
+      says(sourceErrorText(LinkError{.fault = LinkFault::WrongBitRate, .bitRate = 500'000}).toStdString(),
+           "runs at 500 kbit/s"));
+}
+
 TEST(NoticeText, IsQuietWhileAllIsWell) {
   EXPECT_EQ(notice(link(Progress::Running)), "");
   EXPECT_EQ(notice(file(kTruck)), "");
@@ -474,8 +485,8 @@ TEST(NoticeText, TellsWrongTraffic) {
 
 TEST(NoticeText, SaysThatTheLinkIsLostAndOffersItAgain) {
   Snapshot snapshot = link(Progress::Lost);
-  snapshot.source.error = LinkError{LinkFault::Gone, "Network is down"};
-  EXPECT_TRUE(says(notice(snapshot), "lost: Network is down"));
+  snapshot.source.error = LinkError{.fault = LinkFault::Gone, .detail = "Network is down"};
+  EXPECT_TRUE(says(notice(snapshot), "lost: the adapter is gone (Network is down)"));
   EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::Reconnect);
 }
 
@@ -489,7 +500,7 @@ TEST(NoticeText, SaysThatTheCursorStandsInThePastOfALiveLog) {
 
 TEST(NoticeText, GivesTheCommandForAnInterfaceThatIsDown) {
   Snapshot snapshot = link(Progress::Failed, "");
-  snapshot.source.error = LinkError{LinkFault::InterfaceDown, {}};
+  snapshot.source.error = LinkError{.fault = LinkFault::InterfaceDown};
   EXPECT_EQ(noticeOf(snapshot, {}).command.toStdString(),
             "sudo ip link set can0 up type can bitrate 250000 listen-only on");
 }

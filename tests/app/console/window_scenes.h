@@ -186,10 +186,10 @@ inline std::vector<Scene> windowScenes() {
   off.source.controller = ControllerState::BusOff;
   add("live_bus_off", off);
   Snapshot lost = later(snapshotOf(truck, Kind::Link, Progress::Lost), 4s);
-  lost.source.error = LinkError{LinkFault::Gone, "Network is down"};
+  lost.source.error = LinkError{.fault = LinkFault::Gone, .detail = "Network is down"};
   add("link_lost", lost);
   Snapshot down = snapshotOf("", Kind::Link, Progress::Failed);
-  down.source.error = LinkError{LinkFault::InterfaceDown, "The interface is down."};
+  down.source.error = LinkError{.fault = LinkFault::InterfaceDown};
   add("link_down", down);
   Snapshot kept = askingSnapshot();
   ServiceStatus waiting = *kept.services;

@@ -11,6 +11,7 @@
 #include <latch>
 
 #include "log/candump.h"
+#include "log/journal_file.h"
 #include "protocol/typed.h"
 #include "support/frames.h"
 #include "support/logs.h"
@@ -76,6 +77,16 @@ TEST_F(LogSavingTest, LeavesNoFileWhereItIsCancelled) {
   go.count_down();
   EXPECT_EQ(outcomeOf(saving), LogSaving::Outcome::Cancelled);
   EXPECT_TRUE(QDir(dir.path()).isEmpty());
+}
+
+TEST_F(LogSavingTest, LeavesARecordingAloneThatGoesOn) {
+  const MadeJournalFile growing = createJournalFile(dir.filePath(QStringLiteral("growing")).toStdString());
+  ASSERT_TRUE(growing);
+  LogSaving saving(log, QString::fromStdString(growing.value()->path()));
+  QSignalSpy ended(&saving, &LogSaving::ended);
+  ASSERT_TRUE(ended.wait(kPatience));
+  EXPECT_EQ(ended.at(0).at(0).value<LogSaving::Outcome>(), LogSaving::Outcome::IsGrowing);
+  EXPECT_EQ(ended.at(0).at(1).toString(), QString()) << "the window has its own words";
 }
 
 // --- With what belongs to the frames.

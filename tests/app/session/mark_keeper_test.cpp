@@ -85,7 +85,7 @@ TEST_F(MarkKeeperTest, SaysOfADiskThatHangsThatItDoesNotAnswer) {
   ASSERT_TRUE(m_disk.waitUntilItWrites());
   const MarkKeeper::Status hung = m_keeper.status(bootTime() + MarkKeeper::kHangs + 1s);
   EXPECT_FALSE(hung.isBusy);
-  EXPECT_TRUE(hung.reason.contains(QStringLiteral("does not answer")));
+  EXPECT_EQ(hung.unkept, UnkeptMarks{UnkeptMarks::Why::NoAnswer});
 }
 
 TEST_F(MarkKeeperTest, SaysWhyMarksAreInMemoryAloneUntilTheyAreSavedElsewhere) {
@@ -93,7 +93,7 @@ TEST_F(MarkKeeperTest, SaysWhyMarksAreInMemoryAloneUntilTheyAreSavedElsewhere) {
   m_disk.letGo();
   mark("first");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !status().isBusy; }, kPatience));
-  EXPECT_EQ(status().reason, QStringLiteral("disk full"));
+  EXPECT_EQ(status().unkept, (UnkeptMarks{UnkeptMarks::Why::CannotWrite, QStringLiteral("disk full")}));
   m_keeper.forget();
   EXPECT_EQ(status(), MarkKeeper::Status{});
 }
