@@ -21,6 +21,7 @@ namespace deckpipe {
 namespace {
 
 constexpr int kPinsNamed = 3;
+constexpr std::size_t kUnsavedNamed = 3;
 const QString kMegabytesKey = QStringLiteral("recordings/mostMegabytes");
 const QString kDaysKey = QStringLiteral("recordings/mostDays");
 
@@ -112,12 +113,20 @@ Notice unsavedNotice(const std::vector<Recording>& recordings) {
     return recording.isUnsaved() && recording.isReadable && recording.frames > 0;
   });
   if (unsaved.empty()) return {};
-  const Recording& latest = unsaved.front();
-  const int more = static_cast<int>(unsaved.size()) - 1;
-  QString text = RecordingsList::tr("A recording of %1 was not saved: %2, %3.", "when, frames, devices")
-                     .arg(whenText(latest), frameCountText(latest.frames), pinsText(latest));
-  if (more > 0)
-    text += QLatin1Char(' ') + RecordingsList::tr("%Ln earlier ones were not saved either.", nullptr, more);
+  const auto namedText = [](const Recording& recording, const QString& sentence) {
+    return sentence.arg(whenText(recording), frameCountText(recording.frames), pinsText(recording));
+  };
+  QStringList sentences{
+      namedText(unsaved.front(),
+                RecordingsList::tr("A recording of %1 was not saved: %2, %3.", "when, frames, devices"))};
+  const std::size_t named = std::min(unsaved.size(), kUnsavedNamed);
+  for (std::size_t i = 1; i < named; ++i)
+    sentences << namedText(unsaved[i],
+                           RecordingsList::tr("Nor was that of %1: %2, %3.", "when, frames, devices"));
+  if (unsaved.size() > named)
+    sentences << RecordingsList::tr("%Ln earlier ones were not saved either.", nullptr,
+                                    static_cast<int>(unsaved.size() - named));
+  const QString text = sentences.join(QLatin1Char(' '));
   return {.tone = Severity::Warning, .text = text, .action = Notice::Action::ShowRecordings};
 }
 

@@ -18,11 +18,12 @@ namespace deckpipe::ctl {
 namespace {
 
 constexpr EnumTable<EventKind, const char*> kMeanings{{
-    {EventKind::Appeared, "a device is heard for the first time"},
-    {EventKind::Silent, "its periodic messages stopped 3 s ago (since)"},
+    {EventKind::Appeared,
+     "a device is heard for the first time, 3 s or more after the channel's first frame"},
+    {EventKind::Silent, "its periodic messages stopped 3 s or three of its periods ago (since)"},
     {EventKind::Back, "they come again, after so long (ms)"},
     {EventKind::Restarted, "it announced itself unasked, or a node booted"},
-    {EventKind::NotOperational, "a CANopen node left the operational state (was, now)"},
+    {EventKind::NotOperational, "a CANopen node is not in the operational state (was, now)"},
     {EventKind::Operational, "... and is operational again (was, now)"},
     {EventKind::MovedAddress, "a device has another address (was, now)"},
     {EventKind::AddressLost, "another NAME or PIN has its address (was, now: NAMEs)"},
@@ -210,10 +211,21 @@ std::string spoken(std::string_view key) {
 
 }  // namespace
 
-std::int64_t EventLines::stampOf(Instant time) const {
-  const Frame& first = m_frames[0];
-  return first.hasStamp() ? saturatedPlus(first.stamp, saturatedMinus(time.ns, m_frames.timeAt(0).ns))
-                          : kNoStamp;
+std::int64_t EventLines::stampOf(Instant time, std::uint8_t channel, std::uint64_t frame) const {
+  return m_frames[0].hasStamp() ? saturatedMinus(time.ns, m_frames.offsetOf(channel, frame)) : kNoStamp;
+}
+
+// A frame at which the clock jumps may have a stamp that is no time.
+std::int64_t EventLines::stampOf(const Event& event) const {
+  const std::uint64_t frame = std::max<std::uint64_t>(event.frame, 1) - 1;
+  if (event.kind == EventKind::ClockJump) return m_frames[frame].stamp;
+  return stampOf(event.time, event.channel.value, frame);
+}
+
+// The clocks of a recording are one.
+std::int64_t EventLines::stampOf(const Note& note) const {
+  const std::uint64_t frame = std::max<std::uint64_t>(note.frame, 1) - 1;
+  return stampOf(note.time, m_frames[frame].channel, frame);
 }
 
 void EventLines::append(std::string& out, const Event& event) const {
@@ -296,7 +308,7 @@ std::string EventLines::text(const Event& event) const {
 std::string EventLines::json(const Event& event) const {
   const EventFacts& facts = kEvents[event.kind];
   JsonLine line;
-  line.add("event", facts.key).addTime("t", stampOf(event.time));
+  line.add("event", facts.key).addTime("t", stampOf(event));
   line.add("channel", m_frames.channelName(event.channel.value));
   if (!event.pin.isNull()) line.add("pin", event.pin);
   if (event.address != kNullAddress) line.add("address", event.address);
@@ -304,14 +316,15 @@ std::string EventLines::json(const Event& event) const {
   line.add("weight", eventWeightKey(facts.weight));
   addDetail(line, event);
   if (!event.other.isNull()) line.add("other_pin", event.other);
-  if (event.since != kNotYet) line.addTime("since", stampOf(event.since));
+  if (event.since != kNotYet)
+    line.addTime("since", stampOf(event.since, event.channel.value, m_frames.firstAtOrAfter(event.since)));
   if (event.folded > 0) line.add("folded", std::int64_t{event.folded});
   return line.text();
 }
 
 std::string EventLines::json(const Note& note) const {
   JsonLine line;
-  line.add("event", noteKey(note.value)).addTime("t", stampOf(note.time));
+  line.add("event", noteKey(note.value)).addTime("t", stampOf(note));
   if (const auto channel = channelOf(note.value)) line.add("channel", m_frames.channelName(channel->value));
   std::visit(
       [&](const auto& n) {

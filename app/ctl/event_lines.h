@@ -24,8 +24,10 @@ class EventLines {
   std::string json(const Event& event) const;
   std::string text(const Event& event) const;
   std::string json(const Note& note) const;
-  // Log time as the first frame's stamp counts it, in nanoseconds; kNoStamp in a log without stamps.
-  std::int64_t stampOf(Instant time) const;
+  // In nanoseconds, as the clock of a channel had it at a frame; kNoStamp in a log without stamps.
+  std::int64_t stampOf(Instant time, std::uint8_t channel, std::uint64_t frame) const;
+  std::int64_t stampOf(const Event& event) const;
+  std::int64_t stampOf(const Note& note) const;
 
   const FrameStore& m_frames;
   bool m_asJson;

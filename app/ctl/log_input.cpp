@@ -172,8 +172,9 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const 
   }
   const bool isWhole = sayMissing(outcome.value());
   const bool hasMissed = sayMissed() || content.unreadable() > 0 || content.skipped() > 0;
-  if (frames.count() == 0 && !hasMissed && !outcome.value().cancelled) {
-    complain(name(), m_hasBytes ? "it holds no frame" : "it is empty");
+  if (frames.count() == 0 && !outcome.value().cancelled) {
+    // Why it holds none was said of what it holds.
+    if (!hasMissed) complain(name(), m_hasBytes ? "it holds no frame" : "it is empty");
     return kNothingRead;
   }
   return isWhole && !hasMissed && content.count(Skipped::Fraction) == 0 ? kDone : kNotWhole;

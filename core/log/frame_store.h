@@ -96,6 +96,11 @@ class FrameStore {
   const StableList<ClockOffset>* offsets(std::uint8_t channel) const {
     return m_offsets[channel].load(std::memory_order_acquire);
   }
+  // What log time is ahead of the stamps of a channel at a frame, in ns.
+  std::int64_t offsetOf(std::uint8_t channel, std::uint64_t i) const {
+    const ClockOffset* offset = offsetAt(channel, i);
+    return offset == nullptr ? 0 : offset->offset;
+  }
   // Log time of the last frame; 0 in an empty store.
   Instant lastTime() const;
   // Whether log time means anything. False where no frame has a time, neither a stamp nor the time when it

@@ -137,7 +137,7 @@ QString EventModel::busText(const Row& row) const {
 
 QString EventModel::text(int row) const {
   const Row& r = at(row);
-  if (!r.isNote) return eventText(m_events[r.index]);
+  if (!r.isNote) return eventText(m_events[r.index], m_view.begin);
   const QString text = noteText(*m_view.document, m_notes[r.index]);
   return r.times == 1 ? text : tr("%1, %2 times").arg(text).arg(r.times);
 }

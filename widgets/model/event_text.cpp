@@ -12,6 +12,7 @@
 #include "text/age_text.h"
 #include "text/axis_text.h"
 #include "text/device_text.h"
+#include "text/elapsed_text.h"
 #include "text/fault_text.h"
 #include "text/joystick_text.h"
 #include "text/plural.h"
@@ -59,16 +60,17 @@ QString sharedText(const Event& event) {
   return event.other.isNull() ? text : EventText::tr("%1; the other is %2").arg(text, pinText(event.other));
 }
 
-QString whatHappened(const Event& event) {
+// `since`: Event::since in words.
+QString whatHappened(const Event& event, const QString& since) {
   switch (event.kind) {
     case EventKind::Appeared:
       return event.address == kNullAddress
                  ? EventText::tr("Appeared")
                  : EventText::tr("Appeared at address %1").arg(hexText(event.address.value));
-    case EventKind::Silent: return EventText::tr("Silent: its periodic messages stopped");
+    case EventKind::Silent: return EventText::tr("Silent since %1: its periodic messages stopped").arg(since);
     case EventKind::Back: return EventText::tr("Heard again after %1").arg(lengthOf(event.now));
     case EventKind::Restarted: return EventText::tr("Restarted");
-    case EventKind::NotOperational: return EventText::tr("Not operational any more (NMT)");
+    case EventKind::NotOperational: return EventText::tr("Not operational (NMT)");
     case EventKind::Operational: return EventText::tr("Operational (NMT)");
     case EventKind::MovedAddress:
       return EventText::tr("Moved from address %1 to %2").arg(addressOf(event.was), addressOf(event.now));
@@ -117,7 +119,7 @@ QString whatHappened(const Event& event) {
       return EventText::tr("Soft limit changed: %1, %2 → %3")
           .arg(sideOf(event), degreesOf(event.was), degreesOf(event.now));
     case EventKind::JoystickBegan: return EventText::tr("Began to send");
-    case EventKind::JoystickEnded: return EventText::tr("Ended: nothing for 2 s");
+    case EventKind::JoystickEnded: return EventText::tr("Ended: nothing since %1").arg(since);
     case EventKind::JoystickGap:
       return EventText::tr("Gap of %1 between two messages").arg(lengthOf(event.now));
     case EventKind::JoystickTimedOut: return EventText::tr("Timed out: nothing for 200 ms");
@@ -146,8 +148,11 @@ QString whatHappened(const Event& event) {
 
 }  // namespace
 
-QString eventText(const Event& event) {
-  const QString text = whatHappened(event);
+QString eventText(const Event& event, Instant begin) {
+  const QString since = event.since == kNotYet ? QString() : elapsedText(event.since - begin);
+  QString text = whatHappened(event, since);
+  const bool isSaid = event.kind == EventKind::Silent || event.kind == EventKind::JoystickEnded;
+  if (!since.isEmpty() && !isSaid) text = EventText::tr("%1, since %2").arg(text, since);
   return event.folded == 0 ? text
                            : EventText::tr("%1 (%Ln changes right before it are not listed)", nullptr,
                                            forPlural(event.folded))

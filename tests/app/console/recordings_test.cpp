@@ -80,6 +80,19 @@ TEST_F(RecordingsPageTest, TheStartOffersWhatWasNotSavedByTimeAndPin) {
   EXPECT_FALSE(named<QWidget>("recordingsPage")->isVisible()) << "the log is shown";
 }
 
+TEST(NoticeOfUnsaved, NamesUpToThreeAndCountsTheOthers) {
+  Recording recording;
+  recording.isReadable = true;
+  recording.frames = 2;
+  recording.pins = {QStringLiteral("1032AE100801035")};
+  std::vector<Recording> recordings(5, recording);
+  recordings[2].pins = {QStringLiteral("1032AE100801036")};
+  const QString text = unsavedNotice(recordings).text;
+  EXPECT_EQ(text.count(QStringLiteral("2 frames, 1032AE100801035.")), 2) << text.toStdString();
+  EXPECT_EQ(text.count(QStringLiteral("2 frames, 1032AE100801036.")), 1) << text.toStdString();
+  EXPECT_TRUE(text.endsWith(QStringLiteral("2 earlier ones were not saved either."))) << text.toStdString();
+}
+
 TEST_F(RecordingsPageTest, NothingIsOfferedOfASimulatedTruckOrOfNone) {
   start();
   showPage();

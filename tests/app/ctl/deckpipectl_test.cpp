@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
         ReadCase{"LinesEndInCr", "(1.0) can0 123#11\r(2.0) can0 123#22\r", 0, ""},
         ReadCase{"ALineNotRead", kPosition + "nonsense\n", 1, ":2: "},
         ReadCase{"AFrameSkipped", kPosition + "(1.0) can0 123##0112233\n", 1, "1 not kept"},
-        ReadCase{"OnlySkippedFrames", "(1.0) can0 123##0112233\n", 1, "1 not kept"},
+        ReadCase{"OnlySkippedFrames", "(1.0) can0 123##0112233\n", 4, "1 not kept", false},
         ReadCase{"NoLog", "no log\n", 3, "not a log of a known format", false},
         ReadCase{"OfAnotherProgram", "date Fri Apr 27 08:24:13 2018\nbase hex  timestamps absolute\n", 3,
                  "seems to be Vector ASC", false},

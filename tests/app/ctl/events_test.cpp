@@ -62,6 +62,21 @@ TEST(EventsOfTheTool, AreLinesForPeople) {
   EXPECT_EQ(r.lines()[5], "       3.700  can0   1032AE100801035  fault    silent, since 0.700");
 }
 
+TEST(EventsOfTheTool, HaveTheTimesThatTheFramesHaveWhereTheClockWasSetBack) {
+  const Outcome r = eventsOf(
+      "(1700000000.0) can0 18EFFF80#83C051\n(1700000001.0) can0 18EFFF80#83C051\n"
+      "(1699996402.0) can0 18EFFF80#83C051\n(1699996403.0) can0 18EFFF80#834051\n"
+      "(1699996410.0) can0 18FEF100#FF\n");
+  QStringList told;
+  for (const QJsonObject& event : r.objects())
+    told << event[QStringLiteral("event")].toString() + QLatin1Char(' ') +
+                QString::number(event[QStringLiteral("t")].toDouble(), 'f', 1);
+  EXPECT_EQ(told,
+            (QStringList{QStringLiteral("clock_jump 1699996402.0"), QStringLiteral("disabled 1699996403.0"),
+                         QStringLiteral("silent 1699996406.0")}));
+  EXPECT_TRUE(r.out.contains(R"("since":1699996403.000000)")) << r.out.constData();
+}
+
 TEST(EventsOfTheTool, TellTwoDevicesAtOneAddress) {
   QByteArray log =
       "(1700000000.000000) can0 18EEFF80#0B1AC22800420090\n"

@@ -92,8 +92,20 @@ TEST_F(ModelOfEvents, TakesEventsAsTheyAreFound) {
   }
   model.setView(viewOf(log));
   ASSERT_EQ(model.rowCount(), 1);
-  EXPECT_EQ(what(0), "Silent: its periodic messages stopped");
+  EXPECT_EQ(what(0), "Silent since 0:00:00.000: its periodic messages stopped");
   EXPECT_EQ(model.index(0, EventModel::When).data().toString().toStdString(), "0:00:03.000");
+}
+
+TEST_F(ModelOfEvents, SaysSinceWhenThatHoldsWhichIsToldLater) {
+  std::vector<Frame> frames;
+  for (int i = 0; i < 130; ++i)
+    frames.push_back(test::frame("18EFFF80", i < 8 && i % 2 == 0 ? "83C051" : "834051", 0,
+                                 7'000'000'000 + i * std::int64_t{100'000'000}));
+  model.setView(viewOf(logOf(frames)));
+  ASSERT_EQ(model.rowCount(), 5);
+  EXPECT_EQ(model.index(4, EventModel::When).data().toString().toStdString(), "0:00:10.100");
+  EXPECT_EQ(what(4),
+            "Disabled: it cannot move, since 0:00:00.700 (2 changes right before it are not listed)");
 }
 
 TEST_F(ModelOfEvents, PutsAMarkWhereItBelongs) {

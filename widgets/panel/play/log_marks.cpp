@@ -36,7 +36,7 @@ void LogMarks::take(const LogView& view, TimelineSpan shown, int bins) {
   const bool isJumped = takeJumps(view);
   const bool isNoted = takeNotes();
   if (isCounted || isNoted) findGaps(view);
-  const bool isEventful = takeEvents();
+  const bool isEventful = takeEvents(view.begin);
   if (!isNoted && !isJumped && !isEventful) return;
   m_marks = m_jumps;
   m_marks.insert(m_marks.end(), m_notes.begin(), m_notes.end());
@@ -93,7 +93,7 @@ void LogMarks::setLabels(const DeviceLabels& labels) {
 }
 
 // A jump of the clock has its line.
-bool LogMarks::takeEvents() {
+bool LogMarks::takeEvents(Instant begin) {
   const bool isAnew = m_log->events.generation() != m_generation;
   if (isAnew) {
     m_generation = m_log->events.generation();
@@ -107,7 +107,7 @@ bool LogMarks::takeEvents() {
     if (event.kind == EventKind::ClockJump) continue;
     const EventFacts& facts = kEvents[event.kind];
     m_events.push_back({TimelineMark::Kind::Event, event.time,
-                        named(keyOf(event), eventText(event), m_labels), facts.group, facts.weight});
+                        named(keyOf(event), eventText(event, begin), m_labels), facts.group, facts.weight});
   }
   return true;
 }

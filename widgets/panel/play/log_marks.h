@@ -34,7 +34,7 @@ class LogMarks {
   bool takeDensity(const LogView& view, TimelineSpan shown, int bins);
   bool takeJumps(const LogView& view);
   bool takeNotes();
-  bool takeEvents();
+  bool takeEvents(Instant begin);
   void findGaps(const LogView& view);
 
   std::shared_ptr<const LogDocument> m_log;
