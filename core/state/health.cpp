@@ -277,7 +277,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     // At the moment the link goes down, which is where a recording ends, devices are still as they were.
     {HealthCause::LinkDown,
      [](const Subject& s, const Health&) {
-       return s.channel.link == ChannelLink::Down && s.now() > s.channel.linkDown;
+       return s.channel.link == ChannelLink::Down && s.state.cursor().time > s.channel.linkDown;
      }},
     {HealthCause::Idle,
      [](const Subject& s, const Health&) { return !sendsByItself(s) && s.isMissing(s.lastHeard()); }},

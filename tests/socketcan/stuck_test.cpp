@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Handed over is not on the bus: an adapter that keeps what it is given, one whose queue is full, one that
 // only listens. We are on can0, the simulator on can1.
+#include <QRegularExpression>
 #include <algorithm>
 
 #include "guest_simulator.h"
@@ -115,31 +116,29 @@ TEST_F(Stuck, ACommandThatWaitsInTheKernelOutlivesTheLinkAndNothingFollowsIt) {
   EXPECT_TRUE(second.hearsOneCommandLast()) << qPrintable(second.heard().join(QLatin1Char('\n')));
 }
 
-// A frame goes out every 2.3 s: address and answers come in time, and the program gives up the command, 2 s after it was
-// handed over, before it is on the bus.
-TEST_F(Stuck, ACommandThatWaitsInTheKernelOutlivesTheProgramWhichSaysSo) {
+// A frame goes out every 1.8 s, and the program asks more often for a device that is not there.
+TEST_F(Stuck, FramesThatWaitInTheKernelOutliveTheProgramWhichSaysHowMany) {
   SecondCard second;
-  ASSERT_TRUE(second.listens() && console.waitUntil([&] {
-    return console.session.snapshot().view.state->devices().byPin(*Pin::parse(kMonitorPin)) != nullptr;
-  }));
-  ASSERT_TRUE(slowDown(56, 20));
+  ASSERT_TRUE(second.listens() && console.waitFor(SourceStatus::Progress::Running));
+  ASSERT_TRUE(slowDown(71, 20));
   const QString errors = fileInResults(QStringLiteral("command-errors.log"));
-  const QString lines = QStringLiteral("command.log");
   {
-    Program command(
-        QStringLiteral("sh -c \"%1 command setup-mode --yes --unlock --interface can0 --pin %2 2>%3; true\"")
-            .arg(programOfBuild(QStringLiteral("deckpipectl")), QLatin1String(kMonitorPin), errors),
-        lines);
+    Program command(QStringLiteral("sh -c \"%1 command setup-mode --yes --unlock --interface can0 --pin "
+                                   "1032AE100801036 2>%2; true\"")
+                        .arg(programOfBuild(QStringLiteral("deckpipectl")), errors));
     ASSERT_TRUE(command.waitForEnd());
   }
-  ASSERT_FALSE(isQueueEmpty()) << "the queue was to hold it until after the program";
-  EXPECT_TRUE(readFile(fileInResults(lines)).contains(QStringLiteral("\"end\":\"not_on_bus_yet\"")))
-      << qPrintable(readFile(fileInResults(lines)));
-  EXPECT_TRUE(
-      readFile(errors).contains(QStringLiteral(" frames are not on the bus yet and may still go out")))
-      << qPrintable(readFile(errors));
+  const qsizetype before = second.heard().size();
+  ASSERT_FALSE(isQueueEmpty()) << "the queue was to hold them until after the program";
+  const auto said =
+      QRegularExpression(QStringLiteral("(\\d+) frames are not on the bus yet and may still go out"))
+          .match(readFile(errors));
+  ASSERT_TRUE(said.hasMatch()) << qPrintable(readFile(errors));
   EXPECT_TRUE(console.waitUntil(&isQueueEmpty));
-  EXPECT_TRUE(second.hearsOneCommandLast()) << qPrintable(second.heard().join(QLatin1Char('\n')));
+  QTest::qWait(1'000);  // for what must not follow
+  const qsizetype late = second.heard().size() - before, waited = said.captured(1).toInt();
+  EXPECT_TRUE(late == waited || late == waited - 1)
+      << late << " of " << waited << ": one may have left at the end";
 }
 
 TEST_F(Stuck, WhatAFullQueueRefusesWasNotSent) {

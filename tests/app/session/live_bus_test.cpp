@@ -150,16 +150,15 @@ TEST(LiveBus, TakesAnEchoForLostWhereTheKernelDroppedFramesAndNotWhereTheControl
   ASSERT_TRUE(waitFor([&] { return live.latest().services->find(monitor) != nullptr; }));
 
   // From here on no event is handled, so that the echo does not come.
-  live.apply({intent::SendRequests{monitor, {Request::Fault}}, bootTime(), 2});
+  live.apply({intent::SendRequests{monitor, RequestSet{Request::ZeroAxes}}, bootTime(), 2});
   PortListener& listener = live;
-  const auto progressAfter = [&](NotKept reason) {
+  const auto endAfter = [&](NotKept reason) {
     listener.framesNotKept(reason, 1);
     live.sayDrive({0x20}, false);  // publishes
-    return live.latest().services->find(monitor)->of(Request::Fault).progress;
+    return live.latest().services->find(monitor)->of(Request::ZeroAxes).end;
   };
-  using Progress = RequestStatus::Progress;
-  EXPECT_EQ(progressAfter(NotKept::Overrun), Progress::Queued);
-  EXPECT_EQ(progressAfter(NotKept::Overflow), Progress::Waiting);
+  EXPECT_EQ(endAfter(NotKept::Overrun), RequestEnd::None);
+  EXPECT_EQ(endAfter(NotKept::Overflow), RequestEnd::CannotTell);
 }
 
 struct EndOfALiveBus : testing::Test {

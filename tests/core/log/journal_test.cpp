@@ -43,7 +43,7 @@ TEST(Journal, BringsBackFramesNotesAndLogTimesOfTwoLiveChannels) {
   Recording read;
   read.read(journalOf(written));
   ASSERT_TRUE(read.result);
-  EXPECT_EQ(read.result.value(), (ReadSummary{.frames = written.frames.count()}));
+  EXPECT_EQ(read.result.value(), (ReadSummary{.frames = written.frames.count(), .isOwn = true}));
   expectSame(read, written);
 }
 
@@ -530,7 +530,7 @@ TEST(Journal, IsReadFromAPipeHoweverItIsCut) {
     for (std::size_t at = 0; at < text.size(); at += piece) EXPECT_TRUE(stream.feed(text.substr(at, piece)));
     const auto result = stream.finish();
     ASSERT_TRUE(result) << piece;
-    EXPECT_EQ(result.value(), (ReadSummary{.frames = written.frames.count()}));
+    EXPECT_EQ(result.value(), (ReadSummary{.frames = written.frames.count(), .isOwn = true}));
     expectSame(read, written);
   }
 }
@@ -601,7 +601,7 @@ TEST(Journal, OfALogThatIsSavedBringsBackFramesNotesAndLogTimes) {
     Recording read;
     read.read(exportOf(*written));
     ASSERT_TRUE(read.result);
-    EXPECT_EQ(read.result.value(), (ReadSummary{.frames = written->frames.count()}));
+    EXPECT_EQ(read.result.value(), (ReadSummary{.frames = written->frames.count(), .isOwn = true}));
     expectSame(read, *written);
   }
 }

@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "Last heard 60 min ago; no periodic message is expected of it."},
         HealthCase{"TwoAtOneAddress",
                    [](Heard& b) {
-                     b.monitor().faults();
+                     b.note({.value = note::LinkUp{}}).monitor().faults();
                      for (int i = 0; i < 9; ++i)
                        b.pass(50ms).hear("18EFFF80", i % 2 == 0 ? "0112C10644000041" : kPosition);
                      b.statuses();

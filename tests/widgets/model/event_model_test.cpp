@@ -101,7 +101,7 @@ TEST_F(ModelOfEvents, SaysSinceWhenThatHoldsWhichIsToldLater) {
   for (int i = 0; i < 130; ++i)
     frames.push_back(test::frame("18EFFF80", i < 8 && i % 2 == 0 ? "83C051" : "834051", 0,
                                  7'000'000'000 + i * std::int64_t{100'000'000}));
-  model.setView(viewOf(logOf(frames)));
+  model.setView(viewOf(test::logOf(frames)));
   ASSERT_EQ(model.rowCount(), 5);
   EXPECT_EQ(model.index(4, EventModel::When).data().toString().toStdString(), "0:00:10.100");
   EXPECT_EQ(what(4),
