@@ -57,7 +57,7 @@ void Services::linkChanged(Instant now, const State& state, bool isUp) {
   forEachBackwards([&](Service& service) { service.linkChanged(now, live, false, m_out); });
   for (Entry& entry : m_services) entry.source = kNullAddress;
   m_out.frames.clear();
-  if (m_status.isEnding) complete(now, live);
+  complete(now, live);
 }
 
 void Services::setListenOnly(Instant now, const State& state, bool isListenOnly) {
@@ -73,7 +73,7 @@ void Services::begin(Instant now, const Live& live) {
 
 Refusal Services::unlock(Instant now, const Live& live) {
   if (!m_status.locked) return Refusal::None;
-  if (m_isClosed) return Refusal::NoLink;
+  if (m_isClosed || !m_status.linkUp) return Refusal::NoLink;
   if (m_status.isListenOnly) return Refusal::ListenOnly;
   m_status.locked = false;
   m_out.note(note::Unlocked{live.channel});
@@ -139,8 +139,8 @@ Refusal Services::carryOut(Instant now, const Live& live, const StampedIntent& i
     return endAll(now, live, EndReason::Locked), Refusal::None;
   if (m_status.isEnding) return Refusal::Busy;
   if (std::holds_alternative<intent::Unlock>(intent.value)) return unlock(now, live);
-  if (m_status.locked) return Refusal::Locked;
   if (!m_status.linkUp) return Refusal::NoLink;
+  if (m_status.locked) return Refusal::Locked;
   std::optional<Refusal> answer;
   forEach([&](Service& service) {
     if (!answer) answer = service.wants(now, live, intent.value, m_out);

@@ -5,7 +5,8 @@
 // as service.h says, and knows none of them but where it makes them.
 //
 //   1. Locked, nothing is sent at all: no claim, no ack, no answer to a request for the NAME.
-//   2. Unlocking lasts for this run and this link; a link that is lost and comes back is claimed on anew.
+//   2. Unlocking lasts for this run and this link: a link that is lost locks, and nothing is unlocked without one
+//      (design.md section 7, rule 2).
 //   3. A lock or close waits for services that still have something to say, kEndingTime at most. Meanwhile
 //      nothing is begun.
 //   4. What a person wants is done or refused at once, with the reason; nothing waits for an address.

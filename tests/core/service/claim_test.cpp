@@ -255,14 +255,18 @@ TEST_F(Claim, LockingFallsSilentAndUnlockingClaimsAnew) {
   EXPECT_EQ(status().address, Address{0xF9}) << "that it was heard there itself is no hindrance";
 }
 
-TEST_F(Claim, ALinkThatComesBackIsClaimedOnAnew) {
+TEST_F(Claim, Rule02NothingStaysUnlockedOverAReplugNorIsUnlockedWithoutALink) {
   pair.unlock();
   pair.setLink(pair.console(), false);
   EXPECT_EQ(status().progress, Progress::Off);
+  EXPECT_TRUE(pair.console().services.isLocked());
+  EXPECT_EQ(pair.want(intent::Unlock{}), Refusal::NoLink);
   const Instant before = pair.now();
   pair.run(1s);
   pair.setLink(pair.console(), true);
   pair.run(1s);
+  EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
+  pair.unlock();
   EXPECT_EQ(names(before).size(), 1u);
   EXPECT_EQ(status().progress, Progress::Claimed);
 }
