@@ -61,6 +61,7 @@ void appendTraceLine(std::string& out, const Frame& frame, std::string_view chan
   padTo(start, 19);
   start = out.size();
   out += channel;
+  out += ' ';
   padTo(start, 8);
   start = out.size();
   appendIdentifier(out, frame);
