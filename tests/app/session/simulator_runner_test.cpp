@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QUrl>
 #include <memory>
+#include <utility>
 
 #include "session/simulator_faults.h"
 #include "support/frames.h"
@@ -148,9 +149,9 @@ class Rule20StandingSimulator : public Rule20Simulator {
   void SetUp() override {
     Rule20Simulator::SetUp();
     m_runner = new SimulatorRunner(1, 1, [](auto&&...) { return false; });
-    // It listens as soon as the bus knows it.
+    // It listens as soon as the bus knows it. The bus may say so again; the thread stands still once.
     QObject::connect(&m_bus, &VirtualBus::clientsChanged, &m_bus, [this] {
-      if (m_bus.clients(0) == 2)
+      if (m_bus.clients(0) == 2 && !std::exchange(m_hasStood, true))
         QMetaObject::invokeMethod(
             m_runner, [this] { standStill(); }, Qt::QueuedConnection);
     });
@@ -189,6 +190,7 @@ class Rule20StandingSimulator : public Rule20Simulator {
   }
 
   QThread m_thread;
+  bool m_hasStood = false;
   QSemaphore m_stands, m_goesOn;
   SimulatorRunner* m_runner = nullptr;  // the thread deletes it
   QTimer m_hand;                        // of a joystick
