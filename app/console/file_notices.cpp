@@ -55,7 +55,7 @@ Notice unreadable(const Snapshot& snapshot) {
   return notice;
 }
 
-// Where a log's clock does not run, ages, rates and load are no measure.
+// The notice about a log's clock: without one that runs, ages, rates and load are no measure.
 Notice clockNotice(const LogDocument& log) {
   if (!log.frames.hasTimes()) {
     return {Severity::Warning, NoticeText::tr("This log has no times, only an order: what is shown of ages, "

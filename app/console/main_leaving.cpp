@@ -17,8 +17,8 @@ QString MainWindow::lostMarksText(const UnkeptMarks& marks) {
   return tr("Marks of the open log are in memory alone, and are lost: %1.").arg(unkeptMarksText(marks));
 }
 
-// Goes on once marks that are being written are in their file, or are known not to be: MarkKeeper::kHangs later at
-// most.
+// Calls `go` once marks that are being written are in their file, or are known not to be. This takes
+// MarkKeeper::kHangs at most.
 void MainWindow::onceMarksAreKept(std::function<void()> go) {
   if (!m_snapshot.source.isKeepingMarks) return go();
   m_onceMarksAreKept = std::move(go);

@@ -105,7 +105,8 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   return fact;
 }
 
-// Where a live log leaves out CAN FD, its list of what is not kept and its notes tell of the same frames.
+// A live log tells of the CAN FD frames that it left out twice, in its list of
+// skipped frames and in its notes.
 MissingFrames missingFrames(const LogDocument& log) {
   using Why = note::LeftOut::Why;
   const SkippedPlaces skipped = log.skipped.content();

@@ -241,7 +241,7 @@ StatusFact errorFact(const Snapshot& snapshot) {
 
 namespace {
 
-// Nobody knows of these any more than that they were waiting.
+// The story of frames that waited when their link was left. Their fate cannot be learnt any more.
 QStringList leftStory(const LeftWaiting& left) {
   QStringList story;
   for (const WaitingCommand& command : left.commands) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the files of notices (notice_of.h) and of the strip's facts (status_text.h) share.
+// Words that notices (notice_of.h) and the facts of the strip (status_text.h) share.
 #pragma once
 
 #include <QCoreApplication>

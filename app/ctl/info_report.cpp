@@ -213,7 +213,7 @@ void InfoReport::takeNotes(Times times) {
   }
 }
 
-// Whoever ends a recording closes its links: devices are told as they were then, not as unknown since.
+// A recording ends with its links closed. The report judges devices as they were before that, not as unknown since.
 Cursor InfoReport::endOfRecording() const {
   Cursor end = endOf(m_frames, m_notes);
   for (const Note& note : m_notes.between(m_frames.count(), m_frames.count() + 1)) {

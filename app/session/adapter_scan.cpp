@@ -48,8 +48,7 @@ void AdapterScan::request(std::function<AdapterList()> question, void (AdapterSc
     connect(m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
     m_thread->start();
   }
-  // The answer is a signal of an object that ends with the work. So it cannot come to a scan that has been
-  // destroyed meanwhile.
+  // The answer is a signal of an object that ends with the work, so that it cannot reach a destroyed scan.
   const auto list = std::make_shared<AdapterList>();
   const auto answer = std::make_shared<QObject>();
   connect(

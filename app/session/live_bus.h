@@ -68,8 +68,8 @@ class LiveBus : public QObject, public PortListener {
   // Closes the link and writes down what came until then. To be called before the bus is destroyed, which
   // writes and publishes nothing.
   void stop();
-  // Carries the intent out or refuses it at once; a refusal is in the next Published. A full log lets nothing
-  // begin.
+  // Carries the intent out or refuses it at once; a refusal is in the next Published. On a full log only what stops
+  // something is carried out.
   void apply(const deckpipe::StampedIntent& intent);
   // Records the person's statement that this address is, or is not, a Copley drive. No frame tells it.
   void sayDrive(deckpipe::Address address, bool isDrive);

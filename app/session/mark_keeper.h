@@ -40,14 +40,13 @@ class MarkKeeper {
   MarkKeeper(const MarkKeeper&) = delete;
   MarkKeeper& operator=(const MarkKeeper&) = delete;
 
-  // The log of this file was read; the time of its sidecar is that of before. What is kept of an earlier log is still
-  // written.
+  // The log of this file was read; `sidecarTime` is from before that. Marks of an earlier log are still written.
   void opened(const QString& path, const ReadSummary& read, const QDateTime& sidecarTime);
   // Neither this nor the rest waits for the disk.
   void keep(std::shared_ptr<const LogDocument> log);
   // The marks so far are in another file.
   void forget();
-  // Of the log that was opened last. `now`: bootTime().
+  // The status of the log that was opened last. `now`: bootTime().
   Status status(Instant now) const;
 
  private:

@@ -12,7 +12,7 @@ namespace deckpipe {
 
 namespace {
 
-// What the file of a log had of the frames that a live log notes so.
+// The skipped frames of a file that a live log would note for this reason.
 Skipped skippedAs(note::LeftOut::Why why) {
   switch (why) {
     case note::LeftOut::Why::CanFd: return Skipped::CanFd;
@@ -45,7 +45,7 @@ bool PartWriter::frame(std::uint64_t i, const std::stop_token& stop) {
   return true;
 }
 
-// Nothing is written before the first frame that passes: beginAt() writes what is in force there.
+// The writer waits for the first frame that passes: beginAt() writes what is in force there.
 void PartWriter::heldBack(std::uint64_t i) {
   const Frame& frame = m_log.frames[i];
   if (m_written == 0 || !tellsWhoIsWho(frame)) return;

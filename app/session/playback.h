@@ -20,10 +20,10 @@ class Playback {
   // Moves the cursor that plays; at the log's end it stops playing and goes with the end.
   void timeCame(Instant now);
 
-  // Plays from the cursor. At the end it starts over, or does nothing if the log grows. Returns false if nothing
-  // changed.
+  // Plays from the cursor. At the end it starts over, or does nothing if the log grows. Returns whether it plays now
+  // and did not before.
   bool play(Instant now);
-  // Leaves the cursor where it stands. Returns false if it did not play.
+  // Stops playing, and going with the log's end. Returns false if the cursor stood already.
   bool pause();
   // To a time, to behind so many frames, by so many frames. All stop at the log's ends, and stop playing.
   void seek(Instant time);

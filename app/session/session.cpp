@@ -275,8 +275,8 @@ void Session::takeOutcome(const LogOpening::Outcome& outcome) {
   if (source.unkeptMarks) keepMarks();
 }
 
-// While a log is played the state is a tick behind: it moves on. Far from every keyframe it stands still until it is
-// found.
+// While a log is played the state moves on a tick behind the cursor. Far from every keyframe it stands still until the
+// walker has found it.
 void Session::followWalk() {
   const Cursor here = m_snapshot.view.state->cursor();
   const Instant now = monotonicTime();

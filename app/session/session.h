@@ -45,7 +45,8 @@ class Session : public QObject {
   void openLink(const LinkSettings& settings);
   // The simulator behind a virtual bus of its own, and a link to it.
   void openDemo();
-  // Opens the last link again. It goes on in the same log, after a gap, unless that log is full or shut.
+  // Opens the last link again. It goes on in the same log, after a gap, unless that log is
+  // full or a bus that hangs may still write into it.
   void reconnect();
   void closeSource();
   // Waits for the buses that are ending, kThreadPatience at most. For a program that is about to end: the
@@ -55,7 +56,7 @@ class Session : public QObject {
   // A person's note at a place of the log. In a log of a file it is kept beside it, on a worker (mark_keeper.h); the
   // snapshot says while it is being written, and where that cannot be.
   void mark(Cursor at, const QString& text);
-  // What the person calls devices. The log of a link has it noted (label_notes.h).
+  // Sets the person's labels of devices. The session notes them in the log of a link (label_notes.h).
   void setLabels(LabelsByPin labels);
   // Links that are opened from now on are recorded there; empty, as at first: they are not.
   void setRecordingFolder(const QString& folder) { m_recordingFolder = folder; }

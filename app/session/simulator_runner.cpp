@@ -91,7 +91,7 @@ void SimulatorRunner::listened() {
   m_link->drain();
   if (m_sending != Sending::Listening || m_listening->isActive()) return;  // the link went down, or is back
   const std::vector<Stranger> strangers = m_watch->strangers();
-  // What came while the thread was held up may have been dropped on the way.
+  // The kernel may have dropped frames while the thread was held up, so that nothing heard proves nothing.
   if (strangers.empty() && monotonicTime() > m_listensUntil + kHeldUp) return listen();
   m_watch.reset();
   if (strangers.empty()) return begin();

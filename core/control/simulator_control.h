@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person wants of the demo's simulator, and how its devices are. The simulator panel makes a SimulatorIntent of
-// every tick and button and shows each SimulatorStatus; SimulatorRunner takes the intents and publishes the status. Not
-// an intent: it goes to the simulated truck, never to a bus.
+// The values between the simulator's panel and the simulator. The panel makes a SimulatorIntent of every tick and button
+// and shows each SimulatorStatus; SimulatorRunner takes the intents and publishes the status. A SimulatorIntent goes to
+// the simulated truck alone; an Intent (control/intent.h) goes to a bus.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct SimulatorNumbers {
   static constexpr Duration kVanishesFor = 3s;
 };
 
-// What can be wrong with a device.
+// The faults that the simulator can give a device.
 enum class SimulatedFault : std::uint8_t {
   // The device as a whole.
   Silent,
