@@ -28,6 +28,12 @@ struct DeviceTypeFacts {
   EnumSet<MessageId> mayRepeat{};  // only with analog position feedback, which nothing on the bus tells
   EnumSet<Request> takes{};        // besides what every device of Akron's takes
   std::array<AxisUse, 5> axes = {AxisUse::Rotation, AxisUse::Elevation};  // 1 to 5
+
+  // Every status that it sends or may send.
+  constexpr EnumSet<MessageId> sends() const {
+    EnumSet<MessageId> all = repeats;
+    return all |= mayRepeat;
+  }
 };
 
 // Some 6041 carry 1035 and some 6035 carry 1041.
@@ -96,9 +102,7 @@ constexpr EnumSet<MessageId> repeatedBySenderOf(const EnumSet<MessageId>& heard)
   EnumSet<MessageId> common;
   bool isFirst = true;
   for (const DeviceTypeFacts& type : kDeviceTypes) {
-    EnumSet<MessageId> sends = type.repeats;
-    sends |= type.mayRepeat;
-    if ((sends & heard) != heard) continue;
+    if (!(heard - type.sends()).isEmpty()) continue;
     common = isFirst ? type.repeats : common & type.repeats;
     isFirst = false;
   }
@@ -109,7 +113,7 @@ constexpr EnumSet<MessageId> repeatedBySenderOf(const EnumSet<MessageId>& heard)
 constexpr unsigned soleSenderOf(MessageId id) {
   unsigned number = 0;
   for (const DeviceTypeFacts& type : kDeviceTypes) {
-    if (!type.repeats.has(id) && !type.mayRepeat.has(id)) continue;
+    if (!type.sends().has(id)) continue;
     if (number != 0) return 0;
     number = type.number;
   }
@@ -125,8 +129,7 @@ namespace checks {
 
 constexpr bool typesRepeatWhatTheCatalogueCallsPeriodic() {
   for (const MessageId id : kAllOf<MessageId>) {
-    const bool isSent = std::ranges::any_of(
-        kDeviceTypes, [id](const auto& t) { return t.repeats.has(id) || t.mayRepeat.has(id); });
+    const bool isSent = std::ranges::any_of(kDeviceTypes, [id](const auto& t) { return t.sends().has(id); });
     const bool isRepeated = isOwnPeriodicReport(messageOf(id)) && messageOf(id).family == Family::Akron &&
                             id != MessageId::DigitalInputs;  // the 6039's
     if (isSent != isRepeated) return false;

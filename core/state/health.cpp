@@ -12,6 +12,28 @@ namespace {
 // Whoever lost its address not longer than this before two were seen there may be one of the two.
 constexpr Duration kLostWithin = 10s;
 
+// What the manual says of the device's type; null where it names none, or where the type is not known.
+const DeviceTypeFacts* typeOf(const Device& d) {
+  const bool isNode = d.kind == Device::Kind::Node;
+  return deviceTypeOf(isNode ? deviceTypeOfPart(d.partNumber.value) : d.pin.deviceType());
+}
+
+// Whether the announced type sends no such status: then another device sent it.
+bool isForeign(const Device& d, MessageId id) {
+  const DeviceTypeFacts* type = d.kind == Device::Kind::Pin ? typeOf(d) : nullptr;
+  return type != nullptr && messageOf(id).family == Family::Akron && isOwnPeriodicReport(messageOf(id)) &&
+         !type->sends().has(id);
+}
+
+// When a status came last that another device sent; kNotYet if none did.
+Instant lastForeign(const Device& d) {
+  Instant last = kNotYet;
+  for (const MessageId id : kOwnPeriodicReports) {
+    if (isForeign(d, id)) last = std::max(last, d.report(id).at);
+  }
+  return last;
+}
+
 // What is judged: a device, or an address where there is none of Akron's.
 struct Subject {
   const State& state;
@@ -30,9 +52,10 @@ struct Subject {
   bool hasAddress() const { return address != kNullAddress; }
   const Joystick* joystick() const { return hasAddress() ? channel.joysticks.find(address) : nullptr; }
   bool isNode() const { return device != nullptr && device->kind == Device::Kind::Node; }
-  // A status counts as long as it is fresh.
+  // A status counts as long as it is fresh, and the device's own.
   bool has(MessageId id) const {
-    return device != nullptr && device->report(id).isKnown() && !device->isStale(id);
+    return device != nullptr && device->report(id).isKnown() && !device->isStale(id) &&
+           !isForeign(*device, id);
   }
   bool hasPosition() const { return has(MessageId::PositionLimitStatus); }
   PositionLimitStatus position() const { return device->position().value(); }
@@ -63,9 +86,7 @@ EnumSet<MessageId> repeats(const Subject& s) {
   for (const MessageId id : kOwnPeriodicReports) {
     if (messageOf(id).family == Family::Akron && d.report(id).isKnown()) heard.add(id);
   }
-  const DeviceTypeFacts* type =
-      deviceTypeOf(s.isNode() ? deviceTypeOfPart(d.partNumber.value) : d.pin.deviceType());
-  if (type != nullptr) return type->repeats;
+  if (const DeviceTypeFacts* type = typeOf(d); type != nullptr) return type->repeats;
   return heard.isEmpty() ? heard : repeatedBySenderOf(heard);
 }
 
@@ -122,7 +143,8 @@ struct Shared {
 };
 
 // They do if their PINs or NAMEs say so in turn (AddressBook::sharedSince), if their statuses come twice a period
-// (pace.h), or if a PIN is announced, with no claim under way, under the NAME of another device.
+// (pace.h), if statuses come that the announced type does not send, or if a PIN is announced, with no claim under way,
+// under the NAME of another device.
 Shared sharedAt(const Subject& s, Address address) {
   Shared shared;
   const auto found = [&](Instant at, bool isCertain) {
@@ -139,6 +161,8 @@ Shared sharedAt(const Subject& s, Address address) {
     const bool isFromOneLink = s.channel.link != ChannelLink::Unknown;
     if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor)
       found(d.doubledSince, !d.isOnlyEqual && isFromOneLink);
+    if (const Instant foreign = lastForeign(d); foreign != kNotYet && s.now() - foreign <= kDoubledFor)
+      found(foreign, true);
     const Name holder = book.holder(address);
     if (d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
         book.claim(address, d.announced) == ClaimState::Claimed)
@@ -205,7 +229,7 @@ Health factsOf(const Subject& s) {
   takeAnswers(s, h);
   for (const MessageId id : kOwnPeriodicReports) {
     // It comes, if in a wrong length.
-    if (d.isMalformedNow(id, s.now())) continue;
+    if (isForeign(d, id) || d.isMalformedNow(id, s.now())) continue;
     if (d.isStale(id) && d.hasPeriod(id) && !isNotFitted(s, id)) h.late.add(id);
     if (repeats(s).has(id) && !d.report(id).isKnown()) h.neverHeard.add(id);
   }

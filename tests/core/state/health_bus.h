@@ -25,6 +25,8 @@ inline constexpr char kTurnedALittle[] = "011D950371000041";
 inline constexpr char kSensorError[] = "01FFF4FFF4000000";
 inline constexpr char kOutputs[] = "83C051";
 inline constexpr char kNoFaults[] = "02000000000000";
+inline constexpr char kFaultedMiniOutputs[] = "84C000";
+inline constexpr char kRotationLimits[] = "8103E8FC1800";
 
 class Bus {
  public:

@@ -101,6 +101,24 @@ TEST(TwoAtOneAddress, IsCertainOfTwoPins) {
   EXPECT_FALSE(healthOf(bus.state(), *bus.device(kPinB)).isOnlyEqual);
 }
 
+// A 6033 that neither claims nor announces sends its outputs from the address of a 6032.
+TEST(TwoAtOneAddress, IsWhereAStatusComesThatTheTypeDoesNotSend) {
+  Bus bus;
+  bus.monitor().answered().statuses().hear("18EFFF80", kFaultedMiniOutputs);
+  EXPECT_EQ(listed(bus), "two_at_one_address") << "the fault is the other device's";
+  EXPECT_FALSE(healthOf(bus.state(), *bus.device(kPinA)).isOnlyEqual);
+  bus.goOn(5s);
+  EXPECT_EQ(listed(bus), "two_at_one_address") << "it is not this device's status that is late";
+  bus.goOn(6s);
+  EXPECT_EQ(listed(bus), "fine") << "the other one is gone";
+}
+
+TEST(TwoAtOneAddress, IsNotWhereATypeSendsSoftLimitsThatItMaySend) {
+  Bus bus;
+  bus.monitor().answered().statuses().hear("18EFFF80", kRotationLimits);
+  EXPECT_EQ(listed(bus), "fine");
+}
+
 TEST(TwoAtOneAddress, IsOfThreeAndFour) {
   for (const Duration apart : {33ms, 25ms}) {
     Bus bus;
