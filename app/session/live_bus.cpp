@@ -12,17 +12,17 @@
 namespace deckpipe {
 namespace {
 
-// "socketcan can0, 250 kbit/s"
-std::string adapterWords(const LinkSettings& settings) {
-  QString words = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
-  if (settings.bitRate != 0) words += QStringLiteral(", %1 kbit/s").arg(settings.bitRate / 1000.0);
-  return words.toStdString();
-}
-
 // The driver's; without one the rate that was asked for, which adapters take or refuse. 0: not known.
 std::uint32_t bitRateOf(const LinkSettings& settings, const LinkStatus& status) {
   if (status.hardware) return status.hardware->bitRate;
   return pluginTakesBitRate(settings.plugin) ? static_cast<std::uint32_t>(settings.bitRate) : 0;
+}
+
+// "socketcan can0, 250 kbit/s"
+std::string adapterWords(const LinkSettings& settings, std::uint32_t bitRate) {
+  QString words = settings.plugin + QLatin1Char(' ') + settings.interfaceName;
+  if (bitRate != 0) words += QStringLiteral(", %1 kbit/s").arg(bitRate / 1000.0);
+  return words.toStdString();
 }
 
 }  // namespace
@@ -207,9 +207,10 @@ void LiveBus::noteLeftOut() {
 void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   const bool wasUp = m_linkState == LinkState::Up;
   m_linkState = state;
-  if (state == LinkState::Up && !wasUp)
-    write(
-        note::LinkUp{m_settings.channel, adapterWords(m_settings), bitRateOf(m_settings, m_link->status())});
+  if (state == LinkState::Up && !wasUp) {
+    const std::uint32_t bitRate = bitRateOf(m_settings, m_link->status());
+    write(note::LinkUp{m_settings.channel, adapterWords(m_settings, bitRate), bitRate});
+  }
   if (state != LinkState::Up && wasUp) {
     const LinkFault fault = state == LinkState::Closed ? LinkFault::None : m_link->status().fault;
     write(note::LinkDown{m_settings.channel, fault, fault == LinkFault::Other ? reason : std::string()});
