@@ -136,9 +136,13 @@ void Session::show(Candidate log) {
 }
 
 void Session::followCandidate() {
-  if (!m_candidate) return;
+  if (!m_candidate || m_snapshot.source.isKeepingMarks) return;
   const auto* outcome = m_candidate->opening->outcome();
-  if (m_candidate->document->frames.count() > 0) return show(*std::exchange(m_candidate, {}));
+  if (m_candidate->document->frames.count() > 0) {
+    // A mark made meanwhile that could not be kept would be lost.
+    if (m_snapshot.source.unkeptMarks) return m_candidate.reset();
+    return show(*std::exchange(m_candidate, {}));
+  }
   if (outcome == nullptr) return;
   m_snapshot.notOpened = NotOpened{.path = m_candidate->path, .error = {}};
   if (!*outcome) m_snapshot.notOpened->error = outcome->error();

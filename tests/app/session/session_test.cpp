@@ -131,6 +131,25 @@ TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
   EXPECT_FALSE(session.snapshot().source.unkeptMarks) << "they are in the file that was saved";
 }
 
+// Between the decision to open another log and its first frame the old one is still in view.
+TEST(SessionMarks, ThatCannotBeKeptAreNotLeftForALogThatIsBeingTried) {
+  QTemporaryDir dir, other;
+  const QString path = writeLog(dir, kThreeFrames);
+  QFile file(path + QStringLiteral(".deckpipe-notes"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("of somebody else\n");
+  file.close();
+  Session session;
+  session.openLog(path);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  session.openLog(writeLog(other, kThreeFrames));
+  session.mark({1, Instant{11'000'000'000}}, QStringLiteral("mine"));
+  QTest::qWait(300);
+  EXPECT_EQ(session.snapshot().source.name, path);
+  EXPECT_TRUE(session.snapshot().source.unkeptMarks);
+}
+
 TEST(SessionMarks, AreNotKeptAndThatIsSaidWhereSomethingElseHasTheNameOfTheSidecar) {
   for (const bool isFolder : {true, false}) {
     QTemporaryDir dir;
