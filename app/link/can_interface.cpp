@@ -186,7 +186,7 @@ std::vector<CanInterface> readCanInterfaces() {
 namespace deckpipe {
 
 Result<CanInterface, std::string> readInterface(const std::string&) {
-  return Failure{std::string("not available on this system")};
+  return Failure{std::string("only Linux tells of CAN interfaces")};
 }
 std::vector<CanInterface> readCanInterfaces() { return {}; }
 std::vector<CanInterface> parseLinkMessages(std::span<const std::byte>) { return {}; }
