@@ -132,9 +132,11 @@ Notice readingNotice(const ReadSummary& read) {
     return {Severity::Warning,
             NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
                            nullptr, forPlural(read.newerParts))};
-  if (read.isOpenEnded)
+  if (read.goesOn)
     return {Severity::Warning,
-            NoticeText::tr("This recording has no end: it still goes on, or its end was lost.")};
+            NoticeText::tr("This recording still goes on: what came since it was opened is not here.")};
+  if (read.isOpenEnded)
+    return {Severity::Warning, NoticeText::tr("This recording has no end: its last second may be missing.")};
   return {};
 }
 

@@ -135,7 +135,10 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
   if (summary.newerParts > 0)
     say(counted(summary.newerParts, "part of a newer version of Deckpipe was left out",
                 "parts of a newer version of Deckpipe were left out"));
-  if (summary.isOpenEnded) say("the recording has no end: it still goes on, or its end was lost");
+  if (summary.goesOn)
+    say("the recording still goes on");
+  else if (summary.isOpenEnded)
+    say("the recording has no end: its last second may be missing");
   if (const auto& fault = summary.sidecarFault) {
     std::string where = fault->path;
     if (fault->line > 0) where += ":" + std::to_string(fault->line);

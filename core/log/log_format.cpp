@@ -7,6 +7,7 @@
 
 #include "log/candump.h"
 #include "log/foreign_formats.h"
+#include "log/journal_file.h"
 #include "log/journal_reader.h"
 #include "log/sidecar.h"
 #include "log/text_marks.h"
@@ -85,7 +86,10 @@ Result<ReadSummary, ReadError> openLog(const std::string& path, const LogTarget&
   BytesOfFile file;
   if (std::string why = file.open(path); !why.empty())
     return Failure{ReadError{ReadError::Kind::CannotOpen, std::move(why)}};
-  return readMarked(file, path, target, options, formats);
+  const bool goesOn = isBeingWritten(path);
+  auto outcome = readMarked(file, path, target, options, formats);
+  if (outcome) outcome.value().goesOn = goesOn && outcome.value().isOpenEnded;
+  return outcome;
 }
 
 Result<ReadSummary, ReadError> readLog(const LogBytes& bytes, const LogTarget& target,

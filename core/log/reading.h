@@ -93,10 +93,14 @@ struct ReadSummary {
   // Of a recording:
   std::uint64_t cutBytes = 0;  // at its end, that are not whole and were left out
   bool isOpenEnded = false;    // it has no end: it still goes on, or its end was lost
+  bool goesOn = false;         // it was being written when it was opened
   Damage damage{};
 
-  // Nothing of what is there was left out. One that still goes on is whole as well.
-  bool isWhole() const { return cutBytes == 0 && newerParts == 0 && damage.places == 0 && !sidecarFault; }
+  // Nothing was left out or lost. One that still goes on is whole as well.
+  bool isWhole() const {
+    return cutBytes == 0 && newerParts == 0 && damage.places == 0 && !sidecarFault &&
+           (!isOpenEnded || goesOn);
+  }
 
   friend bool operator==(const ReadSummary&, const ReadSummary&) = default;
 };

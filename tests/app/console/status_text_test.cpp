@@ -85,7 +85,9 @@ TEST(RecordingFact, IsSaidOnlyWhileAFileGrows) {
 TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
   Snapshot snapshot = file(kTruck);
   snapshot.source.read.isOpenEnded = true;
-  EXPECT_TRUE(says(notice(snapshot), "has no end"));
+  EXPECT_TRUE(says(notice(snapshot), "last second may be missing"));
+  snapshot.source.read.goesOn = true;
+  EXPECT_TRUE(says(notice(snapshot), "still goes on"));
   EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
   snapshot.source.read.cutBytes = 37;
   EXPECT_TRUE(says(notice(snapshot), "last 37 bytes")) << notice(snapshot);
