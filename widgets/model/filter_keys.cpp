@@ -164,6 +164,7 @@ QString filterHelp() {
                 .arg(example.toHtmlEscaped(), means.toHtmlEscaped());
   };
   text += QStringLiteral("<table>");
+  add(QStringLiteral("soft limits"), FilterKeys::tr("some cell contains each of these words"));
   add(QStringLiteral("pgn=EF00 and sa=80"), FilterKeys::tr("and, or, not, parentheses"));
   add(QStringLiteral("id=18EFxx80"), FilterKeys::tr("x is any digit"));
   add(QStringLiteral("id=100-1FF"), FilterKeys::tr("a range"));

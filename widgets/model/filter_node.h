@@ -52,6 +52,9 @@ struct FilterMemory {
 
 struct FilterNode {
   enum class Kind : std::uint8_t { And, Or, Not, Key, Field, Text };
+  // Kind::Text: a frame whose cells contain this.
+  static FilterNode containing(const QString& text);
+
   Kind kind = Kind::Key;
   int left = -1, right = -1;
   FilterKey key = FilterKey::Id;

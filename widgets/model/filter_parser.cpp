@@ -59,7 +59,7 @@ Result<TraceFilter, FilterError> FilterParser::parse() {
   TraceFilter filter;
   filter.m_nodes = std::move(m_nodes);
   filter.m_needsRoles = std::any_of(filter.m_nodes.begin(), filter.m_nodes.end(), [](const FilterNode& node) {
-    if (node.kind == FilterNode::Kind::Field) return true;
+    if (node.kind == FilterNode::Kind::Field || node.kind == FilterNode::Kind::Text) return true;
     if (node.kind != FilterNode::Kind::Key) return false;
     switch (node.key) {
       case FilterKey::Name:
@@ -90,7 +90,8 @@ int FilterParser::term(int depth) {
   while (left != kNone) {
     if (m_token.kind == Kind::And) {
       next();
-    } else if (m_token.kind != Kind::Word && m_token.kind != Kind::Open && m_token.kind != Kind::Not) {
+    } else if (m_token.kind != Kind::Word && m_token.kind != Kind::Quoted && m_token.kind != Kind::Open &&
+               m_token.kind != Kind::Not) {
       break;
     }
     const int right = factor(depth);
@@ -120,9 +121,14 @@ int FilterParser::factor(int depth) {
 
 int FilterParser::test() {
   const FilterToken word = m_token;
+  if (word.kind == Kind::Quoted && !word.text.isEmpty()) {
+    next();
+    return add(FilterNode::containing(word.text));
+  }
   if (word.kind == Kind::Unclosed) return fail(word, FilterText::tr("These quotes are never closed."));
   if (word.kind != Kind::Word)
-    return fail(word, FilterText::tr("A key such as id, pgn or name was expected here."));
+    return fail(word,
+                FilterText::tr("A key such as id, pgn or name, or a word to look for, was expected here."));
   next();
   FilterNode node;
   const auto words = filterKeyWords();
@@ -135,6 +141,8 @@ int FilterParser::test() {
     node.key = known->key;
     if (isFlag(node.key)) return add(std::move(node));
     if (node.key == FilterKey::Byte) node.byte = static_cast<unsigned>(known->word[1] - '0');
+  } else if (m_token.kind != Kind::Operator) {
+    return add(FilterNode::containing(word.text));
   } else if (isFieldKey(field)) {
     node.kind = FilterNode::Kind::Field;
     node.field = field;
@@ -142,8 +150,6 @@ int FilterParser::test() {
       const auto hasKey = [&field](const Field& f) { return f.key == field; };
       if (std::any_of(message.fields.begin(), message.fields.end(), hasKey)) node.messages.add(message.id);
     }
-  } else if (filterHexNumber(word.text)) {
-    return fail(word, FilterText::tr("A key was expected here, for instance id=%1.").arg(word.text));
   } else {
     return fail(word, FilterText::tr("“%1” is no key.").arg(word.text));
   }

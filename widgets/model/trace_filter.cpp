@@ -196,17 +196,21 @@ Result<TraceFilter, FilterError> TraceFilter::parse(const QString& expression) {
   return FilterParser(expression).parse();
 }
 
-TraceFilter TraceFilter::containing(const QString& text) {
-  TraceFilter filter;
-  if (text.isEmpty()) return filter;
+FilterNode FilterNode::containing(const QString& text) {
   FilterNode node;
-  node.kind = FilterNode::Kind::Text;
+  node.kind = Kind::Text;
   node.op = FilterOp::Contains;
   node.words += text;
   // Making times of ten million frames into words takes longer than all else.
   node.mayBeStamp =
       std::none_of(text.begin(), text.end(), [](QChar c) { return c.isLetter() || c.isSpace(); });
-  filter.m_nodes.push_back(std::move(node));
+  return node;
+}
+
+TraceFilter TraceFilter::containing(const QString& text) {
+  TraceFilter filter;
+  if (text.isEmpty()) return filter;
+  filter.m_nodes.push_back(FilterNode::containing(text));
   filter.m_needsRoles = true;
   return filter;
 }

@@ -4,11 +4,13 @@
 //
 //   expression = term { "or" term }            also ||
 //   term       = factor { ["and"] factor }     also &&; tests side by side are both wanted
-//   factor     = "not" factor | "(" expression ")" | flag | test          also !
+//   factor     = "not" factor | "(" expression ")" | flag | test | text   also !
 //   test       = key operator value { "," value }
 //   operator   = "=" | "!=" | "<" | "<=" | ">" | ">=" | "~" | "!~"        ~ contains, !~ does not
 //   value      = word | "words in quotes"
+//   text       = value                     that is no key: some cell of the frame contains it
 //
+// soft limits, 18EFFF80         frames whose cells contain these words
 // pgn=EF00 and sa=80            hex keys: id, pgn, sa, da, node, type, data, b1 … b8
 // id=18EFFF80, id=18EFxx80      x is any digit; up to three digits are an 11-bit identifier
 // id=100-1FF, len=2,8           ranges, and any of several

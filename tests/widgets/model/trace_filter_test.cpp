@@ -86,8 +86,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"pgn=EF00 and sa=80 and not malformed", "1 2 3 11 12"},
         Case{"pgn=EF00 sa=80 !malformed", "1 2 3 11 12"}, Case{"err or remote", "5 6"},
         Case{"err || remote && ch=can1", "5 6"}, Case{"(err or remote) and ch=can1", "5"},
-        Case{"not (err or pgn=EF00)", "4 5 8"}, Case{"not not err", "6"},
-        Case{"NOT err AND dir=tx", "8 10"}));
+        Case{"not (err or pgn=EF00)", "4 5 8"}, Case{"not not err", "6"}, Case{"NOT err AND dir=tx", "8 10"},
+        Case{"soft limits", "3"}, Case{"\"soft limits\"", "3"}, Case{"limits soft", "3"},
+        Case{"\"limits soft\"", ""}, Case{"not can1 and remote", ""}, Case{"47.3 and sa=80", "2"},
+        Case{"18EFFF80", "1 2 3 7 12"}, Case{"can1 or \"1d 94\"", "2 4 5 7"}, Case{"sa=80 \"soft\"", "3"}));
 
 TEST(TraceFilter, FindsTextInTheCells) {
   EXPECT_EQ(passing(TraceFilter::containing(QStringLiteral("1d 94"))), "2 7");
@@ -126,7 +128,7 @@ TEST_P(TraceFilterSays, WhereAndWhatWasExpected) {
 
 INSTANTIATE_TEST_SUITE_P(
     Mistakes, TraceFilterSays,
-    testing::Values(Wrong{"foo=1", 0, 3, "no key"}, Wrong{"18EFFF80", 0, 8, "id=18EFFF80"},
+    testing::Values(Wrong{"foo=1", 0, 3, "no key"}, Wrong{"\"\"", 0, 2, "key"},
                     Wrong{"id", 2, 0, "= != < <= > >="}, Wrong{"id=", 3, 0, "value"},
                     Wrong{"id=zz", 3, 2, "identifier"}, Wrong{"id=FFFFFFFF", 3, 8, "identifier"},
                     Wrong{"id=FFF", 3, 3, "identifier"}, Wrong{"sa=180", 3, 3, "FF"},

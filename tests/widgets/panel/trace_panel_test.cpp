@@ -66,8 +66,12 @@ struct TracePanelTest : testing::Test {
     filter()->setFocus();
     filter()->selectAll();
     QTest::keyClicks(filter(), QString::fromUtf8(text));
-    if (auto* words = filter()->completions()->popup(); words->isVisible()) words->hide();
-    QTest::keyClick(filter(), Qt::Key_Return);
+    pressEnter();
+  }
+  // While the list of words is open, it gets the keys.
+  void pressEnter() {
+    QAbstractItemView* words = filter()->completions()->popup();
+    QTest::keyClick(words->isVisible() ? static_cast<QWidget*>(words) : filter(), Qt::Key_Return);
   }
   void waitForFilter() {
     ASSERT_TRUE(QTest::qWaitFor([this] { return !model().isFiltering(); }));
@@ -151,6 +155,25 @@ TEST_F(TracePanelTest, CompletesKeysWhileOneTypes) {
   EXPECT_EQ(words->model()->index(0, 0).data().toString(), QStringLiteral("can0"));
   QTest::keyClick(filter(), Qt::Key_Escape);
   EXPECT_FALSE(words->isVisible());
+}
+
+TEST_F(TracePanelTest, TakesWhatStandsInTheLineOnEnterWhateverIsOffered) {
+  open(traffic(10));
+  for (const char* text :
+       {"name~\"soft limits\"", "type=01 and rotation_deg>30", "rotation", "soft limits"}) {
+    const QSignalSpy typed(filter(), &TraceFilterEdit::filterTyped);
+    type(text);
+    EXPECT_EQ(filter()->text(), QString::fromUtf8(text));
+    EXPECT_EQ(typed.count(), 1) << text;
+    EXPECT_FALSE(filter()->completions()->popup()->isVisible());
+    EXPECT_FALSE(filter()->error()) << text;
+  }
+}
+
+TEST_F(TracePanelTest, OffersAnExampleOfAFilterThatWorks) {
+  const QString example = filter()->placeholderText().section(QStringLiteral("  "), 1);
+  EXPECT_FALSE(example.isEmpty());
+  EXPECT_TRUE(TraceFilter::parse(example)) << example.toStdString();
 }
 
 TEST_F(TracePanelTest, LeavesTheFrameThatIsLookedAtInItsPlace) {

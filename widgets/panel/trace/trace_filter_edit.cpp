@@ -21,7 +21,7 @@ TraceFilterEdit::TraceFilterEdit(QWidget* parent)
     : QLineEdit(parent), m_words(new QStandardItemModel(this)), m_completer(new QCompleter(m_words, this)) {
   setObjectName(QStringLiteral("traceFilter"));
   setAccessibleName(tr("Filter of the trace"));
-  setPlaceholderText(tr("Filter: pgn=EF00 and sa=80, name~\"soft limits\", rotation_deg>30"));
+  setPlaceholderText(tr("Filter, for instance  soft limits and sa=80"));
   setWhatsThis(filterHelp());
   setClearButtonEnabled(true);
   m_completer->setWidget(this);
@@ -80,6 +80,8 @@ void TraceFilterEdit::offer() {
   QRect below = cursorRect();
   below.setWidth(std::min(width(), 480));
   m_completer->complete(below);
+  // Enter is for what stands in the line. It takes a word of the list only once an arrow key has chosen it.
+  m_completer->popup()->setCurrentIndex({});
 }
 
 void TraceFilterEdit::insertWord(const QString& word) {
