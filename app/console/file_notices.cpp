@@ -55,11 +55,12 @@ Notice unreadable(const Snapshot& snapshot) {
   return notice;
 }
 
-// The notice about a log's clock: without one that runs, ages, rates and load are no measure.
+// The notice about a log's clock: without times, ages, rates and load are not shown; where it goes back, they are no
+// measure.
 Notice clockNotice(const LogDocument& log) {
   if (!log.frames.hasTimes()) {
-    return {Severity::Warning, NoticeText::tr("This log has no times, only an order: what is shown of ages, "
-                                              "rates, load and silence means nothing.")};
+    return {Severity::Warning, NoticeText::tr("This log has no times, only an order. Ages, rates, load and "
+                                              "silence are not known and not shown.")};
   }
   // Small steps back are usual where a log has several interfaces, and a leap ahead is a pause.
   const auto& jumps = log.frames.jumps();

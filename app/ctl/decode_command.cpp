@@ -23,9 +23,12 @@ class Decoder {
         m_format(format),
         m_drives(std::move(drives)) {}
 
-  // Everything that has come since the last call, and out with it. False where standard output takes no more.
-  bool decodeNew() {
+  // Everything that has come since the last call, and out with it. False where standard output takes no more. Stamps
+  // of 0 say nothing unless another one follows them: they wait for it, or for `isWhole`, the end of the log.
+  bool decodeNew(bool isWhole) {
     const std::uint64_t count = m_frames.count();
+    m_hasTimes = m_frames.hasTimes();
+    if (!m_hasTimes && !isWhole && m_frames[0].stamp == 0) return true;
     if (m_next == 0 && count > 0) m_output.text() += decodeHeader(m_format);
     const std::vector<Note> notes = m_notes.between(m_next, count);
     auto note = notes.begin();
@@ -36,7 +39,7 @@ class Decoder {
           if (const auto* said = std::get_if<note::DriveSaid>(&note->value))
             m_roles.sayDrive(said->channel, said->address, said->isDrive, note->time);
         }
-        decodeOne(frame, m_times.at(m_next++));
+        decodeOne(m_hasTimes ? frame : withoutTime(frame), m_times.at(m_next++));
         if (!m_output.write()) return false;
       }
     }
@@ -44,6 +47,11 @@ class Decoder {
   }
 
  private:
+  static Frame withoutTime(Frame frame) {
+    if (frame.stamp == 0) frame.stamp = kNoStamp;
+    return frame;
+  }
+
   void decodeOne(const Frame& frame, Instant time) {
     std::optional<std::string_view>& name = m_names[frame.channel];
     if (!name) {
@@ -64,6 +72,7 @@ class Decoder {
   std::array<std::optional<std::string_view>, 256> m_names;  // of the channels seen so far
   RoleWalk m_roles;
   std::uint64_t m_next = 0;
+  bool m_hasTimes = true;
   Output m_output;
 };
 
@@ -108,7 +117,8 @@ ExitStatus decodeCommand(const QStringList& arguments) {
   LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
   Decoder decoder(input, wanted, std::move(drives));
   bool written = true;
-  const ExitStatus status = input.read([&] { return written = decoder.decodeNew(); });
+  const ExitStatus status = input.read([&] { return written = decoder.decodeNew(false); });
+  written = written && decoder.decodeNew(true);
   return written ? status : kNotWhole;
 }
 

@@ -212,13 +212,15 @@ std::string spoken(std::string_view key) {
 }  // namespace
 
 std::int64_t EventLines::stampOf(Instant time, std::uint8_t channel, std::uint64_t frame) const {
-  return m_frames[0].hasStamp() ? saturatedMinus(time.ns, m_frames.offsetOf(channel, frame)) : kNoStamp;
+  return m_frames[0].hasStamp() && m_frames.hasTimes()
+             ? saturatedMinus(time.ns, m_frames.offsetOf(channel, frame))
+             : kNoStamp;
 }
 
 // A frame at which the clock jumps may have a stamp that is no time.
 std::int64_t EventLines::stampOf(const Event& event) const {
   const std::uint64_t frame = std::max<std::uint64_t>(event.frame, 1) - 1;
-  if (event.kind == EventKind::ClockJump) return m_frames[frame].stamp;
+  if (event.kind == EventKind::ClockJump) return m_frames.hasTimes() ? m_frames[frame].stamp : kNoStamp;
   return stampOf(event.time, event.channel.value, frame);
 }
 

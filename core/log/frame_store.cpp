@@ -203,7 +203,7 @@ Instant FrameStore::lastTime() const {
   return n == 0 ? Instant{} : timeAt(n - 1);
 }
 
-bool FrameStore::hasTimes() const { return count() == 0 || (*this)[0].hasStamp() || lastTime() != Instant{}; }
+bool FrameStore::hasTimes() const { return count() == 0 || lastTime() != Instant{}; }
 
 std::uint8_t FrameStore::channel(std::string_view name) {
   const std::lock_guard lock(m_namesLock);

@@ -103,8 +103,8 @@ class FrameStore {
   }
   // Log time of the last frame; 0 in an empty store.
   Instant lastTime() const;
-  // Whether log time means anything. False where no frame has a time, neither a stamp nor the time when it
-  // arrived: then all of them stand at 0, and ages, rates and spans are not to be told. True in an empty store.
+  // Whether log time means anything. False where no frame has a time, neither a stamp other than 0 nor the time when
+  // it arrived: then all of them stand at 0, and ages, rates and spans are not to be told. True in an empty store.
   bool hasTimes() const;
 
   // Index of a channel's name, added where it is new. Any thread.

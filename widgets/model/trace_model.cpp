@@ -268,7 +268,7 @@ QString TraceModel::timeText(const TraceRow& row) const {
       if (row.frame.hasStamp() && isDate(row.frame.stamp)) return clockText(row.frame.stamp);
       break;
   }
-  return stampText(row.frame);
+  return m_view.hasTimes() ? stampText(row.frame) : QString(QChar(0x2013));
 }
 
 QString TraceModel::text(const TraceRow& row, int column) const {

@@ -32,6 +32,35 @@ QStringList decode(const QStringList& more = {}) {
 const QByteArray kAnnouncement = "(1700000000.000000) can0 18EFFF80#FF83150206021A0B\n";
 const QByteArray kPosition = "(1700000000.123456) can0 18EFFF80#011D940371000041\n";
 
+// The times that a log is told to have, by decode and by info.
+struct FewTimes {
+  const char* name;
+  const char* stamps;
+  const char* told;
+  const char* span;
+};
+class LogsOfFewTimes : public testing::TestWithParam<FewTimes> {};
+
+TEST_P(LogsOfFewTimes, HaveOneAnswerEverywhere) {
+  QByteArray log;
+  for (const QString& stamp : words(GetParam().stamps))
+    log += '(' + stamp.toLatin1() + ") can0 18EFFF80#83C051\n";
+  QByteArray told;
+  for (const QByteArray& line : run(decode(), log).lines()) told += line.mid(5, line.indexOf(',') - 5) + ' ';
+  EXPECT_EQ(told.trimmed(), QByteArray(GetParam().told));
+  const QByteArray json = run(words("info --json -"), log).out;
+  EXPECT_TRUE(json.contains("\"span\":" + QByteArray(GetParam().span) + ',')) << json.constData();
+}
+INSTANTIATE_TEST_SUITE_P(Stamps, LogsOfFewTimes,
+                         testing::Values(FewTimes{"AllZero", "0.0 0.0 0.0", "null null null", "null"},
+                                         FewTimes{"OneAtZero", "0.0", "null", "null"},
+                                         FewTimes{"FromZeroOn", "0.0 0.5", "0.000000 0.500000", "0.500000"},
+                                         FewTimes{"OneFrame", "7.0", "7.000000", "0.000000"},
+                                         FewTimes{"TwoFrames", "7.0 7.5", "7.000000 7.500000", "0.500000"},
+                                         FewTimes{"AllEqual", "7.0 7.0 7.0", "7.000000 7.000000 7.000000",
+                                                  "0.000000"}),
+                         [](const auto& row) { return std::string(row.param.name); });
+
 TEST(Decode, WritesTheLineOfTheProtocolPage) {
   const Outcome r = run(decode(), kAnnouncement + kPosition);
   EXPECT_EQ(r.status, 0) << r.err.constData();

@@ -85,10 +85,10 @@ TEST_F(ModelOfEvents, MakesOneRowOfAQuestionAndItsAnswers) {
 TEST_F(ModelOfEvents, TakesEventsAsTheyAreFound) {
   const auto log = std::make_shared<LogDocument>();
   log->frames.channel("can0");
-  ASSERT_TRUE(log->frames.append(std::vector{test::frame("18EFFF80", "83C051", 0, 0)}));
+  ASSERT_TRUE(log->frames.append(std::vector{test::frame("18EFFF80", "83C051", 0, 1'000'000'000)}));
   model.setView(viewOf(log));
   EXPECT_EQ(model.rowCount(), 0);
-  while (log->events.build({1, Instant{5'000'000'000}})) {
+  while (log->events.build({1, Instant{6'000'000'000}})) {
   }
   model.setView(viewOf(log));
   ASSERT_EQ(model.rowCount(), 1);

@@ -22,6 +22,7 @@ QString stampTimeText(std::int64_t stampNs) {
 std::optional<std::int64_t> stampAt(const LogView& view) {
   if (!view.document || view.cursor.frames == 0 || view.cursor.frames > view.document->frames.count())
     return {};
+  if (!view.hasTimes()) return {};
   const std::uint64_t last = view.cursor.frames - 1;
   const Frame& frame = view.document->frames[last];
   if (!frame.hasStamp()) return {};
