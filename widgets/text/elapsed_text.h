@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times since the begin of a log as figures that keep their width: for the readout and lists of what
-// happened.
+// happened. Clocks and elapsed times are cut to the decimals that they have, never rounded, here and in deckpipectl: an
+// event has one text, and no clock shows a time that has not come.
 #pragma once
 
 #include <QString>

@@ -62,6 +62,23 @@ TEST(EventsOfTheTool, AreLinesForPeople) {
   EXPECT_EQ(r.lines()[5], "       3.700  can0   1032AE100801035  fault    silent, since 0.700");
 }
 
+TEST(EventsOfTheTool, HaveTheirTimesCutToMillisecondsAsInTheWindow) {
+  const Outcome r = eventsOf(
+      "(1700000000.000000) can0 18EFFF80#83C051\n"
+      "(1700000000.199600) can0 18EFFF80#834051\n",
+      false);
+  ASSERT_EQ(r.lines().size(), 1);
+  EXPECT_TRUE(r.lines()[0].startsWith("       0.199  can0 ")) << r.lines()[0].constData();
+}
+
+TEST(EventsOfTheTool, HaveNoTimesWhereEveryStampIsZero) {
+  const QByteArray log = "(0.000000) can0 18EFFF80#83C051\n(0.000000) can0 18EFFF80#834051\n";
+  const Outcome r = eventsOf(log, false);
+  ASSERT_EQ(r.lines().size(), 1);
+  EXPECT_TRUE(r.lines()[0].startsWith("           -  can0 ")) << r.lines()[0].constData();
+  EXPECT_TRUE(eventsOf(log).out.contains(R"("t":null)"));
+}
+
 TEST(EventsOfTheTool, HaveTheTimesThatTheFramesHaveWhereTheClockWasSetBack) {
   const Outcome r = eventsOf(
       "(1700000000.0) can0 18EFFF80#83C051\n(1700000001.0) can0 18EFFF80#83C051\n"

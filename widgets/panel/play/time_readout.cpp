@@ -14,7 +14,10 @@
 namespace deckpipe {
 
 QString stampTimeText(std::int64_t stampNs) {
-  if (!isDate(stampNs)) return TimeReadout::tr("%1 s").arg(static_cast<double>(stampNs) / 1e9, 0, 'f', 3);
+  if (!isDate(stampNs)) {
+    const std::int64_t whole = stampNs - stampNs % 1'000'000;
+    return TimeReadout::tr("%1 s").arg(static_cast<double>(whole) / 1e9, 0, 'f', 3);
+  }
   return QDateTime::fromMSecsSinceEpoch(stampNs / 1'000'000).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
          millisecondsText(stampNs);
 }
