@@ -11,6 +11,7 @@
 #include "report/json.h"
 #include "report/trace_text.h"
 #include "state/advance.h"
+#include "state/current.h"
 #include "state/health.h"
 
 namespace deckpipe::ctl {
@@ -32,6 +33,7 @@ std::string_view ageWord(AnswerAge age) {
     case AnswerAge::Current: break;
     case AnswerAge::BeforeRestart: return "restarted since";
     case AnswerAge::BeforeSilence: return "silent since";
+    case AnswerAge::BeforeLinkDown: return "link down since";
   }
   return {};
 }
@@ -111,6 +113,8 @@ void appendDeviceJson(std::string& out, const State& state, const Device& device
     appendAngle(out, device.position().value().elevation);
     key("elevation_state");
     appendJsonString(out, kPositionStateKeys[device.position().value().elevation.state]);
+    key("position_old");
+    out += isStale(state, device, MessageId::PositionLimitStatus) ? "true" : "false";
   }
   if (device.faults().isKnown()) {
     key("faults");
@@ -179,6 +183,7 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
     };
     out += ", rotation " + angle(device.position().value().rotation);
     out += ", elevation " + angle(device.position().value().elevation);
+    if (isStale(state, device, MessageId::PositionLimitStatus)) out += " (old)";
   }
   if (const std::string faults = faultsText(state, device, hasTimes); !faults.empty()) out += ", " + faults;
   return out.append(", ").append(healthOf(state, device).key());

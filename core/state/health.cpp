@@ -5,6 +5,7 @@
 
 #include "protocol/device_types.h"
 #include "protocol/gateway.h"
+#include "state/current.h"
 
 namespace deckpipe {
 namespace {
@@ -133,7 +134,8 @@ AnswerAge ageOf(const Subject& s, Instant answered) {
   if (answered < d.restarted) return AnswerAge::BeforeRestart;
   if (answered < d.resumed) return AnswerAge::BeforeSilence;
   // An answer that came while the statuses were missing is as good as any.
-  return isSilent(s) && s.now() - answered >= missingAfter(s) ? AnswerAge::BeforeSilence : AnswerAge::Current;
+  if (isSilent(s) && s.now() - answered >= missingAfter(s)) return AnswerAge::BeforeSilence;
+  return isLinkDown(s.state, d.channel) ? AnswerAge::BeforeLinkDown : AnswerAge::Current;
 }
 
 // That two devices send from one address.
@@ -298,11 +300,8 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
        return canBeRequested(s) && s.device->hasRefused(Request::Fault) &&
               !isUnanswered(*s.device, Request::Fault, s.now());
      }},
-    // At the moment the link goes down, which is where a recording ends, devices are still as they were.
     {HealthCause::LinkDown,
-     [](const Subject& s, const Health&) {
-       return s.channel.link == ChannelLink::Down && s.state.cursor().time > s.channel.linkDown;
-     }},
+     [](const Subject& s, const Health&) { return isLinkDown(s.channel, s.state.cursor().time); }},
     {HealthCause::Idle,
      [](const Subject& s, const Health&) { return !sendsByItself(s) && s.isMissing(s.lastHeard()); }},
     {HealthCause::FaultsAwaited,

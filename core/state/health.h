@@ -15,8 +15,9 @@ namespace deckpipe {
 // Whether an answer may still be believed.
 enum class AnswerAge : std::uint8_t {
   Current,
-  BeforeRestart,  // the device restarted after it
-  BeforeSilence,  // the device's periodic messages stopped after it, even if they came back
+  BeforeRestart,   // the device restarted after it
+  BeforeSilence,   // the device's periodic messages stopped after it, even if they came back
+  BeforeLinkDown,  // the link went down after it, and is down
 };
 
 // What an answer said of faults.

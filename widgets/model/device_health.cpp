@@ -149,6 +149,7 @@ QString answerAgeText(AnswerAge age) {
     case AnswerAge::Current: break;
     case AnswerAge::BeforeRestart: return HealthWords::tr("restarted since");
     case AnswerAge::BeforeSilence: return HealthWords::tr("silent since");
+    case AnswerAge::BeforeLinkDown: return HealthWords::tr("link down since");
   }
   return {};
 }

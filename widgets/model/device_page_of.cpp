@@ -9,6 +9,7 @@
 #include "model/page_facts.h"
 #include "model/page_lamps.h"
 #include "model/page_stick.h"
+#include "state/current.h"
 #include "text/device_text.h"
 
 namespace deckpipe {
@@ -35,24 +36,23 @@ QString traceFilterOf(const DeviceRow& row, const QString& channel) {
   return filter.isEmpty() || channel.isEmpty() ? filter : filter + QStringLiteral(" and ch=") + channel;
 }
 
-void describeDevice(DevicePageValues& page, const State& state, const Device& d, Instant now) {
+void describeDevice(DevicePageValues& page, const State& state, const Device& d) {
   if (isMonitor(d)) page.dial = dialOf(state, d);
-  page.stops = stopsOf(d, now);
-  page.lamps = lampsOf(d, now);
+  page.stops = stopsOf(state, d);
+  page.lamps = lampsOf(state, d);
   page.facts.push_back(faultsOf(state, d));
   page.facts.push_back(versionsOf(state, d));
-  if (d.kind == Device::Kind::Node) page.facts.push_back(nodeOf(d, now));
+  if (d.kind == Device::Kind::Node) page.facts.push_back(nodeOf(state, d));
 }
 
 void describeJoystick(DevicePageValues& page, const State& state, Channel channel, const Joystick& stick,
                       const DeviceLabels& labels) {
-  const Instant now = state.cursor().time;
-  page.sticks.push_back(stickOf(stick, now));
-  if (stick.extended.isKnown()) page.sticks.push_back(gripOf(stick, now));
-  for (PageLampGroup& group : switchesOf(stick, now)) page.lamps.push_back(std::move(group));
+  page.sticks.push_back(stickOf(state, channel, stick));
+  if (stick.extended.isKnown()) page.sticks.push_back(gripOf(state, channel, stick));
+  for (PageLampGroup& group : switchesOf(state, channel, stick)) page.lamps.push_back(std::move(group));
   page.facts.insert(page.facts.begin(),
 
-                    {joystickOf(stick, now), arbitrationOf(state, channel, stick, labels)});
+                    {joystickOf(state, channel, stick), arbitrationOf(state, channel, stick, labels)});
 }
 
 }  // namespace
@@ -77,12 +77,12 @@ DevicePageValues devicePageOf(const LogView& view, const DeviceKey& key, const D
   page.address = placeText(*row);
   page.channel = channelText(view, row->channel);
   page.traceFilter = traceFilterOf(*row, page.channel);
-  page.age = row->age;
+  page.age = ageOf(state, row->channel, now - row->age.value_or(0ns));
   page.health = row->health;
   page.reasons = healthSentences(row->health, now);
 
   const Device* device = findDevice(state, key);
-  if (device != nullptr) describeDevice(page, state, *device, now);
+  if (device != nullptr) describeDevice(page, state, *device);
   // Behind what is always as high: its lines come and go.
   page.facts.push_back(healthFacts(row->health, device, now));
   if (row->key.kind == DeviceKey::Kind::Node) return page;

@@ -27,7 +27,7 @@ struct PageLampGroup {
   QString key{};  // for object names; never shown
   QString title{};
   QString remark{};  // who sent it, what its number means
-  std::optional<Duration> age;
+  Age age;
   bool isStale = false;
   std::vector<PageLamp> lamps{};
   friend bool operator==(const PageLampGroup&, const PageLampGroup&) = default;
@@ -41,7 +41,7 @@ struct PageStop {
 };
 
 struct PageStops {
-  std::optional<Duration> age;
+  Age age;
   bool isStale = false;
   std::vector<PageStop> axes{};
   friend bool operator==(const PageStops&, const PageStops&) = default;
@@ -51,7 +51,7 @@ struct PageFact {
   QString label{};
   QString value{};  // lines
   Severity tone = Severity::Plain;
-  std::optional<Duration> age;
+  std::optional<Duration> age;  // nothing: none is shown
   friend bool operator==(const PageFact&, const PageFact&) = default;
 };
 
@@ -67,7 +67,7 @@ struct PageStick : StickValues {
   QString title{};
   QString xText, yText;  // "50.0 % right", "error"
   QString thetaText;     // of a grip; empty: it has none
-  std::optional<Duration> age;
+  Age age;
   friend bool operator==(const PageStick&, const PageStick&) = default;
 };
 
@@ -81,7 +81,7 @@ struct DevicePageValues {
   QString address{};      // "address 80 hex", "address lost"
   QString channel{};      // empty where there is one only
   QString traceFilter{};  // lets only its frames into the trace; empty where it holds no address
-  std::optional<Duration> age;
+  Age age;
   Health health;
   QStringList reasons{};  // sentences, the worst first; all of them stand in the facts too
 

@@ -7,6 +7,7 @@
 #include "model/device_details.h"
 #include "model/page_dial.h"
 #include "model/page_lamps.h"
+#include "state/current.h"
 #include "text/device_text.h"
 
 namespace deckpipe {
@@ -55,9 +56,9 @@ std::vector<OverviewMonitor> overviewOf(const LogView& view, const DeviceLabels&
     m.detail = detailOf(view, row, labels);
     m.health = row.health;
     m.reasons = healthSentences(row.health, state.cursor().time);
-    m.age = row.age;
+    m.age = ageOf(state, d.channel, d.lastHeard);
     m.dial = dialOf(state, d);
-    const PageStops stops = stopsOf(d, state.cursor().time);
+    const PageStops stops = stopsOf(state, d);
     m.stops = stopsText(stops);
     m.areStopsStale = stops.isStale;
   }

@@ -15,8 +15,8 @@ struct OverviewMonitor {
   QString title{};   // the person's label, or the PIN
   QString detail{};  // PIN if the title is a label, type, address, channel if there are several
   Health health;
-  QStringList reasons{};        // sentences, the worst first
-  std::optional<Duration> age;  // nothing: never heard
+  QStringList reasons{};  // sentences, the worst first
+  Age age;
   QString stops{};  // the hard stops that it stands at, of axes 3 to 5, which the dial does not show
   bool areStopsStale = false;
   DialValues dial;

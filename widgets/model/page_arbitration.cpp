@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include "model/page_command.h"
+#include "state/current.h"
 #include "text/device_text.h"
 #include "text/joystick_text.h"
 
@@ -20,7 +21,8 @@ PageFact ruleFact(const QString& label, const QString& value, Severity tone = Se
 }
 
 PageFact axisFact(const QString& label, const std::optional<DialAxis::Command>& command, Address self,
-                  bool isRotation) {
+                  bool isRotation, bool isDown) {
+  if (isDown) return ruleFact(label, Arbitration::tr("not known, the link is down"), Severity::Unknown);
   if (!command) return ruleFact(label, Arbitration::tr("nobody commands"));
   const QString what = commandText(*command, isRotation);
   if (command->from == self)
@@ -29,12 +31,17 @@ PageFact axisFact(const QString& label, const std::optional<DialAxis::Command>& 
 }
 
 // "Joystick 34: at rest"
-QStringList heard(const Joysticks& joysticks, Address from, Address to) {
+QStringList heard(const State& state, Channel channel, Address from, Address to) {
+  const Joysticks& joysticks = state.channel(channel).joysticks;
   QStringList lines;
   for (unsigned a = from.value; a <= to.value; ++a) {
     const Joystick* stick = joysticks.find(Address{static_cast<std::uint8_t>(a)});
     if (stick == nullptr) continue;
     const QString name = joystickName(stick->source);
+    if (isCutOff(state, channel, stick->basic.at)) {
+      lines << Arbitration::tr("%1: not heard since the link went down").arg(name);
+      continue;
+    }
     if (!stick->isActive()) {
       lines << Arbitration::tr("%1: stopped sending").arg(name);
       continue;
@@ -67,14 +74,14 @@ PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystic
     return group;
   }
   const PageCommands commands = joystickCommands(state, channelId);
-  const Joysticks& joysticks = state.channel(channelId).joysticks;
-  facts.push_back(axisFact(Arbitration::tr("Rotation"), commands.rotation, stick.source, true));
-  facts.push_back(axisFact(Arbitration::tr("Elevation"), commands.elevation, stick.source, false));
+  const bool isDown = isLinkDown(state, channelId);
+  facts.push_back(axisFact(Arbitration::tr("Rotation"), commands.rotation, stick.source, true, isDown));
+  facts.push_back(axisFact(Arbitration::tr("Elevation"), commands.elevation, stick.source, false, isDown));
   facts.push_back(listed(Arbitration::tr("Before it"),
                          QStringList(Arbitration::tr("a 6032's own switches, which no message tells of")) +
-                             heard(joysticks, kFirstJoystick, next(stick.source, -1))));
+                             heard(state, channelId, kFirstJoystick, next(stick.source, -1))));
   facts.push_back(
-      listed(Arbitration::tr("After it"), heard(joysticks, next(stick.source, +1), kLastJoystick)));
+      listed(Arbitration::tr("After it"), heard(state, channelId, next(stick.source, +1), kLastJoystick)));
   QStringList moved;
   for (const Device& d : state.devices().all()) {
     if (d.kind == Device::Kind::Free || d.kind == Device::Kind::Node || d.channel != channelId) continue;
@@ -88,8 +95,8 @@ PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystic
 
 PageFactGroup sourcesOf(const State& state, Channel channel) {
   PageFactGroup group{QStringLiteral("sources"), Arbitration::tr("Joystick messages"), {}};
-  group.facts.push_back(listed(Arbitration::tr("Heard here"),
-                               heard(state.channel(channel).joysticks, kFirstJoystick, kLastJoystick)));
+  group.facts.push_back(
+      listed(Arbitration::tr("Heard here"), heard(state, channel, kFirstJoystick, kLastJoystick)));
   group.facts.push_back(ruleFact(
       Arbitration::tr("Its own"),
       Arbitration::tr("not known: it sends them from an address of 33 to 38 hex, and none of them says whose "

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "state/current.h"
 #include "text/joystick_text.h"
 
 namespace deckpipe {
@@ -31,7 +32,7 @@ PageCommands joystickCommands(const State& state, Channel channel) {
   const Joysticks& joysticks = state.channel(channel).joysticks;
   for (std::uint8_t a = kFirstJoystick.value; a <= kLastJoystick.value; ++a) {
     const Joystick* stick = joysticks.find(Address{a});
-    if (stick != nullptr && stick->isActive())
+    if (stick != nullptr && isInForce(state, channel, *stick))
       take(commands, stick->basic.value(), joystickName(stick->source), stick->source);
   }
   return commands;
@@ -40,8 +41,9 @@ PageCommands joystickCommands(const State& state, Channel channel) {
 PageCommands commandsTo(const State& state, const Device& monitor) {
   if (monitor.kind != Device::Kind::Node) return joystickCommands(state, monitor.channel);
   PageCommands commands;
-  const bool isFresh =
-      monitor.commanded.isKnown() && state.cursor().time - monitor.commanded.at < kInputTimeout;
+  const bool isFresh = monitor.commanded.isKnown() &&
+                       !isCutOff(state, monitor.channel, monitor.commanded.at) &&
+                       state.cursor().time - monitor.commanded.at < kInputTimeout;
   if (isFresh) {
     take(commands, monitor.commanded.value(),
          Command::tr("Gateway joystick", "commands by way of the CAN gateway"), kNullAddress);

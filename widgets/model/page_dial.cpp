@@ -2,19 +2,20 @@
 #include "model/page_dial.h"
 
 #include "model/page_command.h"
+#include "state/current.h"
 
 namespace deckpipe {
 namespace {
 
 // One place for both axes: they differ in where they stand in the message only.
-DialAxis axisOf(const Device& d, std::size_t axis, const PositionReading& reading, const auto& limits,
-                bool areLimitsStale, Instant now) {
+DialAxis axisOf(const State& state, const Device& d, std::size_t axis, const PositionReading& reading,
+                const auto& limits, MessageId limitsId) {
   DialAxis shown;
-  shown.isStale = d.isStale(MessageId::PositionLimitStatus);
+  shown.isStale = isStale(state, d, MessageId::PositionLimitStatus);
   if (d.position().isKnown()) {
     shown.reading = reading.state;
     shown.degrees = reading.tenths / 10.0;
-    shown.age = ageAt(d.position().at, now);
+    shown.age = ageOf(state, d.channel, d.position().at);
     shown.plusStop = d.position().value().plusStop[axis];
     shown.minusStop = d.position().value().minusStop[axis];
   }
@@ -23,24 +24,22 @@ DialAxis axisOf(const Device& d, std::size_t axis, const PositionReading& readin
     shown.limitHigh = limits.value().high / 10.0;
     shown.isOscillating = limits.value().oscillating;
   }
-  shown.areLimitsStale = areLimitsStale;
+  shown.areLimitsStale = isStale(state, d, limitsId);
   return shown;
 }
 
 }  // namespace
 
 DialValues dialOf(const State& state, const Device& d) {
-  const Instant now = state.cursor().time;
   DialValues dial;
   const PositionLimitStatus position = d.position().value();
-  dial.rotation =
-      axisOf(d, 0, position.rotation, d.rotationLimits(), d.isStale(MessageId::RotationSoftLimits), now);
+  dial.rotation = axisOf(state, d, 0, position.rotation, d.rotationLimits(), MessageId::RotationSoftLimits);
   dial.elevation =
-      axisOf(d, 1, position.elevation, d.elevationLimits(), d.isStale(MessageId::ElevationSoftLimits), now);
+      axisOf(state, d, 1, position.elevation, d.elevationLimits(), MessageId::ElevationSoftLimits);
   const PageCommands commands = commandsTo(state, d);
   dial.rotation.command = commands.rotation;
   dial.elevation.command = commands.elevation;
-  if (d.outputs().isKnown() && !d.isStale(MessageId::DigitalOutputs)) {
+  if (d.outputs().isKnown() && !isStale(state, d, MessageId::DigitalOutputs)) {
     dial.enable = d.outputs().value().enable;
     dial.stowed = d.outputs().value().stowed;
   }

@@ -8,6 +8,7 @@
 #include "model/device_details.h"
 #include "model/page_sources.h"
 #include "protocol/gateway.h"
+#include "state/current.h"
 #include "text/age_text.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
@@ -145,12 +146,16 @@ PageFactGroup versionsOf(const State& state, const Device& d) {
   return group;
 }
 
-PageFactGroup nodeOf(const Device& d, Instant now) {
+PageFactGroup nodeOf(const State& bus, const Device& d) {
+  const Instant now = bus.cursor().time;
   PageFactGroup group{pageGroupKey(PageGroup::Node), Facts::tr("CANopen node"), {}};
   PageFact state = plain(Facts::tr("NMT state"), heartbeatText(d.heartbeat().value()));
   const bool isOperational = d.heartbeat().value() == gateway::kOperational;
   if (!d.heartbeat().isKnown()) {
     state.value = Facts::tr("no heartbeat heard");
+    state.tone = Severity::Unknown;
+  } else if (isLinkDown(bus, d.channel)) {
+    state.value = Facts::tr("%1, before the link went down").arg(state.value);
     state.tone = Severity::Unknown;
   } else if (d.isStale(MessageId::Heartbeat)) {
     state.value = Facts::tr("%1, overdue").arg(state.value);
@@ -165,7 +170,8 @@ PageFactGroup nodeOf(const Device& d, Instant now) {
   return group;
 }
 
-PageFactGroup joystickOf(const Joystick& stick, Instant now) {
+PageFactGroup joystickOf(const State& state, Channel channel, const Joystick& stick) {
+  const Instant now = state.cursor().time;
   PageFactGroup group{pageGroupKey(PageGroup::Joystick), Facts::tr("Joystick messages"), {}};
   auto& facts = group.facts;
   facts.push_back(plain(Facts::tr("Source"), addressText(stick.source)));
@@ -175,7 +181,10 @@ PageFactGroup joystickOf(const Joystick& stick, Instant now) {
                               Severity::Warning));
   // Without times nothing is known of its rhythm.
   if (!ageAt(std::max(stick.basic.at, stick.extended.at), now)) return group;
-  if (stick.timedOut) {
+  if (isLinkDown(state, channel)) {
+    facts.push_back({Facts::tr("Sending"), Facts::tr("not known, the link is down"), Severity::Unknown,
+                     ageAt(stick.basic.at, now)});
+  } else if (stick.timedOut) {
     facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), Severity::Unknown,
                      ageAt(stick.basic.at, now)});
   } else {

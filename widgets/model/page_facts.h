@@ -9,12 +9,12 @@ namespace deckpipe {
 
 // Every cause of the health, a line each, the worst first. `device` null: a node that is no Akron device.
 PageFactGroup healthFacts(const Health& health, const Device* device, Instant now);
-// Answers are drawn as old if the device restarted or fell silent after them.
+// Answers are drawn as old if the device restarted or fell silent after them, or the link went down.
 PageFactGroup faultsOf(const State& state, const Device& device);
 PageFactGroup versionsOf(const State& state, const Device& device);
 // NMT state of a CANopen node.
-PageFactGroup nodeOf(const Device& device, Instant now);
-PageFactGroup joystickOf(const Joystick& stick, Instant now);
+PageFactGroup nodeOf(const State& state, const Device& device);
+PageFactGroup joystickOf(const State& state, Channel channel, const Joystick& stick);
 // Address, claim, contests and the NAME's parts of whatever has a J1939 address or lost it. `device` null: a
 // node that is no Akron device.
 PageFactGroup addressOf(const State& state, Channel channel, Address address, const Device* device);

@@ -6,6 +6,7 @@
 
 #include "model/page_sources.h"
 #include "protocol/device_types.h"
+#include "state/current.h"
 #include "text/axis_text.h"
 #include "text/device_text.h"
 #include "text/joystick_text.h"
@@ -20,11 +21,11 @@ struct Lamps {
 // A group from one message whose flags are plain bits.
 class FlagGroup {
  public:
-  FlagGroup(PageGroup group, const QString& title, const Device& d, MessageId message, Instant now) {
+  FlagGroup(PageGroup group, const QString& title, const State& state, const Device& d, MessageId message) {
     m_group.key = pageGroupKey(group);
     m_group.title = title;
-    m_group.age = ageAt(d.report(message).at, now);
-    m_group.isStale = d.isStale(message);
+    m_group.age = ageOf(state, d.channel, d.report(message).at);
+    m_group.isStale = isStale(state, d, message);
     m_isKnown = d.report(message).isKnown();
   }
   FlagGroup& add(const QString& label, bool isOn, Severity whenOn = Severity::Plain,
@@ -45,13 +46,13 @@ class FlagGroup {
   bool m_isKnown = false;
 };
 
-std::optional<PageLampGroup> statusOf(const Device& d, Instant now) {
+std::optional<PageLampGroup> statusOf(const State& state, const Device& d) {
   if (!isMonitor(d)) return {};
   PageLampGroup group;
   group.key = pageGroupKey(PageGroup::Status);
   group.title = Lamps::tr("Status");
-  group.age = ageAt(d.position().at, now);
-  group.isStale = d.isStale(MessageId::PositionLimitStatus);
+  group.age = ageOf(state, d.channel, d.position().at);
+  group.isStale = isStale(state, d, MessageId::PositionLimitStatus);
   std::optional<Status2> error, calibrated;
   if (d.position().isKnown()) {
     error = d.position().value().operationalError;
@@ -62,10 +63,10 @@ std::optional<PageLampGroup> statusOf(const Device& d, Instant now) {
   return group;
 }
 
-std::optional<PageLampGroup> outputsOf(const Device& d, Instant now) {
+std::optional<PageLampGroup> outputsOf(const State& state, const Device& d) {
   if (!isMonitor(d)) return {};
   const DigitalOutputs o = d.outputs().value();
-  FlagGroup group(PageGroup::Outputs, Lamps::tr("Outputs"), d, MessageId::DigitalOutputs, now);
+  FlagGroup group(PageGroup::Outputs, Lamps::tr("Outputs"), state, d, MessageId::DigitalOutputs);
   group.add(Lamps::tr("Enabled"), o.enable, Severity::Fine, Lamps::tr("Enabled: motion allowed"))
       .add(Lamps::tr("Active (not stowed)"), o.active)
       .add(Lamps::tr("Stowed"), o.stowed)
@@ -86,11 +87,11 @@ std::optional<PageLampGroup> outputsOf(const Device& d, Instant now) {
   return group.group();
 }
 
-std::optional<PageLampGroup> riserOf(const Device& d, Instant now) {
+std::optional<PageLampGroup> riserOf(const State& state, const Device& d) {
   const bool sendsThem = typeOf(d).pinDigits() == soleSenderOf(MessageId::MiniDigitalOutputs);
   if (!d.miniOutputs().isKnown() && !sendsThem) return {};
   const MiniOutputs o = d.miniOutputs().value();
-  return FlagGroup(PageGroup::Riser, Lamps::tr("Riser"), d, MessageId::MiniDigitalOutputs, now)
+  return FlagGroup(PageGroup::Riser, Lamps::tr("Riser"), state, d, MessageId::MiniDigitalOutputs)
       .add(Lamps::tr("Riser extended"), o.riserExtended)
       .add(Lamps::tr("Riser retracted"), o.riserRetracted)
       .add(Lamps::tr("Device active"), o.deviceActive, Severity::Fine)
@@ -98,21 +99,21 @@ std::optional<PageLampGroup> riserOf(const Device& d, Instant now) {
       .group();
 }
 
-std::optional<PageLampGroup> inputsOf(const Device& d, Instant now) {
+std::optional<PageLampGroup> inputsOf(const State& state, const Device& d) {
   if (!d.inputs().isKnown()) return {};
   const DigitalInputs i = d.inputs().value();
-  return FlagGroup(PageGroup::Inputs, Lamps::tr("Inputs"), d, MessageId::DigitalInputs, now)
+  return FlagGroup(PageGroup::Inputs, Lamps::tr("Inputs"), state, d, MessageId::DigitalInputs)
       .add(Lamps::tr("Allowed in collision zone"), i.allowedInCollisionZone)
       .add(Lamps::tr("Deploy"), i.deploy)
       .add(Lamps::tr("Stow"), i.stow)
       .group();
 }
 
-std::optional<PageLampGroup> permissiveOf(const Device& d, Instant now) {
+std::optional<PageLampGroup> permissiveOf(const State& state, const Device& d) {
   const bool isRequired = d.outputs().isKnown() && d.outputs().value().soeMode;
   if (!d.permissive().isKnown() && !isRequired) return {};
   const Permissive p = d.permissive().value();
-  FlagGroup group(PageGroup::Permissive, Lamps::tr("Permissive"), d, MessageId::SoePermissive, now);
+  FlagGroup group(PageGroup::Permissive, Lamps::tr("Permissive"), state, d, MessageId::SoePermissive);
   group.add(Lamps::tr("Left"), p.axis1Minus, Severity::Fine, Lamps::tr("May rotate left"))
       .add(Lamps::tr("Right"), p.axis1Plus, Severity::Fine, Lamps::tr("May rotate right"))
       .add(Lamps::tr("Down"), p.axis2Minus, Severity::Fine, Lamps::tr("May elevate down"))
@@ -126,7 +127,7 @@ std::optional<PageLampGroup> permissiveOf(const Device& d, Instant now) {
 }
 
 // Draws a group of a device's lamps; nothing where the device has no such group.
-using Drawing = std::optional<PageLampGroup> (*)(const Device&, Instant);
+using Drawing = std::optional<PageLampGroup> (*)(const State&, const Device&);
 constexpr EnumTable<PageGroup, Drawing> kDrawings{{
     {PageGroup::Health, nullptr},  // page_facts.h
     {PageGroup::Dial, nullptr},    // page_dial.h
@@ -148,18 +149,18 @@ constexpr EnumTable<PageGroup, Drawing> kDrawings{{
 
 }  // namespace
 
-PageStops stopsOf(const Device& d, Instant now) {
+PageStops stopsOf(const State& state, const Device& d) {
   PageStops stops;
   if (!isMonitor(d)) return stops;
-  stops.age = ageAt(d.position().at, now);
-  stops.isStale = d.isStale(MessageId::PositionLimitStatus);
+  stops.age = ageOf(state, d.channel, d.position().at);
+  stops.isStale = isStale(state, d, MessageId::PositionLimitStatus);
   const std::optional<unsigned> type = typeOf(d).pinDigits();
   for (int axis = 1; axis <= kAxes; ++axis) {
     const AxisText text = axisText(type, axis);
     const auto lamp = [&](const QString& side, const std::array<Status2, 5>& states) {
-      std::optional<Status2> state;
-      if (d.position().isKnown()) state = states[static_cast<std::size_t>(axis - 1)];
-      return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), state, Severity::Fault};
+      std::optional<Status2> stop;
+      if (d.position().isKnown()) stop = states[static_cast<std::size_t>(axis - 1)];
+      return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), stop, Severity::Fault};
     };
     stops.axes.push_back({text.name, text.remark, lamp(text.minus, d.position().value().minusStop),
                           lamp(text.plus, d.position().value().plusStop)});
@@ -167,29 +168,29 @@ PageStops stopsOf(const Device& d, Instant now) {
   return stops;
 }
 
-std::vector<PageLampGroup> lampsOf(const Device& d, Instant now) {
+std::vector<PageLampGroup> lampsOf(const State& state, const Device& d) {
   std::vector<PageLampGroup> groups;
   for (const auto draw : kDrawings) {
     if (draw == nullptr) continue;
-    if (auto group = draw(d, now)) groups.push_back(std::move(*group));
+    if (auto group = draw(state, d)) groups.push_back(std::move(*group));
   }
   return groups;
 }
 
-std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now) {
+std::vector<PageLampGroup> switchesOf(const State& state, Channel channel, const Joystick& stick) {
   std::vector<PageLampGroup> groups;
   const BasicJoystick basic = stick.basic.value();
   const ExtendedJoystick extended = stick.extended.value();
-  PageLampGroup switches{pageGroupKey(PageGroup::Switches), Lamps::tr("Switches"), {},
-                         ageAt(stick.basic.at, now),        stick.timedOut,        {}};
+  PageLampGroup switches{pageGroupKey(PageGroup::Switches),     Lamps::tr("Switches"),          {},
+                         ageOf(state, channel, stick.basic.at), isStale(state, channel, stick), {}};
   const auto known = [](bool isKnown, Status2 status) {
     return isKnown ? std::optional(status) : std::nullopt;
   };
-  const auto addSwitch = [&](PageLampGroup& group, std::size_t i, std::optional<Status2> state) {
+  const auto addSwitch = [&](PageLampGroup& group, std::size_t i, std::optional<Status2> position) {
     const int number = static_cast<int>(i) + 1;
     group.lamps.push_back(
         {Lamps::tr("%1 %2", "number and name of a switch").arg(QString::number(number), switchName(number)),
-         Lamps::tr("Switch %1: %2").arg(QString::number(number), switchName(number)), state,
+         Lamps::tr("Switch %1: %2").arg(QString::number(number), switchName(number)), position,
          Severity::Plain});
   };
   for (std::size_t i = 0; i < basic.switches.size(); ++i)
@@ -203,12 +204,11 @@ std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now) {
   groups.push_back(detents);
   if (!stick.extended.isKnown()) return groups;
 
-  const bool isOld = stick.timedOut || now - stick.extended.at >= kInputTimeout;
   PageLampGroup grip{pageGroupKey(PageGroup::Grip),
                      Lamps::tr("Grip detents and switches"),
                      {},
-                     ageAt(stick.extended.at, now),
-                     isOld,
+                     ageOf(state, channel, stick.extended.at),
+                     isExtendedStale(state, channel, stick),
                      {}};
   grip.lamps = {{Lamps::tr("Grip X detent"), {}, extended.gripX.detent},
                 {Lamps::tr("Grip Y detent"), {}, extended.gripY.detent},

@@ -6,9 +6,9 @@
 
 namespace deckpipe {
 
-PageStops stopsOf(const Device& device, Instant now);
-std::vector<PageLampGroup> lampsOf(const Device& device, Instant now);
+PageStops stopsOf(const State& state, const Device& device);
+std::vector<PageLampGroup> lampsOf(const State& state, const Device& device);
 // The switches that a joystick message carries.
-std::vector<PageLampGroup> switchesOf(const Joystick& stick, Instant now);
+std::vector<PageLampGroup> switchesOf(const State& state, Channel channel, const Joystick& stick);
 
 }  // namespace deckpipe

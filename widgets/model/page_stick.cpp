@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <cstdlib>
 
+#include "state/current.h"
+
 namespace deckpipe {
 namespace {
 
@@ -39,29 +41,28 @@ QString deflectionText(const StickAxis& axis, const QString& plus, const QString
   return Stick::tr("not valid");
 }
 
-PageStick stickOf(const Joystick& stick, Instant now) {
+PageStick stickOf(const State& state, Channel channel, const Joystick& stick) {
   PageStick page;
   page.title = Stick::tr("Stick");
-  page.isStale = stick.timedOut;
+  page.isStale = isStale(state, channel, stick);
   if (!stick.basic.isKnown()) {
     page.xText = page.yText = Stick::tr("no data");
     return page;
   }
   const BasicJoystick message = stick.basic.value();
   place(page, message.x, message.y);
-  page.age = ageAt(stick.basic.at, now);
+  page.age = ageOf(state, channel, stick.basic.at);
   return page;
 }
 
-PageStick gripOf(const Joystick& stick, Instant now) {
+PageStick gripOf(const State& state, Channel channel, const Joystick& stick) {
   PageStick page;
   page.title = Stick::tr("Grip");
-  // No time-out of this message is given; with the source's own its grip is old too.
-  page.isStale = stick.timedOut || now - stick.extended.at >= kInputTimeout;
+  page.isStale = isExtendedStale(state, channel, stick);
   const ExtendedJoystick message = stick.extended.value();
   place(page, message.gripX, message.gripY);
   page.thetaText = deflectionText(message.gripTheta, Stick::tr("forward"), Stick::tr("back"));
-  page.age = ageAt(stick.extended.at, now);
+  page.age = ageOf(state, channel, stick.extended.at);
   return page;
 }
 

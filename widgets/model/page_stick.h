@@ -8,8 +8,8 @@ namespace deckpipe {
 
 // "45.0 % right", "neutral", "error", "not fitted"; `plus` and `minus` name the directions.
 QString deflectionText(const StickAxis& axis, const QString& plus, const QString& minus);
-PageStick stickOf(const Joystick& stick, Instant now);
+PageStick stickOf(const State& state, Channel channel, const Joystick& stick);
 // Of its extended message.
-PageStick gripOf(const Joystick& stick, Instant now);
+PageStick gripOf(const State& state, Channel channel, const Joystick& stick);
 
 }  // namespace deckpipe

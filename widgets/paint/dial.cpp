@@ -25,7 +25,8 @@ constexpr int kDescribeMs = 500;
 // Ages run on with every tick; what counts is what is written of them.
 bool looksTheSame(const DialValues& shown, DialValues next) {
   const auto settle = [](const DialAxis& old, DialAxis& axis) {
-    if (old.age && axis.age && ageText(*old.age) == ageText(*axis.age)) axis.age = old.age;
+    if (old.age.kind == axis.age.kind && ageText(old.age.length) == ageText(axis.age.length))
+      axis.age = old.age;
   };
   settle(shown.rotation, next.rotation);
   settle(shown.elevation, next.elevation);

@@ -84,8 +84,9 @@ DialReadout::Note DialReadout::ageNote(const DialAxis& axis) const {
   note.bare = !axis.isStale && !compactSway;
   note.glyph = axis.isStale ? Glyph::Stale : Glyph::Oscillating;
   note.ink = note.textInk = axis.isStale ? m_colours.stale.ink : m_colours.textSecondary;
-  if (axis.age) note.text = ageText(*axis.age);
-  if (axis.isStale && !axis.age) note.text = DialText::tr("stale");
+  if (axis.age.isTimed()) note.text = ageText(axis.age.length);
+  if (axis.age.isLinkDown()) note.text = DialText::tr("link down");
+  if (axis.isStale && !axis.age.isTimed()) note.text = DialText::tr("stale");
   return note;
 }
 

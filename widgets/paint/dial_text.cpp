@@ -96,7 +96,9 @@ QString DialText::describe(DialAxisKind kind, const DialAxis& axis) {
     }
   }
   if (axis.isStale)
-    first = axis.age ? tr("%1, stale, %2 old").arg(first, ageText(*axis.age)) : tr("%1, stale").arg(first);
+    first = axis.age.isLinkDown() ? tr("%1, before the link went down").arg(first)
+            : axis.age.isTimed()  ? tr("%1, stale, %2 old").arg(first, ageText(axis.age.length))
+                                  : tr("%1, stale").arg(first);
   parts << first + QLatin1Char('.');
 
   const QString stop = stops(kind, axis);

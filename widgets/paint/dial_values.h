@@ -7,9 +7,9 @@
 #include <QString>
 #include <optional>
 
+#include "base/age.h"
 #include "base/ids.h"
 #include "base/part_state.h"
-#include "base/time.h"
 
 namespace deckpipe {
 
@@ -24,8 +24,8 @@ struct DialAxis {
 
   std::optional<PositionState> reading;  // nothing: no such message ever came
   double degrees = 0;                    // from feedback only; read only where reading is Ok
-  bool isStale = false;                  // the message that carries reading and stops is overdue
-  std::optional<Duration> age;           // of that message
+  bool isStale = false;  // the message that carries reading and stops is overdue, or its link down
+  Age age;               // of that message
   std::optional<Status2> plusStop, minusStop;
 
   std::optional<double> limitLow;  // soft limits: left or down end, right or up end

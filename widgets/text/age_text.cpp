@@ -9,8 +9,8 @@
 namespace deckpipe {
 namespace {
 
-struct Age {
-  Q_DECLARE_TR_FUNCTIONS(Age)
+struct AgeWords {
+  Q_DECLARE_TR_FUNCTIONS(AgeWords)
 };
 
 QString oneDecimal(double number) {
@@ -21,21 +21,33 @@ QString oneDecimal(double number) {
 
 QString briefAge(Duration age) {
   const double seconds = std::max(0.0, std::chrono::duration<double>(age).count());
-  if (seconds < 9.95) return Age::tr("%1 s").arg(oneDecimal(seconds));
+  if (seconds < 9.95) return AgeWords::tr("%1 s").arg(oneDecimal(seconds));
   const auto whole = static_cast<qint64>(seconds);
-  if (whole < 100) return Age::tr("%1 s").arg(whole);
-  if (whole < 100 * 60) return Age::tr("%1 min").arg(whole / 60);
-  if (whole < 48 * 3600) return Age::tr("%1 h").arg(whole / 3600);
-  return Age::tr("%1 d").arg(whole / 86400);
+  if (whole < 100) return AgeWords::tr("%1 s").arg(whole);
+  if (whole < 100 * 60) return AgeWords::tr("%1 min").arg(whole / 60);
+  if (whole < 48 * 3600) return AgeWords::tr("%1 h").arg(whole / 3600);
+  return AgeWords::tr("%1 d").arg(whole / 86400);
 }
 
-QString agoText(Duration age) { return Age::tr("%1 ago").arg(briefAge(age)); }
+QString agoText(Duration age) { return AgeWords::tr("%1 ago").arg(briefAge(age)); }
 
-QString calmAge(Duration age) { return age < 1s ? Age::tr("< 1 s") : briefAge(age); }
+QString calmAge(Duration age) { return age < 1s ? AgeWords::tr("< 1 s") : briefAge(age); }
+
+QString ageText(const Age& age, bool isStale) {
+  switch (age.kind) {
+    case Age::Kind::NotHeard: return AgeWords::tr("not heard");
+    case Age::Kind::NoTimes: return {};
+    case Age::Kind::Ago:
+      return isStale ? AgeWords::tr("overdue, %1").arg(briefAge(age.length)) : calmAge(age.length);
+    case Age::Kind::LinkDown: return AgeWords::tr("link down for %1").arg(briefAge(age.length));
+  }
+  return {};
+}
 
 QString periodText(Duration period) {
   const double ms = std::chrono::duration<double, std::milli>(period).count();
-  return ms < 1000 ? Age::tr("%1 ms").arg(std::lround(ms)) : Age::tr("%1 s").arg(oneDecimal(ms / 1000));
+  return ms < 1000 ? AgeWords::tr("%1 ms").arg(std::lround(ms))
+                   : AgeWords::tr("%1 s").arg(oneDecimal(ms / 1000));
 }
 
 }  // namespace deckpipe

@@ -5,7 +5,7 @@
 
 #include <QString>
 
-#include "base/time.h"
+#include "base/age.h"
 
 namespace deckpipe {
 
@@ -16,6 +16,9 @@ QString agoText(Duration age);
 // For lists in which dozens of ages run at once: as above, but "< 1 s" for all that is fresh, so that only
 // silence moves.
 QString calmAge(Duration age);
+// What stands where an age does: "< 1 s", "42 s"; "link down for 12 s"; empty of a log without times; "not heard".
+// `isStale`: the value is overdue, which is said: "overdue, 4.0 s".
+QString ageText(const Age& age, bool isStale = false);
 // "20 ms", "1.5 s": a period or a gap.
 QString periodText(Duration period);
 

@@ -85,6 +85,23 @@ inline Snapshot later(Snapshot snapshot, Duration time) {
   return snapshot;
 }
 
+// The link was lost four seconds ago, while a joystick moved the monitor, which stood at a stop.
+inline Snapshot linkLost() {
+  const std::string text =
+      truckText(5) +
+      "(1004.980000) can0 18EFFF80#81FED401C200\n(1004.981000) can0 18EFFF80#82FF38038400\n"
+      "(1004.982000) can0 18EF80F9#02\n(1004.984000) can0 18EFF980#02000000000000\n"
+      "(1004.990000) can0 18EFFF80#011D940371400041\n(1004.995000) can0 0CFDD633#107D046400100000\n";
+  Snapshot lost = snapshotOf(text, SourceStatus::Kind::Link, SourceStatus::Progress::Lost);
+  lost.source.error = LinkError{.fault = LinkFault::Gone, .detail = "Network is down"};
+  const auto log = logOfText(text);
+  log->notes.append({.frame = log->frames.count(),
+                     .time = log->frames.lastTime() + 5ms,
+                     .value = note::LinkDown{.channel = {}, .fault = LinkFault::Gone, .words = {}}});
+  lost.view.document = log;
+  return later(lost, 4s);
+}
+
 // Unlocked on the truck: polls asked and answered or not, and a file that stalled in the data pipe.
 inline Snapshot askingSnapshot() {
   const std::string talk =
@@ -185,9 +202,7 @@ inline std::vector<Scene> windowScenes() {
   Snapshot off = later(live, 4s);
   off.source.controller = ControllerState::BusOff;
   add("live_bus_off", off);
-  Snapshot lost = later(snapshotOf(truck, Kind::Link, Progress::Lost), 4s);
-  lost.source.error = LinkError{.fault = LinkFault::Gone, .detail = "Network is down"};
-  add("link_lost", lost);
+  add("link_lost", linkLost());
   Snapshot down = snapshotOf("", Kind::Link, Progress::Failed);
   down.source.error = LinkError{.fault = LinkFault::InterfaceDown};
   add("link_down", down);

@@ -49,6 +49,84 @@ PageFact fact(const DevicePageValues& page, const char* label) {
   return {};
 }
 
+// A monitor with everything it sends, that a joystick moves, on a link that goes down.
+Heard linkThatGoesDown() {
+  Heard bus;
+  bus.note({.value = note::LinkUp{}})
+      .monitor()
+      .faults()
+      .pass(50ms)
+      .statuses()
+      .hear("0CFDD633", kStickRightBack);
+  bus.pass(10ms).note({.time = bus.now(), .value = note::LinkDown{}});
+  return bus;
+}
+
+TEST(DevicePageOf, ShowsTheLastStateWhereARecordingEnds) {
+  const DevicePageValues page = pageOf(linkThatGoesDown());
+  EXPECT_FALSE(page.dial->rotation.isStale);
+  EXPECT_EQ(page.dial->rotation.age, Age::ago(10ms));
+  EXPECT_EQ(page.dial->enable, true);
+  EXPECT_TRUE(page.dial->rotation.command);
+}
+
+TEST(DevicePageOf, DrawsNothingAsCurrentWhileTheLinkIsDown) {
+  const Heard bus = linkThatGoesDown().pass(4s);
+  const DevicePageValues page = pageOf(bus);
+  const Age down = Age::linkDown(4s);
+  EXPECT_EQ(page.age, down);
+  for (const DialAxis& axis : {page.dial->rotation, page.dial->elevation}) {
+    EXPECT_TRUE(axis.isStale && axis.areLimitsStale);
+    EXPECT_EQ(axis.age, down);
+    EXPECT_FALSE(axis.command);
+  }
+  EXPECT_FALSE(page.dial->enable || page.dial->stowed);
+  EXPECT_TRUE(page.stops.isStale);
+  EXPECT_EQ(page.stops.age, down);
+  for (const PageLampGroup& group : page.lamps) {
+    EXPECT_TRUE(group.isStale) << group.key.toStdString();
+    EXPECT_EQ(group.age, down) << group.key.toStdString();
+  }
+  EXPECT_EQ(fact(page, "Fault bits").value, QStringLiteral("none set\nasked 4.1 s ago, link down since"));
+  EXPECT_EQ(fact(page, "Fault bits").tone, Severity::Unknown);
+
+  const DevicePageValues stick = pageOf(bus, addressKey(0x33));
+  ASSERT_EQ(stick.sticks.size(), 1u);
+  EXPECT_TRUE(stick.sticks[0].isStale);
+  EXPECT_EQ(stick.sticks[0].age, down);
+  for (const PageLampGroup& group : stick.lamps) EXPECT_TRUE(group.isStale) << group.key.toStdString();
+  for (const char* label : {"Sending", "Rotation", "Elevation"}) {
+    EXPECT_EQ(fact(stick, label).value, QStringLiteral("not known, the link is down")) << label;
+    EXPECT_EQ(fact(stick, label).tone, Severity::Unknown) << label;
+  }
+}
+
+TEST(DevicePageOf, DrawsWhatIsOlderThanALostLinkAsOldUntilItIsHeardAgain) {
+  Heard bus = linkThatGoesDown().pass(4s);
+  bus.note({.time = bus.now(), .value = note::LinkUp{}}).pass(20ms);
+  EXPECT_TRUE(pageOf(bus).dial->rotation.isStale);
+  EXPECT_FALSE(pageOf(bus).dial->rotation.command);
+  EXPECT_FALSE(pageOf(bus).dial->enable);
+  bus.statuses().hear("0CFDD633", kStickRightBack);
+  EXPECT_FALSE(pageOf(bus).dial->rotation.isStale);
+  EXPECT_TRUE(pageOf(bus).dial->rotation.command);
+  EXPECT_EQ(pageOf(bus).dial->enable, true);
+}
+
+TEST(DevicePageOf, SaysThatNodesAreOldBehindALinkThatIsDown) {
+  Heard bus;
+  bus.note({.value = note::LinkUp{}}).hear("1A4", "011D940371000041").hear("724", "05");
+  bus.hear("224", "107D046400100000")
+      .pass(10ms)
+      .note({.time = bus.now(), .value = note::LinkDown{}})
+      .pass(150ms);
+  const DevicePageValues page = pageOf(bus, nodeKey(0x24));
+  EXPECT_EQ(fact(page, "NMT state").tone, Severity::Unknown);
+  ASSERT_TRUE(page.dial);
+  EXPECT_TRUE(page.dial->rotation.isStale);
+  EXPECT_FALSE(page.dial->rotation.command);
+}
+
 TEST(DevicePageOf, HasNoAgesWhereTheLogHasNoTimes) {
   const auto log = test::logOfText(
       "can0  18EEFF80   [8]  0B 1A C2 28 00 42 00 90\n"
@@ -63,11 +141,14 @@ TEST(DevicePageOf, HasNoAgesWhereTheLogHasNoTimes) {
   for (const DeviceKey& key : {keyOfA(), addressKey(0x33)}) {
     const DevicePageValues page = devicePageOf(view, key);
     ASSERT_TRUE(page.isFound);
-    EXPECT_FALSE(page.age);
-    EXPECT_FALSE(page.dial && page.dial->rotation.age);
-    EXPECT_FALSE(page.stops.age);
-    for (const PageLampGroup& group : page.lamps) EXPECT_FALSE(group.age) << group.key.toStdString();
-    for (const PageStick& stick : page.sticks) EXPECT_FALSE(stick.age);
+    EXPECT_EQ(page.age, Age{Age::Kind::NoTimes});
+    if (page.dial) {
+      EXPECT_EQ(page.dial->rotation.age, Age{Age::Kind::NoTimes});
+    }
+    EXPECT_FALSE(page.stops.age.isTimed());
+    for (const PageLampGroup& group : page.lamps)
+      EXPECT_FALSE(group.age.isTimed()) << group.key.toStdString();
+    for (const PageStick& stick : page.sticks) EXPECT_EQ(stick.age, Age{Age::Kind::NoTimes});
     for (const PageFactGroup& group : page.facts) {
       for (const PageFact& f : group.facts) {
         EXPECT_FALSE(f.age) << f.label.toStdString();
@@ -86,12 +167,12 @@ TEST(DevicePageOf, GivesAMonitorItsDialFromFeedback) {
   EXPECT_EQ(page.title, QString::fromLatin1(kPinA));
   EXPECT_EQ(page.type, QStringLiteral("6032 Universal II"));
   EXPECT_EQ(page.address, QStringLiteral("address 80 hex"));
-  EXPECT_EQ(page.age, 50ms);
+  EXPECT_EQ(page.age, Age::ago(50ms));
   ASSERT_TRUE(page.dial);
   const DialAxis& rotation = page.dial->rotation;
   EXPECT_EQ(rotation.reading, PositionState::Ok);
   EXPECT_EQ(rotation.degrees, 47.3);
-  EXPECT_EQ(rotation.age, 50ms);
+  EXPECT_EQ(rotation.age, Age::ago(50ms));
   EXPECT_FALSE(rotation.isStale);
   EXPECT_EQ(rotation.limitLow, -30);
   EXPECT_EQ(rotation.limitHigh, 45);
@@ -113,7 +194,7 @@ TEST(DevicePageOf, MakesEachPartStaleByItsOwnPeriod) {
   EXPECT_TRUE(page.dial->elevation.areLimitsStale);
   EXPECT_FALSE(page.stops.isStale);
   EXPECT_TRUE(groupOf(page, "outputs")->isStale);
-  EXPECT_EQ(groupOf(page, "outputs")->age, 300ms);
+  EXPECT_EQ(groupOf(page, "outputs")->age, Age::ago(300ms));
   bus.pass(200ms);
   page = pageOf(bus);
   EXPECT_TRUE(page.dial->rotation.isStale);
@@ -245,7 +326,7 @@ TEST(DevicePageOf, LeavesLampsUnknownThatNeverCame) {
   EXPECT_FALSE(page.dial->rotation.reading);
   EXPECT_EQ(page.stops.axes[0].plus.state, std::nullopt);
   EXPECT_EQ(lamp(page, "outputs", "Enabled"), std::nullopt);
-  EXPECT_EQ(groupOf(page, "outputs")->age, std::nullopt);
+  EXPECT_EQ(groupOf(page, "outputs")->age, Age());
 }
 
 TEST(DevicePageOf, ShowsAnswersWithTheirAge) {

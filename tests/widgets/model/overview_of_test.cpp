@@ -41,6 +41,20 @@ TEST(OverviewOf, NamesTheStopsThatADialDoesNotShow) {
   EXPECT_EQ(overviewOf(bus.view())[0].health.worst(), HealthCause::Late);
 }
 
+TEST(OverviewOf, DrawsNothingAsCurrentWhileTheLinkIsDown) {
+  Heard bus;
+  bus.monitor("011D940371004141").hear("0CFDD633", kStickRightBack);
+  bus.note({.time = bus.now(), .value = note::LinkDown{}});
+  EXPECT_TRUE(overviewOf(bus.view())[0].dial.rotation.command);
+  bus.pass(50ms);
+  const OverviewMonitor monitor = overviewOf(bus.view())[0];
+  EXPECT_EQ(monitor.age, Age::linkDown(50ms));
+  EXPECT_TRUE(monitor.areStopsStale);
+  EXPECT_TRUE(monitor.dial.rotation.isStale && monitor.dial.elevation.isStale);
+  EXPECT_FALSE(monitor.dial.rotation.command);
+  EXPECT_FALSE(monitor.dial.enable);
+}
+
 TEST(OverviewOf, PutsTheLabelBeforeThePin) {
   Heard bus;
   bus.monitor();

@@ -25,7 +25,7 @@ inline DialAxis readingOf(double degrees) {
   DialAxis axis;
   axis.reading = PositionState::Ok;
   axis.degrees = degrees;
-  axis.age = 100ms;
+  axis.age = Age::ago(100ms);
   axis.plusStop = axis.minusStop = Status2::Off;
   return axis;
 }
@@ -64,7 +64,7 @@ inline std::vector<DialSample> dialSamples() {
   });
   add("stale", [](DialValues& v) {
     v.rotation.isStale = v.elevation.isStale = true;
-    v.rotation.age = v.elevation.age = 2400ms;
+    v.rotation.age = v.elevation.age = Age::ago(2400ms);
   });
   add("limits_stale", [](DialValues& v) { v.rotation.areLimitsStale = v.elevation.areLimitsStale = true; });
   add("no_data", [](DialValues& v) { v = DialValues(); });
@@ -74,7 +74,7 @@ inline std::vector<DialSample> dialSamples() {
   add("sensor_error_stale", [&](DialValues& v) {
     both(v, PositionState::SensorError);
     v.rotation.isStale = v.elevation.isStale = true;
-    v.rotation.age = v.elevation.age = 47s;
+    v.rotation.age = v.elevation.age = Age::ago(47s);
   });
   add("oscillating", [](DialValues& v) {
     v.rotation.isOscillating = true;
@@ -99,7 +99,7 @@ inline std::vector<DialSample> dialSamples() {
   add("stops_stale", [](DialValues& v) {
     v.rotation.plusStop = v.elevation.plusStop = Status2::On;
     v.rotation.isStale = v.elevation.isStale = true;
-    v.rotation.age = v.elevation.age = 12s;
+    v.rotation.age = v.elevation.age = Age::ago(12s);
   });
   add("stop_errors", [](DialValues& v) {
     v.rotation.minusStop = Status2::Error;

@@ -124,7 +124,7 @@ TEST_P(DialInTheme, EveryReadingHasItsOwnDrawingWithoutItsWords) {
 
 TEST_P(DialInTheme, AStaleReadingIsUnmistakable) {
   DialValues fresh = usualValues();
-  fresh.rotation.age = fresh.elevation.age = 2400ms;
+  fresh.rotation.age = fresh.elevation.age = Age::ago(2400ms);
   DialValues stale = fresh;
   stale.rotation.isStale = stale.elevation.isStale = true;
   for (const QSize size : {QSize(640, 360), QSize(200, 120)}) {
@@ -312,8 +312,10 @@ TEST(DialSpoken, SaysValuesLimitsStopsAndWhoCommands) {
 TEST(DialSpoken, NeverSpeaksAnOldValueAsASteadyOne) {
   DialValues v = usualValues();
   v.rotation.isStale = true;
-  v.rotation.age = 2400ms;
+  v.rotation.age = Age::ago(2400ms);
   EXPECT_TRUE(says(described(v), "Rotation: 47.3 degrees right, stale, 2.4 s old."));
+  v.rotation.age = Age::linkDown(12s);
+  EXPECT_TRUE(says(described(v), "Rotation: 47.3 degrees right, before the link went down."));
 }
 
 TEST(DialSpoken, NamesEveryReasonForNoValue) {

@@ -69,6 +69,15 @@ INSTANTIATE_TEST_SUITE_P(
                     AgeRow{"Days", 72h, "3 d", "3 d"}),
     [](const auto& row) { return std::string(row.param.name); });
 
+TEST(AgeText, TellsWhatWasNeverHeardFromALogWithoutTimes) {
+  EXPECT_EQ(ageText(Age()), QStringLiteral("not heard"));
+  EXPECT_EQ(ageText(Age{Age::Kind::NoTimes}), QString());
+  EXPECT_EQ(ageText(Age{Age::Kind::NoTimes}, true), QString());
+  EXPECT_EQ(ageText(Age::ago(400ms)), QStringLiteral("< 1 s"));
+  EXPECT_EQ(ageText(Age::ago(4s), true), QStringLiteral("overdue, 4.0 s"));
+  EXPECT_EQ(ageText(Age::linkDown(12s), true), QStringLiteral("link down for 12 s"));
+}
+
 TEST(AgeText, SaysPeriods) {
   EXPECT_EQ(periodText(20ms), QStringLiteral("20 ms"));
   EXPECT_EQ(periodText(1500ms), QStringLiteral("1.5 s"));

@@ -31,9 +31,8 @@ void SectionTitle::setTitle(const QString& title, const QString& remark) {
   update();
 }
 
-void SectionTitle::setAge(std::optional<Duration> age, bool isStale) {
-  const QString text =
-      age ? (isStale ? tr("overdue, %1").arg(briefAge(*age)) : calmAge(*age)) : tr("not heard");
+void SectionTitle::setAge(const Age& age, bool isStale) {
+  const QString text = ageText(age, isStale);
   if (text == m_age && isStale == m_isStale) return;
   m_age = text;
   m_isStale = isStale;

@@ -4,9 +4,8 @@
 
 #include <QString>
 #include <QWidget>
-#include <optional>
 
-#include "base/time.h"
+#include "base/age.h"
 
 namespace deckpipe {
 
@@ -17,8 +16,8 @@ class SectionTitle : public QWidget {
   explicit SectionTitle(QWidget* parent = nullptr);
 
   void setTitle(const QString& title, const QString& remark = {});
-  // Nothing: the message never came, which is said, unless the section has no age at all.
-  void setAge(std::optional<Duration> age, bool isStale);
+  // That nothing was heard is said, too, unless this is never called.
+  void setAge(const Age& age, bool isStale);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;

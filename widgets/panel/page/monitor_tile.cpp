@@ -28,8 +28,6 @@ QFont strongFont(QFont font) {
 }
 int lineHeight(const QFont& font) { return static_cast<int>(std::ceil(QFontMetricsF(font).height())) + 4; }
 
-QString ageText(const OverviewMonitor& monitor) { return monitor.age ? calmAge(*monitor.age) : QString(); }
-
 }  // namespace
 
 MonitorTile::MonitorTile(QWidget* parent) : QAbstractButton(parent), m_dial(new Dial(this)) {
@@ -46,7 +44,7 @@ void MonitorTile::setMonitor(const OverviewMonitor& monitor) {
                       monitor.detail == m_monitor.detail && monitor.health == m_monitor.health &&
                       monitor.reasons == m_monitor.reasons && monitor.stops == m_monitor.stops &&
                       monitor.areStopsStale == m_monitor.areStopsStale &&
-                      ageText(monitor) == ageText(m_monitor);
+                      ageText(monitor.age) == ageText(m_monitor.age);
   m_monitor = monitor;
   if (isSame) return;
   describe();
@@ -116,7 +114,7 @@ void MonitorTile::paintEvent(QPaintEvent*) {
       kTilePad / 2.0 + lineHeight(strong) + (lineHeight(small) + smallMetrics.capHeight()) / 2;
 
   const QColor health = inkOf(c, inkOf(m_monitor.health.severity()));
-  const QString age = ageText(m_monitor);
+  const QString age = ageText(m_monitor.age);
   const double signLeft = right - kTileSign;
   const double ageLeft = signLeft - kTileGap - smallMetrics.horizontalAdvance(age);
   drawGlyph(p, QRectF(signLeft, first - strongMetrics.capHeight() / 2 - kTileSign / 2, kTileSign, kTileSign),

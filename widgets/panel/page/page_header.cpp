@@ -109,7 +109,8 @@ void PageHeader::setPage(const DevicePageValues& page) {
   m_type->setAccessibleDescription(type);
   showTexts();
   setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
-  setText(*m_age, page.age ? tr("heard %1 ago").arg(calmAge(*page.age)) : QString());
+  const bool isAgo = page.age.kind == Age::Kind::Ago;
+  setText(*m_age, isAgo ? tr("heard %1 ago").arg(ageText(page.age)) : ageText(page.age));
   if (page.health == m_health && page.reasons == m_reasons && !m_word->text().isEmpty()) return;
   m_health = page.health;
   m_reasons = page.reasons;
