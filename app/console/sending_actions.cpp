@@ -66,9 +66,9 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
                     : tr("&End the repeated polls of %n devices", nullptr, static_cast<int>(repeated)));
 }
 
-void SendingActions::intent(const Intent& intent) { m_session.want(intent); }
+void SendingActions::intent(const Intent& intent) { m_session.intend(intent); }
 
-void SendingActions::lock() { m_session.want(intent::Lock{}); }
+void SendingActions::lock() { m_session.intend(intent::Lock{}); }
 
 void SendingActions::askToUnlock() {
   const SourceStatus& source = m_session.snapshot().source;

@@ -21,7 +21,7 @@ void DeviceFinder::begin() {
 
 void DeviceFinder::request() {
   m_asked = m_since.elapsed();
-  m_run.session().want(intent::RequestNames{});
+  m_run.session().intend(intent::RequestNames{});
 }
 
 std::vector<DeviceServices> DeviceFinder::devices() const {

@@ -99,13 +99,13 @@ void LiveRun::linkWentDown(const QString& reason) {
   }
   m_isWaiting = true;
   const bool wasUnlocked = std::exchange(m_settings.unlock, false);
-  if (wasUnlocked) m_session.want(intent::Lock{});
+  if (wasUnlocked) m_session.intend(intent::Lock{});
   say(why + (wasUnlocked ? QStringLiteral("; waiting for it; sending is locked from now on.")
                          : QStringLiteral("; waiting for it.")));
 }
 
 void LiveRun::unlock() {
-  m_unlockSerial = m_session.want(intent::Unlock{});
+  m_unlockSerial = m_session.intend(intent::Unlock{});
   if (m_unlockSerial == 0) return unlockRefused(snapshot().notSent);
   if (!m_wantsAddress) return;
   QTimer::singleShot(kAddressPatience, this, [this] {

@@ -67,7 +67,7 @@ ExitStatus nodesCommand(const QStringList& arguments) {
   run.onStop = tell;
   // Again every second: an answer may get lost on a busy bus.
   QTimer request;
-  QObject::connect(&request, &QTimer::timeout, [&] { run.session().want(intent::RequestNames{}); });
+  QObject::connect(&request, &QTimer::timeout, [&] { run.session().intend(intent::RequestNames{}); });
   run.onReady = [&] {
     if (settings->unlock) request.start(std::chrono::seconds(1));
     QTimer::singleShot(std::chrono::milliseconds(static_cast<int>(*length * 1000)), &run,

@@ -118,7 +118,7 @@ void PipeTalk::beginSending() {
     m_sending.start();
     m_progress.start();
     const std::uint64_t serial =
-        m_run.session().want(intent::PipeFile{m_device, m_plan.fileName, m_plan.content});
+        m_run.session().intend(intent::PipeFile{m_device, m_plan.fileName, m_plan.content});
     if (m_firstSerial == 0) m_firstSerial = serial;
     return;
   }
@@ -128,7 +128,7 @@ void PipeTalk::beginSending() {
 
 void PipeTalk::write(std::string bytes) {
   m_handed += bytes.size();
-  const std::uint64_t serial = m_run.session().want(intent::PipeWrite{m_device, std::move(bytes)});
+  const std::uint64_t serial = m_run.session().intend(intent::PipeWrite{m_device, std::move(bytes)});
   if (m_firstSerial == 0) m_firstSerial = serial;
 }
 
@@ -205,7 +205,7 @@ void PipeTalk::ackMissing(const PipeStatus& pipe) {
   act(resends ? What::Resend : What::Skip);
 }
 
-void PipeTalk::act(What what) { m_run.session().want(intent::PipeAction{m_device, what}); }
+void PipeTalk::act(What what) { m_run.session().intend(intent::PipeAction{m_device, what}); }
 
 void PipeTalk::sayProgress(const PipeStatus& pipe) {
   if (m_progress.elapsed() < kTellEvery) return;

@@ -84,7 +84,7 @@ void Requester::sendNext() {
   const auto first = std::ranges::find(m_asked, m_handed, &Open::device);
   const RequestStatus* status = statusOf(*first);
   m_askedBefore = status != nullptr ? status->asked : 0;
-  m_serial = m_run.session().want(intent::SendRequests{m_handed, m_requests});
+  m_serial = m_run.session().intend(intent::SendRequests{m_handed, m_requests});
   if (m_serial == 0) refused(Refusal::NoLink);
 }
 

@@ -73,11 +73,11 @@ class Session : public QObject {
   // Sends an intent to the live bus and returns its serial number, which Snapshot::services names if the services
   // refuse it. Returns 0 if the session refuses it; Snapshot::notSent has the reason. Away from the live edge only
   // intents that stop something are sent.
-  std::uint64_t want(Intent intent);
+  std::uint64_t intend(Intent intent);
   // What no frame tells: a Copley drive is at this address of the open link, or is none after all.
   void sayDrive(Address address, bool isDrive);
   // To the demo's simulator, where one runs.
-  void wantOfSimulator(const SimulatorIntent& intent);
+  void intendForSimulator(const SimulatorIntent& intent);
 
   // Plays from the cursor. At the end of a log that does not grow it starts at the begin.
   void play();

@@ -90,7 +90,7 @@ void Session::openDemo() {
   Q_EMIT changed();
 }
 
-std::uint64_t Session::want(Intent intent) {
+std::uint64_t Session::intend(Intent intent) {
   const auto refusal = [&] {
     if (onlyStops(intent)) return Refusal::None;
     if (m_live == nullptr) return Refusal::NoLink;
@@ -111,7 +111,7 @@ void Session::sayDrive(Address address, bool isDrive) {
       m_live, [live = m_live, address, isDrive] { live->sayDrive(address, isDrive); }, Qt::QueuedConnection);
 }
 
-void Session::wantOfSimulator(const SimulatorIntent& intent) {
+void Session::intendForSimulator(const SimulatorIntent& intent) {
   if (m_simulator == nullptr) return;
   QMetaObject::invokeMethod(
       m_simulator, [simulator = m_simulator, intent] { simulator->obey(intent); }, Qt::QueuedConnection);

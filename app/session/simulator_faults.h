@@ -10,7 +10,7 @@ namespace deckpipe {
 
 simulator::Misbehaviour misbehaviourOf(const SimulatedFaults& faults);
 simulator::Simulator::Button buttonOf(SimulatorButton button);
-// `wished` has the faults of each device of the simulator.
+// `intended` has the faults of each device of the simulator.
 SimulatorStatus simulatorStatus(const simulator::StandardSimulator& simulator,
                                 const std::vector<SimulatedFaults>& intended);
 

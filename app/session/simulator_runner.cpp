@@ -19,7 +19,7 @@ constexpr Duration kHeldUp = 100ms;
 SimulatorRunner::SimulatorRunner(std::uint64_t seed, unsigned monitors, IsSimulated isSimulated)
     : m_simulator(simulator::standardSimulator(seed, {}, monitors)),
       m_isSimulated(std::move(isSimulated)),
-      m_wished(m_simulator.simulator.size()) {}
+      m_intended(m_simulator.simulator.size()) {}
 // The link goes first, without a word: it tells its listener nothing from its destructor.
 SimulatorRunner::~SimulatorRunner() = default;
 
@@ -140,11 +140,11 @@ void SimulatorRunner::run() {
 }
 
 void SimulatorRunner::obey(const SimulatorIntent& intent) {
-  if (m_link == nullptr || !m_powered || intent.device >= m_wished.size()) return;
+  if (m_link == nullptr || !m_powered || intent.device >= m_intended.size()) return;
   if (const auto* button = std::get_if<SimulatorButton>(&intent.what)) {
     m_simulator.simulator.press(now(), intent.device, buttonOf(*button));
   } else {
-    SimulatedFaults& faults = m_wished[intent.device];
+    SimulatedFaults& faults = m_intended[intent.device];
     if (const auto* one = std::get_if<SimulatorSwitch>(&intent.what)) {
       faults.set(one->fault, one->on);
     } else {
@@ -158,7 +158,7 @@ void SimulatorRunner::obey(const SimulatorIntent& intent) {
 // Only the demo's panel listens.
 void SimulatorRunner::publish() {
   if (m_bus == nullptr) return;
-  SimulatorStatus status = simulatorStatus(m_simulator, m_wished);
+  SimulatorStatus status = simulatorStatus(m_simulator, m_intended);
   if (status == m_published) return;
   m_published = std::move(status);
   Q_EMIT simulatorChanged(m_published);

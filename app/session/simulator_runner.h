@@ -52,7 +52,7 @@ class SimulatorRunner : public QObject, private PortListener {
   void wordMissing();
   // … or these were heard.
   void strangersHeard(const std::vector<deckpipe::Stranger>& strangers);
-  // How its devices are, whenever that has changed: power, addresses, what was wished for.
+  // How its devices are, whenever that has changed: power, addresses, what was intended.
   void simulatorChanged(const deckpipe::SimulatorStatus& status);
 
  private:
@@ -83,7 +83,7 @@ class SimulatorRunner : public QObject, private PortListener {
   // Whether what the simulator sends goes out. The simulator itself goes on without.
   enum class Sending : std::uint8_t { NoBus, Listening, Allowed, Refused } m_sending = Sending::NoBus;
   std::vector<simulator::DueFrame> m_due;
-  std::vector<SimulatedFaults> m_wished;  // of each device
+  std::vector<SimulatedFaults> m_intended;  // of each device
   SimulatorStatus m_published;
 };
 

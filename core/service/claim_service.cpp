@@ -69,7 +69,8 @@ void ClaimService::stop(const Live& live, How why, Outgoing& out) {
   m_deadline = kNever;
 }
 
-std::optional<Refusal> ClaimService::wants(Instant, const Live& live, const Intent& intent, Outgoing& out) {
+std::optional<Refusal> ClaimService::intentCame(Instant, const Live& live, const Intent& intent,
+                                                Outgoing& out) {
   if (!m_settings.isConsole || !std::holds_alternative<intent::RequestNames>(intent)) return {};
   askNames(live, out);
   return Refusal::None;

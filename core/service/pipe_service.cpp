@@ -31,8 +31,8 @@ void PipeService::status(const Live& live, ServiceStatus& into) const {
   for (const Pipe& pipe : m_pipes) statusOf(live, pipe.device(), into).pipe = pipe.status();
 }
 
-std::optional<Refusal> PipeService::wants(Instant now, const Live& live, const Intent& intent,
-                                          Outgoing& out) {
+std::optional<Refusal> PipeService::intentCame(Instant now, const Live& live, const Intent& intent,
+                                               Outgoing& out) {
   const Pipe::Turn turn{now, live, source(), out};
   const auto* write = std::get_if<intent::PipeWrite>(&intent);
   const auto* file = std::get_if<intent::PipeFile>(&intent);

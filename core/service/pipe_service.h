@@ -33,7 +33,8 @@ class PipeService : public Service {
   explicit PipeService(const ClaimService& own) : m_own(own) {}
 
   void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) override;
-  std::optional<Refusal> wants(Instant now, const Live& live, const Intent& intent, Outgoing& out) override;
+  std::optional<Refusal> intentCame(Instant now, const Live& live, const Intent& intent,
+                                    Outgoing& out) override;
   void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) override;
   void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome, Outgoing& out) override;
   void timeCame(Instant now, const Live& live, Outgoing& out) override;

@@ -50,8 +50,8 @@ void RequestService::end(Instant now, const Live& live, EndReason reason, Outgoi
   endAll(now, live, reason == EndReason::AddressLost ? RequestEnd::AddressLost : RequestEnd::Cancelled, out);
 }
 
-std::optional<Refusal> RequestService::wants(Instant now, const Live& live, const Intent& intent,
-                                             Outgoing& out) {
+std::optional<Refusal> RequestService::intentCame(Instant now, const Live& live, const Intent& intent,
+                                                  Outgoing& out) {
   const auto ifAddressed = [&](auto&& carryOut) {
     if (source() == kNullAddress) return Refusal::NoAddress;
     adopt(now, live, out);

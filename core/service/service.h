@@ -8,7 +8,7 @@
 // hasEnded() and status() may have changed.
 //
 //   linkChanged(true)   Sending is unlocked and the link is up: the service begins, and may send.
-//   wants(intent)         A person's intent. Nothing is returned for an intent that is for another service; any
+//   intentCame(intent)  A person's intent. Nothing is returned for an intent that is for another service; any
 //                       other answer is final. A refused intent changes nothing.
 //   received(frame)     A frame was on the bus. The State has it already. Our own frames come too, with
 //                       Frame::kSent. `now` is the frame's own log time, which may lie before the `now` of
@@ -73,8 +73,8 @@ class Service {
   virtual ~Service() = default;
 
   virtual void linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) = 0;
-  virtual std::optional<Refusal> wants(Instant now, const Live& live, const Intent& intent,
-                                       Outgoing& out) = 0;
+  virtual std::optional<Refusal> intentCame(Instant now, const Live& live, const Intent& intent,
+                                            Outgoing& out) = 0;
   virtual void received(Instant now, const Live& live, const Frame& frame, Outgoing& out) = 0;
   virtual void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
                           Outgoing& out) = 0;

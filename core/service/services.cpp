@@ -143,7 +143,7 @@ Refusal Services::carryOut(Instant now, const Live& live, const StampedIntent& i
   if (m_status.locked) return Refusal::Locked;
   std::optional<Refusal> answer;
   forEach([&](Service& service) {
-    if (!answer) answer = service.wants(now, live, intent.value, m_out);
+    if (!answer) answer = service.intentCame(now, live, intent.value, m_out);
   });
   return answer.value_or(Refusal::NotTaken);
 }

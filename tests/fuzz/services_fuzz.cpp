@@ -25,7 +25,7 @@ class Console {
  public:
   Instant now;
 
-  void want(Intent intent) {
+  void intend(Intent intent) {
     m_services.apply(now, m_state, {std::move(intent), now, 0});
     take();
   }
@@ -155,22 +155,22 @@ void wishFrom(Console& console, Input& in) {
     if ((bits >> static_cast<unsigned>(request) & 1u) != 0) requests.add(request);
   }
   switch (in.next() % 12) {
-    case 0: return console.want(intent::Lock{});
-    case 1: return console.want(intent::RequestNames{});
-    case 2: return console.want(intent::Cancel{device});
+    case 0: return console.intend(intent::Lock{});
+    case 1: return console.intend(intent::RequestNames{});
+    case 2: return console.intend(intent::Cancel{device});
     case 3:
-      return console.want(
+      return console.intend(
           intent::Repeat{device, requests, Duration(1s) * static_cast<std::int64_t>(in.next())});
     case 4:
-    case 5: return console.want(intent::SendRequests{device, requests});
-    case 6: return console.want(intent::PipeWrite{device, std::string(in.next(), 'x')});
+    case 5: return console.intend(intent::SendRequests{device, requests});
+    case 6: return console.intend(intent::PipeWrite{device, std::string(in.next(), 'x')});
     case 7:
-      return console.want(
+      return console.intend(
           intent::PipeFile{device, "f", std::make_shared<const std::string>(in.next() * 4u, 'f')});
     case 8:
     case 9:
-      return console.want(intent::PipeAction{device, static_cast<intent::PipeAction::What>(in.next() % 6)});
-    default: return console.want(intent::Unlock{});
+      return console.intend(intent::PipeAction{device, static_cast<intent::PipeAction::What>(in.next() % 6)});
+    default: return console.intend(intent::Unlock{});
   }
 }
 
@@ -180,7 +180,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto console = std::make_unique<Console>();  // its State is large
   Input in{{data, size}};
   console->setLink(true);
-  console->want(intent::Unlock{});
+  console->intend(intent::Unlock{});
   console->passTime(2s);
   while (!in.rest.empty()) {
     switch (in.next() % 8) {
@@ -200,7 +200,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       default: wishFrom(*console, in);
     }
   }
-  console->want(intent::Repeat{{}, kPolls, Duration{0}});
+  console->intend(intent::Repeat{{}, kPolls, Duration{0}});
   console->passTime(600s, 200'000);
   console->setLink(false);  // a command that is not on the bus ends with its link
   for (const DeviceServices& device : console->status().devices) {

@@ -20,7 +20,7 @@ struct Peer : Console {
 
   bool unlock() {
     if (!waitFor(SourceStatus::Progress::Running)) return false;
-    session.want(intent::Unlock{});
+    session.intend(intent::Unlock{});
     return waitUntil([&] { return claim().progress >= Progress::Claimed; });
   }
   const ClaimStatus& claim() const { return session.snapshot().services->claim; }

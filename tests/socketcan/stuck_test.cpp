@@ -30,7 +30,7 @@ struct Stuck : ::testing::Test {
 
   bool begin() {
     if (!console.waitFor(SourceStatus::Progress::Running)) return false;
-    console.session.want(intent::Unlock{});
+    console.session.intend(intent::Unlock{});
     return console.waitUntil([&] { return services().canRequest() && services().find(monitor) != nullptr; });
   }
   const ServiceStatus& services() const { return *console.session.snapshot().services; }
@@ -38,7 +38,7 @@ struct Stuck : ::testing::Test {
     const DeviceServices* device = services().find(monitor);
     return device != nullptr ? device->of(Request::SetupMode) : RequestStatus{};
   }
-  void request() { console.session.want(intent::SendRequests{monitor, RequestSet{Request::SetupMode}}); }
+  void request() { console.session.intend(intent::SendRequests{monitor, RequestSet{Request::SetupMode}}); }
   const Program simulator;
   Console console{QStringLiteral("can0")};
   const DeviceKey monitor = DeviceKey::of(*Pin::parse(kMonitorPin));
@@ -47,12 +47,12 @@ struct Stuck : ::testing::Test {
 TEST_F(Stuck, ACommandInAFrozenAdapterIsSaidToWaitBeyondALockUntilTheInterfaceGoesDown) {
   ASSERT_TRUE(begin());
   ASSERT_TRUE(freeze(20));
-  console.session.want(intent::RequestNames{});  // takes what the queue lets pass at once
+  console.session.intend(intent::RequestNames{});  // takes what the queue lets pass at once
   request();
   ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
   EXPECT_EQ(command().progress, RequestStatus::Progress::NotOnBusYet);
   EXPECT_EQ(console.notes<note::RequestWaits>().size(), 1u);
-  console.session.want(intent::Lock{});
+  console.session.intend(intent::Lock{});
   ASSERT_TRUE(console.waitUntil([&] { return services().locked; }));
   EXPECT_EQ(console.notes<note::StillWaits>().size(), 1u);
   EXPECT_EQ(services().waitingCommands.size(), 1u) << "nothing takes it back";
@@ -87,10 +87,10 @@ TEST_F(Stuck, ACommandThatWaitsAtALockIsTheLastThatASecondCardHears) {
   SecondCard second;
   ASSERT_TRUE(second.listens() && begin());
   ASSERT_TRUE(freeze(20));
-  console.session.want(intent::RequestNames{});  // takes what the queue lets pass at once
+  console.session.intend(intent::RequestNames{});  // takes what the queue lets pass at once
   request();
   ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
-  console.session.want(intent::Lock{});
+  console.session.intend(intent::Lock{});
   ASSERT_TRUE(console.waitUntil([&] { return services().locked; }));
   ASSERT_EQ(services().waitingCommands.size(), 1u) << "the queue was to hold it until after the lock";
   EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::WentOutLate; }));
@@ -102,7 +102,7 @@ TEST_F(Stuck, ACommandThatWaitsInTheKernelOutlivesTheLinkAndNothingFollowsIt) {
   SecondCard second;
   ASSERT_TRUE(second.listens() && begin());
   ASSERT_TRUE(freeze(20));
-  console.session.want(intent::RequestNames{});
+  console.session.intend(intent::RequestNames{});
   request();
   ASSERT_TRUE(console.waitUntil([&] { return !services().waitingCommands.empty(); }));
   const auto log = console.session.snapshot().view.document;
@@ -145,7 +145,7 @@ TEST_F(Stuck, WhatAFullQueueRefusesWasNotSent) {
   ASSERT_TRUE(begin());
   ASSERT_TRUE(freeze(1));
   const std::uint64_t before = services().notTaken;
-  for (int i = 0; i < 10; ++i) console.session.want(intent::RequestNames{});
+  for (int i = 0; i < 10; ++i) console.session.intend(intent::RequestNames{});
   EXPECT_TRUE(console.waitUntil([&] { return services().notTaken > before; }));
   request();
   EXPECT_TRUE(console.waitUntil([&] { return command().end == RequestEnd::NotOnBus; }));
@@ -157,7 +157,7 @@ TEST_F(Stuck, AnAdapterThatOnlyListensIsNotUnlocked) {
               ip(QStringLiteral("set can0 up type can bitrate 250000 listen-only on")));
   ASSERT_TRUE(console.waitFor(SourceStatus::Progress::Running));
   ASSERT_TRUE(console.waitUntil([&] { return services().isListenOnly; }));
-  console.session.want(intent::Unlock{});
+  console.session.intend(intent::Unlock{});
   EXPECT_TRUE(console.waitUntil([&] { return services().refusal == Refusal::ListenOnly; }));
   EXPECT_TRUE(services().locked);
   EXPECT_EQ(console.session.snapshot().services->sent, 0u);

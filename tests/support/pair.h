@@ -83,19 +83,19 @@ class Pair {
   Instant now() const { return m_now; }
 
   template <typename Intent>
-  Refusal want(Console& console, Intent intent) {
+  Refusal intend(Console& console, Intent intent) {
     const Refusal refusal =
         console.services.apply(m_now, console.state, {std::move(intent), m_now, ++console.serial});
     pump();
     return refusal;
   }
   template <typename Intent>
-  Refusal want(Intent intent) {
-    return want(console(), std::move(intent));
+  Refusal intend(Intent intent) {
+    return intend(console(), std::move(intent));
   }
   // Unlocks and waits until the address is held.
   void unlock() {
-    want(intent::Unlock{});
+    intend(intent::Unlock{});
     run(1s);
   }
   // From outside, to everyone.

@@ -91,7 +91,7 @@ TEST(LiveBus, AnAckThatCameWhileItsThreadStoodStillIsInTime) {
   CanLink peerLink(settings);
   peerLink.open(peer);
   const auto waitFor = [](auto condition) { return QTest::qWaitFor(condition, kPatience); };
-  const auto want = [live](Intent intent) {
+  const auto intend = [live](Intent intent) {
     QMetaObject::invokeMethod(
         live,
         [live, intent] {
@@ -101,12 +101,12 @@ TEST(LiveBus, AnAckThatCameWhileItsThreadStoodStillIsInTime) {
   };
   EXPECT_TRUE(waitFor([&] { return live->latest().link.state == LinkState::Up; }));
   EXPECT_TRUE(waitFor([&] { return peer.state() == LinkState::Up; }));
-  want(intent::Unlock{});
+  intend(intent::Unlock{});
   EXPECT_TRUE(waitFor([&] { return live->latest().services->canRequest(); }));
   const DeviceKey monitor = DeviceKey::of(*Pin::parse("1032AE100801035"));
   peerLink.write(test::frame("18EFFF80", "FF83150206021A0B"));
   EXPECT_TRUE(waitFor([&] { return live->latest().services->find(monitor) != nullptr; }));
-  want(intent::PipeWrite{monitor, "abc"});
+  intend(intent::PipeWrite{monitor, "abc"});
   EXPECT_TRUE(waitFor([&] {
     return std::ranges::any_of(
         peer.frames, [](const Frame& f) { return (f.id & 0x3FF'0000u) == 0xEF'0000u && f.data[0] == 0xFE; });

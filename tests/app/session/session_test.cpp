@@ -535,12 +535,12 @@ TEST_F(LinkThatHangs, WaitsUnseenWhileALogIsTriedThatCannotBeRead) {
 }
 
 TEST_F(LinkThatHangs, IsLockedWhileItIsConnectedAgain) {
-  m_session.want(intent::Unlock{});
+  m_session.intend(intent::Unlock{});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().services->locked; }, kPatience));
   HeldBus held(m_session);
   m_session.reconnect();
   EXPECT_TRUE(m_session.snapshot().services->locked);
-  EXPECT_EQ(m_session.want(intent::Lock{}), 0u);
+  EXPECT_EQ(m_session.intend(intent::Lock{}), 0u);
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::None) << "it is locked";
 }
 
@@ -565,7 +565,7 @@ class StuckBus : public testing::Test {
     m_session.openLink(m_link);
     ASSERT_TRUE(
         waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Running; }));
-    m_session.want(intent::Unlock{});
+    m_session.intend(intent::Unlock{});
     ASSERT_TRUE(waitFor([&] { return m_session.snapshot().services->unconfirmed > 0; }));
   }
   template <typename Condition>
@@ -638,7 +638,7 @@ class SendingDemo : public testing::Test {
     return sent;
   }
   bool unlock() {
-    m_session.want(intent::Unlock{});
+    m_session.intend(intent::Unlock{});
     return waitFor([&] { return services().canRequest(); });
   }
   const DeviceKey m_monitor = DeviceKey::of(kMonitor);
@@ -647,7 +647,7 @@ class SendingDemo : public testing::Test {
 
 TEST_F(SendingDemo, SendsNothingWhileLocked) {
   EXPECT_TRUE(services().locked);
-  const std::uint64_t serial = m_session.want(intent::SendRequests{m_monitor, kPolls});
+  const std::uint64_t serial = m_session.intend(intent::SendRequests{m_monitor, kPolls});
   ASSERT_TRUE(waitFor([&] { return services().refusedSerial == serial; }));
   EXPECT_EQ(services().refusal, Refusal::Locked);
   EXPECT_EQ(sentFrames(), 0u);
@@ -657,7 +657,7 @@ TEST_F(SendingDemo, UnlockedItClaimsAnAddressAndIsAnswered) {
   ASSERT_TRUE(unlock());
   EXPECT_EQ(state().channel(Channel{}).ownAddress, Address{0xF9});
   EXPECT_FALSE(state().isLocked());
-  m_session.want(intent::SendRequests{m_monitor, kPolls});
+  m_session.intend(intent::SendRequests{m_monitor, kPolls});
   ASSERT_TRUE(waitFor([&] {
     const DeviceServices* device = services().find(m_monitor);
     return device != nullptr && device->of(Request::Vista).end == RequestEnd::Answered &&
@@ -669,12 +669,12 @@ TEST_F(SendingDemo, UnlockedItClaimsAnAddressAndIsAnswered) {
 
 TEST_F(SendingDemo, TalksOverThePipeAndLocksAgain) {
   ASSERT_TRUE(unlock());
-  m_session.want(intent::PipeWrite{m_monitor, "A?\r\n"});
+  m_session.intend(intent::PipeWrite{m_monitor, "A?\r\n"});
   ASSERT_TRUE(waitFor([&] {
     const DeviceServices* device = services().find(m_monitor);
     return device != nullptr && device->pipe && device->pipe->sent == 4 && device->pipe->received > 0;
   }));
-  m_session.want(intent::Lock{});
+  m_session.intend(intent::Lock{});
   ASSERT_TRUE(waitFor([&] { return state().isLocked(); }));
   EXPECT_EQ(state().channel(Channel{}).ownAddress, kNullAddress);
 }
@@ -696,22 +696,22 @@ TEST_F(SendingDemo, OffTheLiveEdgeOnlyWhatStopsSomethingIsHeard) {
       intent::PipeAction{m_monitor, What::Pause}, intent::PipeAction{m_monitor, What::Cancel},
       intent::PipeAction{m_monitor, What::Abort}, intent::Lock{}};
   m_session.pause();
-  for (const Intent& intent : starts) EXPECT_EQ(m_session.want(intent), 0u) << intent.index();
+  for (const Intent& intent : starts) EXPECT_EQ(m_session.intend(intent), 0u) << intent.index();
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NotLive);
-  for (const Intent& intent : stops) EXPECT_NE(m_session.want(intent), 0u) << intent.index();
+  for (const Intent& intent : stops) EXPECT_NE(m_session.intend(intent), 0u) << intent.index();
   EXPECT_TRUE(waitFor([&] { return services().locked; }));
 }
 
 TEST_F(SendingDemo, WhatIsRepeatedEndsOffTheLiveEdgeToo) {
   ASSERT_TRUE(unlock());
-  m_session.want(intent::Repeat{m_monitor, RequestSet{Request::Fault}, 500ms});
+  m_session.intend(intent::Repeat{m_monitor, RequestSet{Request::Fault}, 500ms});
   const auto period = [&] {
     const DeviceServices* device = services().find(m_monitor);
     return device == nullptr ? Duration{0} : device->of(Request::Fault).period;
   };
   ASSERT_TRUE(waitFor([&] { return period() > 0s; }));
   m_session.pause();
-  m_session.want(intent::Repeat{m_monitor, RequestSet{Request::Fault}, 0s});
+  m_session.intend(intent::Repeat{m_monitor, RequestSet{Request::Fault}, 0s});
   EXPECT_TRUE(waitFor([&] { return period() == 0s; }));
 }
 
@@ -719,13 +719,13 @@ TEST_F(SendingDemo, ThatNothingWasSentIsSaidUntilTheNextDeed) {
   ASSERT_TRUE(unlock());
   m_session.pause();
   QSignalSpy changed(&m_session, &Session::changed);
-  m_session.want(intent::SendRequests{m_monitor, kPolls});
+  m_session.intend(intent::SendRequests{m_monitor, kPolls});
   EXPECT_EQ(changed.count(), 1);
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NotLive);
   m_session.goToEnd();
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::None);
   m_session.closeSource();
-  m_session.want(intent::SendRequests{m_monitor, kPolls});
+  m_session.intend(intent::SendRequests{m_monitor, kPolls});
   EXPECT_EQ(m_session.snapshot().notSent, Refusal::NoLink);
 }
 

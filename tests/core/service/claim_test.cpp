@@ -49,7 +49,7 @@ TEST_F(Claim, LockedNothingIsSentWhateverIsAsked) {
 }
 
 TEST_F(Claim, UnlockedItAsksWhoIsThereFirstThenClaimsTheServiceTools) {
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   ASSERT_EQ(pair.sentBy(&pair.console()).size(), 1u);
   EXPECT_EQ(pair.log.back().frame.id, frame("18EAFFFE", "").id);
   pair.run(ClaimService::kListen - 1ms);
@@ -114,7 +114,7 @@ TEST_F(Claim, ALowerNameTakesTheAddressAndAnotherIsClaimed) {
 
 // Both frames arrive before anything is written, as after a stall.
 TEST_F(Claim, NothingMoreIsSentFromAnAddressThatWasLostMeanwhile) {
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(1s);
   ASSERT_EQ(status().progress, Progress::Claimed);
   Services& services = pair.console().services;
@@ -127,7 +127,7 @@ TEST_F(Claim, NothingMoreIsSentFromAnAddressThatWasLostMeanwhile) {
 }
 
 TEST_F(Claim, ContestedWhileClaimingItNeverUsesTheAddress) {
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(ClaimService::kListen + 100ms);
   pair.inject(claimFrame(1, 0xF9));
   pair.run(kClaimTime - 1ms);
@@ -151,7 +151,7 @@ TEST_F(Claim, WhereNoneIsFreeItSaysSoOnceAndWhenAsked) {
   pair.run(1s);
   ASSERT_EQ(names(asked).size(), 1u);
   EXPECT_EQ(names(asked)[0].frame.id, frame("18EEFFFE", "").id);
-  EXPECT_EQ(pair.want(intent::SendRequests{{}, kPolls}), Refusal::NoAddress);
+  EXPECT_EQ(pair.intend(intent::SendRequests{{}, kPolls}), Refusal::NoAddress);
 }
 
 TEST_F(Claim, RequestsForItsNameThatArePaddedAreAnswered) {
@@ -209,7 +209,7 @@ TEST_F(Claim, ARequestToUsForAnythingElseIsSaidToBeForWhatWeHaveNot) {
 TEST_F(Claim, OurOwnFramesOfAnEarlierRunThatTheAdapterKeptAreNobodys) {
   pair.console().leaves = [](const Frame&) { return Duration{400ms}; };
   const std::uint64_t name = ours();
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(100ms);
   pair.inject(claimFrame(name, 0xF9));
   pair.inject(frame("18EF80F9", "02"));
@@ -241,12 +241,12 @@ TEST_F(Claim, AnotherNodeWithOurVeryNameEndsOurSending) {
   pair.inject(requestNames(0x80));
   pair.run(1s);
   EXPECT_TRUE(pair.sentBy(&pair.console(), before).empty());
-  EXPECT_EQ(pair.want(intent::SendRequests{{}, kPolls}), Refusal::NoAddress);
+  EXPECT_EQ(pair.intend(intent::SendRequests{{}, kPolls}), Refusal::NoAddress);
 }
 
 TEST_F(Claim, LockingFallsSilentAndUnlockingClaimsAnew) {
   pair.unlock();
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   const Instant before = pair.now();
   pair.inject(requestNames(0x80));
   pair.run(1s);
@@ -260,7 +260,7 @@ TEST_F(Claim, Rule02NothingStaysUnlockedOverAReplugNorIsUnlockedWithoutALink) {
   pair.setLink(pair.console(), false);
   EXPECT_EQ(status().progress, Progress::Off);
   EXPECT_TRUE(pair.console().services.isLocked());
-  EXPECT_EQ(pair.want(intent::Unlock{}), Refusal::NoLink);
+  EXPECT_EQ(pair.intend(intent::Unlock{}), Refusal::NoLink);
   const Instant before = pair.now();
   pair.run(1s);
   pair.setLink(pair.console(), true);
@@ -355,7 +355,7 @@ TEST_F(ClaimAmongMonitors, AClaimThatIsNoneTakesItToo) {
 }
 
 TEST_F(ClaimAmongMonitors, WhileClaimingItIsGivenUpAsWell) {
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(ClaimService::kListen + 100ms);
   ASSERT_EQ(status().progress, Progress::Claiming);
   const Instant before = pair.now();
@@ -373,7 +373,7 @@ TEST_F(ClaimAmongMonitors, OurVeryNameIsStillReported) {
 TEST_F(ClaimAmongMonitors, WhereSomebodyMayHaveSpokenWhileItWasLockedItIsNotTakenAgain) {
   pair.unlock();
   ASSERT_EQ(status().address, Address{0xF7});
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   pair.run(1ms);
   pair.inject(frame("18EFFFF7", "0100000000000000"));
   pair.unlock();
@@ -384,8 +384,8 @@ TEST_F(Claim, TwoConsolesOnOneBusShareTheServiceTools) {
   ServiceSettings other;
   other.claim.identityNumber = 2;
   Console& second = pair.addConsole(other);
-  pair.want(intent::Unlock{});
-  pair.want(second, intent::Unlock{});  // at the same instant
+  pair.intend(intent::Unlock{});
+  pair.intend(second, intent::Unlock{});  // at the same instant
   pair.run(2s);
   EXPECT_EQ(status().progress, Progress::Claimed);
   EXPECT_EQ(status().address, Address{0xF9}) << "the lower NAME";

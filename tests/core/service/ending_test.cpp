@@ -23,7 +23,7 @@ class Neutral : public Service {
     links.push_back(isOpen);
     m_until = m_next = kNever;
   }
-  std::optional<Refusal> wants(Instant, const Live&, const Intent&, Outgoing&) override { return {}; }
+  std::optional<Refusal> intentCame(Instant, const Live&, const Intent&, Outgoing&) override { return {}; }
   void received(Instant, const Live&, const Frame&, Outgoing&) override {}
   void writeEnded(Instant, const Live&, FrameTag, WriteOutcome outcome, Outgoing&) override {
     outcomes.push_back(outcome);
@@ -112,13 +112,13 @@ TEST_F(Ending, TwoApplicationsHaveANameAndAnAddressEach) {
 
 TEST_F(Ending, ALockIsCompleteWhenNeutralWasSaidForHalfASecond) {
   const Instant locked = pair.now();
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   EXPECT_TRUE(status().isEnding);
   EXPECT_FALSE(status().locked);
   EXPECT_FALSE(status().canRequest());
   EXPECT_EQ(said(locked).size(), 1u) << "the first goes at once";
-  EXPECT_EQ(pair.want(intent::SendRequests{{}, kPolls}), Refusal::Busy) << "nothing is begun meanwhile";
-  EXPECT_EQ(pair.want(intent::Unlock{}), Refusal::Busy);
+  EXPECT_EQ(pair.intend(intent::SendRequests{{}, kPolls}), Refusal::Busy) << "nothing is begun meanwhile";
+  EXPECT_EQ(pair.intend(intent::Unlock{}), Refusal::Busy);
   pair.run(Neutral::kLength - 1ms);
   EXPECT_TRUE(status().isEnding);
   pair.run(1ms);
@@ -138,7 +138,7 @@ TEST_F(Ending, ALockIsCompleteWhenNeutralWasSaidForHalfASecond) {
 }
 
 TEST_F(Ending, TheAddressesAreGivenUpLast) {
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   pair.run(100ms);
   const Instant before = pair.now();
   pair.inject(frame("18EAFF80", "00EE00"));
@@ -153,9 +153,9 @@ TEST_F(Ending, TheAddressesAreGivenUpLast) {
 }
 
 TEST_F(Ending, OthersFallSilentAtOnce) {
-  pair.want(intent::Repeat{TruckPair::monitor(), RequestSet{Request::Fault}, 500ms});
+  pair.intend(intent::Repeat{TruckPair::monitor(), RequestSet{Request::Fault}, 500ms});
   pair.run(100ms);
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   const Instant before = pair.now();
   Frame data = frame("18EFF980", "FE4142");
   data.id = J1939Id{6, pgn::kProprietaryA, pair.addressOf(TruckPair::monitor()), Address{0xF9}}.frameId();
@@ -184,7 +184,7 @@ TEST_F(Ending, LastsASecondAtMostAndWhatStillWaitsIsSaid) {
   neutral->neverEnds = true;
   console.leaves = [](const Frame&) { return std::optional<Duration>(); };
   const Instant locked = pair.now();
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   pair.run(kEndingTime - 1ms);
   EXPECT_TRUE(status().isEnding);
   pair.run(1ms);
@@ -199,7 +199,7 @@ TEST_F(Ending, LastsASecondAtMostAndWhatStillWaitsIsSaid) {
 }
 
 TEST_F(Ending, ALinkThatIsLostEndsItAtOnce) {
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   pair.run(100ms);
   pair.setLink(console, false);
   EXPECT_TRUE(status().locked);
@@ -222,16 +222,16 @@ TEST_F(Ending, ACloseEndsAsALockDoes) {
 }
 
 TEST_F(Ending, AfterTheNextUnlockEverythingBeginsAnew) {
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   pair.run(1s);
   pair.unlock();
   EXPECT_EQ(neutral->links, (std::vector{true, true}));
   EXPECT_EQ(own->address(), Address{0x38});
-  EXPECT_EQ(pair.want(intent::SendRequests{{}, kPolls}), Refusal::None);
+  EXPECT_EQ(pair.intend(intent::SendRequests{{}, kPolls}), Refusal::None);
 }
 
 TEST_F(Ending, AnAddressThatIsLostEndsWhoSendsFromItAndNobodyElse) {
-  pair.want(intent::Repeat{TruckPair::monitor(), RequestSet{Request::Fault}, 500ms});
+  pair.intend(intent::Repeat{TruckPair::monitor(), RequestSet{Request::Fault}, 500ms});
   pair.run(1s);
   pair.inject(frame("18EEFF38", "0100000000000000"));
   pair.run(2s);
@@ -246,7 +246,7 @@ TEST_F(Ending, WhatBecameOfAFrameIsToldAfterTheEndToo) {
     const bool isNeutral = J1939Id::of(f.identifier()).pgn == pgn::kBasicJoystick;
     return std::optional<Duration>(isNeutral ? 3s : 0s);
   };
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   pair.run(1s);
   ASSERT_TRUE(status().locked);
   EXPECT_TRUE(neutral->outcomes.empty());

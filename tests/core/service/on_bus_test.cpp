@@ -28,8 +28,8 @@ struct OnBus : ::testing::Test {
   ServiceStatus all() { return console().status(pair.now()); }
   RequestStatus request(Request request) { return console().request(pair.now(), monitor, request); }
   PipeStatus pipe() { return console().pipe(pair.now(), monitor); }
-  Refusal sendRequest(Request what) { return pair.want(intent::SendRequests{monitor, RequestSet{what}}); }
-  Refusal type(std::string text) { return pair.want(intent::PipeWrite{monitor, std::move(text)}); }
+  Refusal sendRequest(Request what) { return pair.intend(intent::SendRequests{monitor, RequestSet{what}}); }
+  Refusal type(std::string text) { return pair.intend(intent::PipeWrite{monitor, std::move(text)}); }
   // Frames of this type wait so long in the adapter; nothing: until the link goes.
   void keep(std::uint8_t type, std::optional<Duration> wait) {
     console().leaves = [type, wait](const Frame& f) {
@@ -68,7 +68,7 @@ struct OnBus : ::testing::Test {
 
 TEST_F(OnBus, AClaimCountsFromItsEcho) {
   console().echo = [](const Frame& f) { return isClaim(f) ? Fate{1, 3s} : Fate{}; };
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(ClaimService::kListen + 3s + kClaimTime - 1ms);
   EXPECT_EQ(pair.claim().progress, Claim::Claiming);
   EXPECT_EQ(sendRequest(Request::Fault), Refusal::NoAddress);
@@ -78,7 +78,7 @@ TEST_F(OnBus, AClaimCountsFromItsEcho) {
 
 TEST_F(OnBus, AClaimThatIsNotOnTheBusIsNoAddress) {
   console().leaves = [](const Frame& f) { return isClaim(f) ? std::nullopt : std::optional<Duration>(0ns); };
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(10s);
   EXPECT_EQ(pair.claim().progress, Claim::Claiming);
   EXPECT_FALSE(pair.claim().isOnBus);
@@ -90,7 +90,7 @@ TEST_F(OnBus, AClaimThatAFullQueueRefusedIsTriedAgainOnceAndASecondLaterAnew) {
   const auto claims = [this] {
     return std::ranges::count_if(pair.written, [](const Pair::Seen& seen) { return isClaim(seen.frame); });
   };
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(ClaimService::kListen + 500ms);
   EXPECT_EQ(claims(), 2);
   EXPECT_EQ(all().notTaken, 1u);
@@ -102,7 +102,7 @@ TEST_F(OnBus, AClaimThatAFullQueueRefusedIsTriedAgainOnceAndASecondLaterAnew) {
 
 TEST_F(OnBus, WithoutEchoesAClaimCountsFromItsBeingTaken) {
   Console& deaf = pair.addConsole({.echoes = false, .claim = {.identityNumber = 7}});
-  pair.want(deaf, intent::Unlock{});
+  pair.intend(deaf, intent::Unlock{});
   pair.run(ClaimService::kListen + kClaimTime);
   EXPECT_EQ(deaf.status(pair.now()).claim.progress, Claim::Claimed);
   EXPECT_EQ(deaf.status(pair.now()).unconfirmed, 0u) << "nobody can tell";
@@ -151,7 +151,7 @@ TEST_F(OnBus, NoCommandGoesFromAnAddressThatAnotherSendsFromAndNoAckIsBelievedTh
 }
 
 TEST_F(OnBus, AConflictWhileClaimingIsSaidOnceTheAddressIsOurs) {
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(ClaimService::kListen + kClaimTime / 2);
   ASSERT_EQ(pair.claim().progress, Claim::Claiming);
   pair.inject(frame("18EF80F9", "02"));
@@ -180,7 +180,7 @@ TEST_F(OnBus, TheLoadIsOfTheRateThatTheDriverSays) {
 
 TEST_F(OnBus, AClaimWhoseEchoIsLostIsMadeAgain) {
   console().echo = [](const Frame& f) { return isClaim(f) ? Fate{.copies = 0} : Fate{}; };
-  pair.want(intent::Unlock{});
+  pair.intend(intent::Unlock{});
   pair.run(ClaimService::kListen + 500ms);
   console().echo = [](const Frame&) { return Fate{}; };
   pair.loseEchoes(console());
@@ -309,7 +309,7 @@ TEST_F(KeptCommand, EndsSoWhenABusOffHasThrownAwayWhatTheControllerHeld) {
 
 TEST_F(KeptCommand, IsSaidAtALockAndItsFateAfterIt) {
   pair.run(10ms);
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::Cancelled);
   EXPECT_EQ(all().waitingCommands.size(), 1u) << "nothing takes it back";
   EXPECT_EQ(notes<note::RequestWaits>(), 1);
@@ -322,7 +322,7 @@ TEST_F(KeptCommand, IsSaidAtALockAndItsFateAfterIt) {
 
 TEST_F(KeptCommand, IsSaidOnceMoreAtACloseAfterTheLock) {
   pair.run(10ms);
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   ASSERT_EQ(notes<note::StillWaits>(), 1);
   console().services.close(pair.now(), console().state);
   pair.run(1ms);
@@ -343,7 +343,7 @@ TEST_F(OnBus, ACommandWhoseEchoComesInTimeAfterALockDidNotGoOutLate) {
   keep(kZeroAxes, kOnBusTime / 2);
   sendRequest(Request::ZeroAxes);
   pair.run(10ms);
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   pair.run(1s);
   EXPECT_TRUE(all().waitingCommands.empty());
   EXPECT_EQ(ends(), std::vector{RequestEnd::Cancelled}) << "its echo is no news";
@@ -365,7 +365,7 @@ TEST_F(OnBus, ACommandWhoseEchoIsLostBeforeItWasSaidToWaitEndsTheSameWay) {
     TruckPair truck;
     truck.unlock();
     truck.console().leaves = [](const Frame&) { return std::nullopt; };
-    truck.want(intent::SendRequests{monitor, RequestSet{Request::ZeroAxes}});
+    truck.intend(intent::SendRequests{monitor, RequestSet{Request::ZeroAxes}});
     truck.run(10ms);
     if (isBusOff) {
       truck.inject(restarted);
@@ -379,7 +379,7 @@ TEST_F(OnBus, ACommandWhoseEchoIsLostBeforeItWasSaidToWaitEndsTheSameWay) {
 
 TEST_F(KeptCommand, WaitsAloneEvenAfterItWasGivenUp) {
   pair.run(500ms);
-  pair.want(intent::Cancel{monitor});
+  pair.intend(intent::Cancel{monitor});
   EXPECT_EQ(request(Request::ZeroAxes).end, RequestEnd::Cancelled);
   EXPECT_EQ(sendRequest(Request::ZeroAxes), Refusal::Busy) << "the first may still go out";
   pair.run(2s);
@@ -446,9 +446,9 @@ TEST_F(OnBus, AnEchoOfTheKernelsQueueNeverProvesThatACommandWentOut) {
 TEST_F(OnBus, WithoutEchoesACommandIsNeverSaidToWait) {
   Console& deaf = pair.addConsole({.echoes = false, .claim = {.identityNumber = 7}});
   pair.run(2s);
-  pair.want(deaf, intent::Unlock{});
+  pair.intend(deaf, intent::Unlock{});
   pair.run(1s);
-  ASSERT_EQ(pair.want(deaf, intent::SendRequests{monitor, RequestSet{Request::SetupMode}}), Refusal::None);
+  ASSERT_EQ(pair.intend(deaf, intent::SendRequests{monitor, RequestSet{Request::SetupMode}}), Refusal::None);
   pair.run(1s);
   EXPECT_EQ(deaf.request(pair.now(), monitor, Request::SetupMode).end, RequestEnd::Answered);
   EXPECT_FALSE(deaf.status(pair.now()).echoes);
@@ -473,7 +473,7 @@ TEST_F(OnBus, APacketThatIsNotOnTheBusStopsThePipeAndIsNotSentAgainMeanwhile) {
   pair.run(1100ms);
   EXPECT_EQ(pipe().progress, PipeStatus::Progress::Stalled);
   EXPECT_EQ(pipe().stall, PipeStatus::Stall::NotOnBus);
-  EXPECT_EQ(pair.want(intent::PipeAction{monitor, intent::PipeAction::What::Resend}), Refusal::Busy);
+  EXPECT_EQ(pair.intend(intent::PipeAction{monitor, intent::PipeAction::What::Resend}), Refusal::Busy);
   pair.run(2500ms);
   EXPECT_EQ(pipe().progress, PipeStatus::Progress::Idle) << "it went out and was acknowledged";
   EXPECT_EQ(pipe().acks, 1u);
@@ -485,11 +485,11 @@ TEST_F(OnBus, APacketGivenUpInTheAdapterHoldsTheNextUntilAnAckOfItCanComeNoMore)
     TruckPair truck;
     truck.unlock();
     truck.console().leaves = [](const Frame& f) { return isType(f, kPipe) ? 3s : Duration(0ns); };
-    truck.want(intent::PipeWrite{monitor, "abc"});
+    truck.intend(intent::PipeWrite{monitor, "abc"});
     truck.run(1100ms);
-    ASSERT_EQ(truck.want(intent::PipeAction{monitor, how}), Refusal::None);
+    ASSERT_EQ(truck.intend(intent::PipeAction{monitor, how}), Refusal::None);
     truck.console().leaves = [](const Frame&) { return Duration(0ns); };
-    truck.want(intent::PipeWrite{monitor, "x"});
+    truck.intend(intent::PipeWrite{monitor, "x"});
     truck.run(2500ms);
     ASSERT_EQ(truck.sent(kPipe, &truck.console()).size(), 1u) << "the first went out 3 s late";
     EXPECT_EQ(truck.console().pipe(truck.now(), monitor).strayAcks, 1u);
@@ -507,7 +507,7 @@ TEST_F(OnBus, APacketThatTheAdapterRefusedMayBeSentAgain) {
   type("abc");
   EXPECT_EQ(pipe().progress, PipeStatus::Progress::Stalled);
   EXPECT_EQ(pipe().stall, PipeStatus::Stall::NotTaken);
-  EXPECT_EQ(pair.want(intent::PipeAction{monitor, intent::PipeAction::What::Resend}), Refusal::None);
+  EXPECT_EQ(pair.intend(intent::PipeAction{monitor, intent::PipeAction::What::Resend}), Refusal::None);
   pair.run(100ms);
   EXPECT_EQ(pipe().acks, 1u);
 }
@@ -536,7 +536,7 @@ TEST_F(OnBus, OfEqualPacketsTheFirstEchoIsTheFirstOnes) {
   pair.run(1100ms);
   ASSERT_EQ(pipe().stall, PipeStatus::Stall::NoAck);
   keep(kPipe, 200ms);
-  pair.want(intent::PipeAction{monitor, intent::PipeAction::What::Resend});
+  pair.intend(intent::PipeAction{monitor, intent::PipeAction::What::Resend});
   pair.run(100ms);
   EXPECT_EQ(all().unconfirmed, 1u) << "the first one's echo came long ago";
   pair.run(150ms);

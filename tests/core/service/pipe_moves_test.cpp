@@ -30,11 +30,11 @@ class PipeTable : public ::testing::TestWithParam<std::tuple<std::size_t, std::s
   }
   State state() { return pair.console().pipe(pair.now(), monitor).progress; }
   void type() {
-    pair.want(intent::PipeWrite{monitor, "x"});
+    pair.intend(intent::PipeWrite{monitor, "x"});
     pair.run(2 * Pair::kFlight);
   }
   void act(What what) {
-    pair.want(intent::PipeAction{monitor, what});
+    pair.intend(intent::PipeAction{monitor, what});
     pair.run(2 * Pair::kFlight);
   }
   void ack() {

@@ -129,9 +129,9 @@ TEST_F(PipeRest, EndsAtALockAndWithACancelledFile) {
     pair.run(2s);
     act(What::Skip, true);
     ASSERT_EQ(status().rest, Rest::Skip);
-    isLock ? pair.want(intent::Lock{}) : act(What::Cancel);
+    isLock ? pair.intend(intent::Lock{}) : act(What::Cancel);
     EXPECT_EQ(status().rest, Rest::Ask);
-    pair.want(intent::Unlock{});
+    pair.intend(intent::Unlock{});
     pair.run(5s);
   }
 }

@@ -18,13 +18,13 @@ struct PipeRig : ::testing::Test {
   TruckPair pair;
   const DeviceKey monitor = TruckPair::monitor();
 
-  Refusal type(std::string text) { return pair.want(intent::PipeWrite{monitor, std::move(text)}); }
+  Refusal type(std::string text) { return pair.intend(intent::PipeWrite{monitor, std::move(text)}); }
   Refusal send(std::string content) {
-    return pair.want(
+    return pair.intend(
         intent::PipeFile{monitor, "menu.txt", std::make_shared<const std::string>(std::move(content))});
   }
   Refusal act(What what, bool forTheRest = false) {
-    return pair.want(intent::PipeAction{monitor, what, forTheRest});
+    return pair.intend(intent::PipeAction{monitor, what, forTheRest});
   }
   PipeStatus status() { return pair.console().pipe(pair.now(), monitor); }
   std::uint8_t address() { return pair.addressOf(monitor).value; }

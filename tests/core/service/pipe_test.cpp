@@ -383,11 +383,11 @@ struct Moved : Pipe {
   }
   Refusal typeTo(const DeviceKey& key, std::string text) {
     speak();
-    return pair.want(intent::PipeWrite{key, std::move(text)});
+    return pair.intend(intent::PipeWrite{key, std::move(text)});
   }
   Refusal sendTo(const DeviceKey& key, std::size_t size) {
     speak();
-    return pair.want(intent::PipeFile{key, "f", std::make_shared<const std::string>(size, 'f')});
+    return pair.intend(intent::PipeFile{key, "f", std::make_shared<const std::string>(size, 'f')});
   }
   PipeStatus of(const DeviceKey& key) { return pair.console().pipe(pair.now(), key); }
   void announce() {
@@ -505,7 +505,7 @@ TEST_F(Pipe, OthersFramesThatLookTheSameAreNotAnswered) {
 TEST_F(Pipe, LockingDropsWhatWaits) {
   send(std::string(5000, 'x'));
   pair.run(100ms);
-  pair.want(intent::Lock{});
+  pair.intend(intent::Lock{});
   const Instant before = pair.now();
   EXPECT_EQ(status().fileEnd, FileEnd::Aborted);
   pair.run(5s);
@@ -515,7 +515,7 @@ TEST_F(Pipe, LockingDropsWhatWaits) {
 TEST_F(Pipe, MoreThanMayWaitIsRefusedWhole) {
   EXPECT_EQ(type(std::string(deckpipe::Pipe::kMaxTyped + 1, 'x')), Refusal::TooMuch);
   EXPECT_TRUE(packets().empty());
-  EXPECT_EQ(pair.want(intent::PipeWrite{DeviceKey::of(*Pin::parse("1032AE000000001")), "x"}),
+  EXPECT_EQ(pair.intend(intent::PipeWrite{DeviceKey::of(*Pin::parse("1032AE000000001")), "x"}),
             Refusal::NoDevice);
 }
 

@@ -21,7 +21,7 @@ struct RequestServiceTest : ::testing::Test {
   TruckPair pair;
   const DeviceKey monitor = TruckPair::monitor();
 
-  Refusal request(Request what) { return pair.want(intent::SendRequests{monitor, RequestSet{what}}); }
+  Refusal request(Request what) { return pair.intend(intent::SendRequests{monitor, RequestSet{what}}); }
   RequestStatus status(Request what) { return pair.console().request(pair.now(), monitor, what); }
   RequestEnd end(Request what) {
     const RequestStatus s = status(what);
@@ -47,7 +47,7 @@ struct RequestServiceTest : ::testing::Test {
 };
 
 TEST_F(RequestServiceTest, EachPollIsAnsweredOnceAndInTheState) {
-  ASSERT_EQ(pair.want(intent::SendRequests{monitor, kPolls}), Refusal::None);
+  ASSERT_EQ(pair.intend(intent::SendRequests{monitor, kPolls}), Refusal::None);
   pair.run(1s);
   for (const Request poll : polls()) {
     EXPECT_EQ(end(poll), RequestEnd::Answered) << static_cast<int>(poll);
@@ -97,8 +97,8 @@ TEST_F(RequestServiceTest, NeverTwoOfOneKindInFlight) {
   deafen(0x02);
   EXPECT_EQ(request(Request::Fault), Refusal::None);
   EXPECT_EQ(request(Request::Fault), Refusal::Busy);
-  EXPECT_EQ(pair.want(intent::SendRequests{DeviceKey::at(Channel{}, Address{monitorAddress()}),
-                                           RequestSet{Request::Fault}}),
+  EXPECT_EQ(pair.intend(intent::SendRequests{DeviceKey::at(Channel{}, Address{monitorAddress()}),
+                                             RequestSet{Request::Fault}}),
             Refusal::Busy)
       << "the same device by its address";
   EXPECT_EQ(sent(0x02), 1u);
@@ -201,18 +201,18 @@ TEST_F(RequestServiceTest, AnIntentOfALateThreadEndsNothingWhoseAnswerWaits) {
 }
 
 TEST_F(RequestServiceTest, RepeatedPollsKeepTheirPeriodUntilTheyAreEnded) {
-  pair.want(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
+  pair.intend(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.run(10500ms);
   EXPECT_EQ(sent(0x02), 11u);
   EXPECT_EQ(status(Request::Fault).answered, 11u);
-  pair.want(intent::Repeat{monitor, RequestSet{Request::Fault}, 0s});
+  pair.intend(intent::Repeat{monitor, RequestSet{Request::Fault}, 0s});
   pair.run(5s);
   EXPECT_EQ(sent(0x02), 11u);
   EXPECT_EQ(status(Request::Fault).progress, Progress::Ended);
 }
 
 TEST_F(RequestServiceTest, OfRepeatedPollsOnlyWhatChangesIsNoted) {
-  pair.want(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
+  pair.intend(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.run(5500ms);
   deafen(0x02);
   pair.run(6s);
@@ -224,7 +224,7 @@ TEST_F(RequestServiceTest, OfRepeatedPollsOnlyWhatChangesIsNoted) {
 }
 
 TEST_F(RequestServiceTest, TheShortestPeriodIsKept) {
-  pair.want(intent::Repeat{monitor, RequestSet{Request::Fault}, 1ms});
+  pair.intend(intent::Repeat{monitor, RequestSet{Request::Fault}, 1ms});
   pair.run(5s);
   EXPECT_LE(sent(0x02), 11u);
 }
@@ -270,15 +270,15 @@ TEST_F(RequestServiceTest, OnlyWhatTheTypeTakesIsOfferedAndDone) {
   EXPECT_TRUE(riser.has(Request::Fault));
   for (const Request request : {Request::Vista, Request::ZeroAxes, Request::Reset, Request::SetupMode})
     EXPECT_FALSE(riser.has(request));
-  EXPECT_EQ(pair.want(intent::SendRequests{TruckPair::riser(), RequestSet{Request::Reset}}),
+  EXPECT_EQ(pair.intend(intent::SendRequests{TruckPair::riser(), RequestSet{Request::Reset}}),
             Refusal::NotTaken);
-  EXPECT_EQ(pair.want(intent::SendRequests{DeviceKey::of(*Pin::parse("1032AE000000001")), kPolls}),
+  EXPECT_EQ(pair.intend(intent::SendRequests{DeviceKey::of(*Pin::parse("1032AE000000001")), kPolls}),
             Refusal::NoDevice);
 }
 
 TEST_F(RequestServiceTest, OfEveryoneOnlyPollsAreAsked) {
   EXPECT_EQ(
-      pair.want(intent::SendRequests{{}, RequestSet{Request::Fault, Request::Reset, Request::ZeroAxes}}),
+      pair.intend(intent::SendRequests{{}, RequestSet{Request::Fault, Request::Reset, Request::ZeroAxes}}),
       Refusal::None);
   pair.run(3s);
   EXPECT_EQ(sent(0x02), pair.console().status(pair.now()).devices.size());
@@ -314,19 +314,19 @@ TEST_F(RequestServiceTest, NothingIsUnlockedOnAListenOnlyAdapter) {
   Console& console = pair.console();
   console.services.setListenOnly(pair.now(), console.state, true);
   EXPECT_TRUE(console.status(pair.now()).locked) << "what was unlocked is locked";
-  EXPECT_EQ(pair.want(intent::Unlock{}), Refusal::ListenOnly);
+  EXPECT_EQ(pair.intend(intent::Unlock{}), Refusal::ListenOnly);
   pair.run(1s);
   const Instant before = pair.now();
   pair.run(1s);
   EXPECT_TRUE(pair.sentBy(&console, before).empty());
   console.services.setListenOnly(pair.now(), console.state, false);
-  EXPECT_EQ(pair.want(intent::Unlock{}), Refusal::None);
+  EXPECT_EQ(pair.intend(intent::Unlock{}), Refusal::None);
 }
 
 TEST_F(RequestServiceTest, LockingEndsWhatIsOpenAndRepeated) {
   deafen(0x02);
-  pair.want(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
-  pair.want(intent::Lock{});
+  pair.intend(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
+  pair.intend(intent::Lock{});
   EXPECT_EQ(end(Request::Fault), RequestEnd::Cancelled);
   const Instant before = pair.now() + 1ns;
   pair.run(10s);
@@ -358,7 +358,7 @@ TEST_F(RequestServiceTest, ACopleyDriveIsNeverPolled) {
 }
 
 TEST_F(RequestServiceTest, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
-  pair.want(intent::Repeat{monitor, kPolls, 500ms});
+  pair.intend(intent::Repeat{monitor, kPolls, 500ms});
   pair.run(1s);
   ASSERT_GT(sent(0x02), 0u);
   pair.console().state.apply(
@@ -369,7 +369,7 @@ TEST_F(RequestServiceTest, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
 }
 
 TEST_F(RequestServiceTest, RepeatedPollsWaitWhileTheAddressIsContested) {
-  pair.want(intent::Repeat{monitor, kPolls, 500ms});
+  pair.intend(intent::Repeat{monitor, kPolls, 500ms});
   pair.run(1s);
   pair.wire = [](const Frame& f) {  // the holder does not answer
     return Pair::Fate{J1939Id::of(f.identifier()).pgn == pgn::kAddressClaimed && f.data[0] != 0xFF ? 0 : 1,
@@ -399,7 +399,7 @@ TEST_F(RequestServiceTest, LockUnlockPollsAndTheirEndsAreNotes) {
 }
 
 TEST_F(RequestServiceTest, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPeriodLater) {
-  pair.want(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
+  pair.intend(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.run(2500ms);
   // Its address goes to another, and it hears nothing of that.
   pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };
@@ -416,7 +416,7 @@ TEST_F(RequestServiceTest, AnAnnouncementThatWasAskedForIsNoReset) {
   deafen(0x45);
   request(Request::Reset);
   pair.run(500ms);
-  pair.want(intent::RequestNames{});
+  pair.intend(intent::RequestNames{});
   pair.run(1s);
   EXPECT_EQ(status(Request::Reset).progress, Progress::Waiting);
   pair.run(10s);
@@ -434,14 +434,14 @@ TEST_F(RequestServiceTest, WhatWasAskedOfAnAddressIsTheDevicesOnceItsPinIsKnown)
   blind.run(1s);
   blind.unlock();
   const DeviceKey byAddress = DeviceKey::at(Channel{}, Address{0x80});
-  ASSERT_EQ(blind.want(intent::Repeat{byAddress, RequestSet{Request::Fault}, 500ms}), Refusal::None);
+  ASSERT_EQ(blind.intend(intent::Repeat{byAddress, RequestSet{Request::Fault}, 500ms}), Refusal::None);
   blind.run(2s);
   blind.wire = [](const Frame&) { return Pair::Fate{}; };
-  blind.want(intent::RequestNames{});
+  blind.intend(intent::RequestNames{});
   blind.run(1s);
   const Device* device = blind.console().state.devices().byAddress(Channel{}, Address{0x80});
   ASSERT_FALSE(device->pin.isNull());
-  blind.want(intent::Cancel{DeviceKey::of(device->pin)});
+  blind.intend(intent::Cancel{DeviceKey::of(device->pin)});
   const Instant from = blind.now() + 1ns;
   blind.run(5s);
   EXPECT_TRUE(blind.sent(0x02, &blind.console(), from).empty());
@@ -608,7 +608,7 @@ struct Crowd : ::testing::Test {
 
 TEST_F(Crowd, PollingEveryoneGetsAllAnswersWithinTheBudget) {
   const Instant from = pair.now();
-  pair.want(intent::SendRequests{{}, kPolls});
+  pair.intend(intent::SendRequests{{}, kPolls});
   pair.run(20s);
   std::size_t answered = 0;
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
@@ -620,7 +620,7 @@ TEST_F(Crowd, PollingEveryoneGetsAllAnswersWithinTheBudget) {
 
 TEST_F(Crowd, RepeatedFasterThanTheBudgetAllowsEveryoneStillHasHisTurn) {
   const Instant from = pair.now();
-  pair.want(intent::Repeat{{}, kPolls, 500ms});
+  pair.intend(intent::Repeat{{}, kPolls, 500ms});
   pair.run(30s);
   EXPECT_LE(worstShare(from), BusBudget::kShare * 1.1);
   std::uint32_t least = ~0u, most = 0;
@@ -642,7 +642,7 @@ TEST_F(Crowd, OnABusyBusPollingEveryoneEndsAndLeavesTheBusToOthers) {
     pair.simulator.fill(pair.now(), load - own);
     EXPECT_NEAR(loadOf(5s), load, 0.01);
     const Instant from = pair.now();
-    pair.want(intent::SendRequests{{}, kPolls});
+    pair.intend(intent::SendRequests{{}, kPolls});
     const auto isOver = [&] {
       const ServiceStatus status = pair.console().status(pair.now());
       return std::ranges::all_of(status.devices, [](const DeviceServices& device) {
@@ -665,7 +665,7 @@ TEST_F(Crowd, OfSilentOnesTheRetriesStayWithinTheBudgetToo) {
     return Pair::Fate{J1939Id::of(f.identifier()).source == Address{0xF9} ? 0 : 1, 0ns};
   };
   const Instant from = pair.now();
-  pair.want(intent::SendRequests{{}, kPolls});
+  pair.intend(intent::SendRequests{{}, kPolls});
   pair.run(40s);
   EXPECT_LE(worstShare(from), BusBudget::kShare * 1.1);
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {

@@ -31,12 +31,14 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
   std::string typed;
   for (int i = 0; i < 30; ++i) {
     switch (random.between(0, 9)) {
-      case 0: pair.want(intent::SendRequests{{}, kPolls}); break;
-      case 1: pair.want(intent::SendRequests{monitor, RequestSet{oneOf(kAllOf<Request>)}}); break;
-      case 2: pair.want(intent::Repeat{monitor, kPolls, random.between(0, 3) * Duration(1s)}); break;
-      case 3: pair.want(intent::PipeWrite{monitor, "0123456789"}); break;
-      case 4: pair.want(intent::PipeFile{monitor, "f", std::make_shared<const std::string>(200, 'f')}); break;
-      case 5: pair.want(intent::PipeAction{monitor, oneOf(allOf<intent::PipeAction::What>())}); break;
+      case 0: pair.intend(intent::SendRequests{{}, kPolls}); break;
+      case 1: pair.intend(intent::SendRequests{monitor, RequestSet{oneOf(kAllOf<Request>)}}); break;
+      case 2: pair.intend(intent::Repeat{monitor, kPolls, random.between(0, 3) * Duration(1s)}); break;
+      case 3: pair.intend(intent::PipeWrite{monitor, "0123456789"}); break;
+      case 4:
+        pair.intend(intent::PipeFile{monitor, "f", std::make_shared<const std::string>(200, 'f')});
+        break;
+      case 5: pair.intend(intent::PipeAction{monitor, oneOf(allOf<intent::PipeAction::What>())}); break;
       case 6:
         pair.inject(frame(chance(50) ? "18EEFFF9" : "18EEFFFA",
                           chance(50) ? "0100000000000000" : "FFFFFFFFFFFFFFFF"));
@@ -46,20 +48,20 @@ TEST_P(Storm, EverythingComesToAnEndAndNothingIsSentThatShouldNot) {
         pair.run(random.between(0, 500) * Duration(1ms));
         pair.setLink(pair.console(), true);
         break;
-      case 8: pair.want(intent::RequestNames{}); break;
+      case 8: pair.intend(intent::RequestNames{}); break;
       default:
         if (chance(30)) {
-          pair.want(intent::Lock{});
+          pair.intend(intent::Lock{});
           const Instant locked = pair.now();
           pair.run(2s);
           ASSERT_TRUE(pair.sentBy(&pair.console(), locked + 1ns).empty());
-          pair.want(intent::Unlock{});
+          pair.intend(intent::Unlock{});
         }
     }
     pair.run(random.between(0, 3000) * Duration(1ms));
   }
   // Without repeats everything is over after the longest deadline there is.
-  pair.want(intent::Repeat{{}, kPolls, 0s});
+  pair.intend(intent::Repeat{{}, kPolls, 0s});
   pair.run(30s);
   for (const DeviceServices& device : pair.console().status(pair.now()).devices) {
     for (const RequestStatus& request : device.requests) {
