@@ -44,6 +44,13 @@ inline constexpr std::size_t kCountOf = [] {
   return static_cast<std::size_t>(kLastOf<E>) + 1;
 }();
 
+// Whether a number that was read is an enumerator. They count from 0 or from 1 without a gap.
+template <typename E>
+constexpr bool isKnown(E value) {
+  static_assert(kEndsAtLast<E>, "an enumerator stands behind the last one");
+  return value <= kLastOf<E> && (value != E{} || isEnumerator<E{}>());
+}
+
 // Every enumerator in order, to loop over.
 template <typename E>
 inline constexpr std::array<E, kCountOf<E>> kAllOf = [] {

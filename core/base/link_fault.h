@@ -38,19 +38,4 @@ inline constexpr EnumTable<LinkFault, std::string_view> kLinkFaultKeys{{
     {LinkFault::Other, "other"},
 }};
 
-constexpr bool isKnown(LinkFault fault) {
-  switch (fault) {
-    case LinkFault::None:
-    case LinkFault::NoPlugin:
-    case LinkFault::NoInterface:
-    case LinkFault::InterfaceDown:
-    case LinkFault::WrongBitRate:
-    case LinkFault::BitRateRefused:
-    case LinkFault::NoAnswer:
-    case LinkFault::Gone:
-    case LinkFault::Other: return true;
-  }
-  return false;
-}
-
 }  // namespace deckpipe

@@ -21,6 +21,4 @@ enum class Request : std::uint8_t {
   Count,
 };
 
-constexpr bool isKnown(Request request) { return request < Request::Count; }
-
 }  // namespace deckpipe

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "base/enum_table.h"
+
 namespace deckpipe {
 
 enum class PipeEvent : std::uint8_t {
@@ -19,21 +21,7 @@ enum class PipeEvent : std::uint8_t {
   Dropped = 8,  // what was typed and not sent
   DeviceRestarted = 9,
 };
-
-constexpr bool isKnown(PipeEvent event) {
-  switch (event) {
-    case PipeEvent::FileBegan:
-    case PipeEvent::FileDone:
-    case PipeEvent::FileCancelled:
-    case PipeEvent::FileAborted:
-    case PipeEvent::Stalled:
-    case PipeEvent::AckLate:
-    case PipeEvent::Resent:
-    case PipeEvent::Skipped:
-    case PipeEvent::Dropped:
-    case PipeEvent::DeviceRestarted: return true;
-  }
-  return false;
-}
+template <>
+inline constexpr PipeEvent kLastOf<PipeEvent> = PipeEvent::DeviceRestarted;
 
 }  // namespace deckpipe

@@ -75,24 +75,7 @@ enum class RequestEnd : std::uint8_t {
   GoneWithInterface = 11,  // a command that was not on the bus yet when the interface went down
   CannotTell = 12,         // … and whose fate cannot be told: lost frames, its echo perhaps among them
 };
-
-constexpr bool isKnown(RequestEnd end) {
-  switch (end) {
-    case RequestEnd::None:
-    case RequestEnd::Answered:
-    case RequestEnd::WrongAnswer:
-    case RequestEnd::NoAnswer:
-    case RequestEnd::Cancelled:
-    case RequestEnd::LinkLost:
-    case RequestEnd::Gone:
-    case RequestEnd::AnsweredLate:
-    case RequestEnd::AddressLost:
-    case RequestEnd::NotOnBus:
-    case RequestEnd::WentOutLate:
-    case RequestEnd::GoneWithInterface:
-    case RequestEnd::CannotTell: return true;
-  }
-  return false;
-}
+template <>
+inline constexpr RequestEnd kLastOf<RequestEnd> = RequestEnd::CannotTell;
 
 }  // namespace deckpipe

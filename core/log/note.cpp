@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/overload.h"
+#include "log/note_layout.h"
 
 namespace deckpipe {
 
@@ -15,25 +16,9 @@ NoteText::NoteText(std::string text) : m_text(std::move(text)) {
 }
 
 std::string_view noteKey(const NoteValue& value) {
-  using Key = std::string_view;
-  return std::visit(
-      Overload{[](const note::Mark&) -> Key { return "mark"; },
-               [](const note::LinkUp&) -> Key { return "link_up"; },
-               [](const note::LinkDown&) -> Key { return "link_down"; },
-               [](const note::Dropped&) -> Key { return "dropped"; },
-               [](const note::Locked&) -> Key { return "locked"; },
-               [](const note::Unlocked&) -> Key { return "unlocked"; },
-               [](const note::DriveSaid& n) -> Key { return n.isDrive ? "drive_said" : "drive_unsaid"; },
-               [](const note::OwnAddress&) -> Key { return "own_address"; },
-               [](const note::Asked&) -> Key { return "asked"; },
-               [](const note::RequestEnded&) -> Key { return "ask_ended"; },
-               [](const note::RequestWaits&) -> Key { return "ask_waits"; },
-               [](const note::StillWaits&) -> Key { return "still_waits"; },
-               [](const note::Pipe&) -> Key { return "pipe"; },
-               [](const note::LeftOut&) -> Key { return "left_out"; },
-               [](const note::Label&) -> Key { return "label"; },
-               [](const note::Added&) -> Key { return "added"; }},
-      value);
+  const auto* drive = std::get_if<note::DriveSaid>(&value);
+  if (drive != nullptr && !drive->isDrive) return "drive_unsaid";
+  return std::visit([]<typename T>(const T&) { return layouts::kLayout<T>.key; }, value);
 }
 
 Severity noteWeight(const NoteValue& value) {

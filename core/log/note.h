@@ -2,7 +2,7 @@
 // Notes: facts of a log that no frame carries. Each kind is a small struct; Note puts one at its place in the
 // log. The window and the tool make sentences of them, State and the indexes take from them what they need,
 // note_codec.h writes and reads them as bytes, note_text.h as text. To add a kind: the struct, its place in
-// NoteValue, its layout in note_layout.h; the compiler names the other places.
+// NoteValue, its layout and word in note_layout.h; the compiler names the other places.
 #pragma once
 
 #include <cstdint>
@@ -161,29 +161,12 @@ struct Pipe {
   friend bool operator==(const Pipe&, const Pipe&) = default;
 };
 
-constexpr bool isKnown(OwnAddress::How how) {
-  using How = OwnAddress::How;
-  switch (how) {
-    case How::Claimed:
-    case How::Lost:
-    case How::CannotClaim:
-    case How::SameName:
-    case How::Locked:
-    case How::LinkLost:
-    case How::InUse:
-    case How::Disputed: return true;
-  }
-  return false;
-}
-constexpr bool isKnown(LeftOut::Why why) {
-  switch (why) {
-    case LeftOut::Why::CanFd:
-    case LeftOut::Why::NotClassic: return true;
-  }
-  return false;
-}
-
 }  // namespace note
+
+template <>
+inline constexpr note::OwnAddress::How kLastOf<note::OwnAddress::How> = note::OwnAddress::How::Disputed;
+template <>
+inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::NotClassic;
 
 using NoteValue =
     std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,

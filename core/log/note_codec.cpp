@@ -40,62 +40,30 @@ class NoteWriter {
   std::vector<std::uint8_t>& m_out;
 };
 
-// Once something was not there, or not to be understood, nothing more is read.
-class Reader {
+class Reader : public layouts::FieldReader<Reader> {
  public:
+  using FieldReader::take;
+
   explicit Reader(std::span<const std::uint8_t> bytes) : m_bytes(bytes) {}
 
   template <typename Member, typename T>
   void take(const layouts::Field<Member>& field, T& value) {
     if (!field.isLater || !m_bytes.empty()) take(value);
   }
-
-  bool isDamaged() const { return m_isDamaged; }
-  bool isUnknown() const { return m_isUnknown; }
-
   template <typename T>
-  requires std::is_unsigned_v<T>
-  void take(T& number) {
+  void takeNumber(T& number) {
     const auto bytes = front(sizeof(T));
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) sum |= std::uint64_t{bytes[i]} << 8 * i;
     number = static_cast<T>(sum);
-  }
-  void take(bool& flag) {
-    std::uint8_t number = 0;
-    take(number);
-    if (number > 1) m_isDamaged = true;
-    flag = number != 0;
-  }
-  template <typename E>
-  requires std::is_enum_v<E>
-  void take(E& value) {
-    std::uint8_t number = 0;
-    take(number);
-    value = static_cast<E>(number);
-    if (!isKnown(value)) m_isUnknown = true;
   }
   void take(Instant& time) {
     std::uint64_t ns = 0;
     take(ns);
     time.ns = static_cast<std::int64_t>(ns);
   }
-  void take(Channel& channel) { take(channel.value); }
   void take(Address& address) { take(address.value); }
-  void take(Pin& pin) {
-    const std::string text = takeText();
-    const auto parsed = Pin::parse(text);
-    if (!text.empty() && !parsed) m_isDamaged = true;
-    pin = parsed.value_or(Pin());
-  }
   void take(NoteText& text) { text = takeText(); }
-
- private:
-  std::span<const std::uint8_t> front(std::size_t size) {
-    if (size > m_bytes.size()) m_isDamaged = true;
-    if (m_isDamaged) return {};
-    return std::exchange(m_bytes, m_bytes.subspan(size)).first(size);
-  }
   std::string takeText() {
     std::uint8_t length = 0;
     take(length);
@@ -103,9 +71,14 @@ class Reader {
     return {bytes.begin(), bytes.end()};
   }
 
+ private:
+  std::span<const std::uint8_t> front(std::size_t size) {
+    if (size > m_bytes.size()) m_isDamaged = true;
+    if (m_isDamaged) return {};
+    return std::exchange(m_bytes, m_bytes.subspan(size)).first(size);
+  }
+
   std::span<const std::uint8_t> m_bytes;
-  bool m_isDamaged = false;
-  bool m_isUnknown = false;
 };
 
 constexpr std::size_t kLengthBytes = 2;

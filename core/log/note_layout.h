@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "log/note.h"
@@ -33,11 +35,12 @@ constexpr Field<Member> later(std::string_view name, Member member) {
 template <typename... Fields>
 struct Layout {
   std::uint8_t number;
+  std::string_view key;  // the word for the kind in machine-readable output
   std::tuple<Fields...> fields;
 };
 template <typename... Fields>
-constexpr Layout<Fields...> layout(std::uint8_t number, Fields... fields) {
-  return {number, {fields...}};
+constexpr Layout<Fields...> layout(std::uint8_t number, std::string_view key, Fields... fields) {
+  return {number, key, {fields...}};
 }
 
 template <typename T>
@@ -46,64 +49,72 @@ template <typename T>
 constexpr HasNoLayout<T> kLayout{};
 
 template <>
-inline constexpr auto kLayout<note::LinkUp> = layout(1, field("channel", &note::LinkUp::channel),
+inline constexpr auto kLayout<note::LinkUp> = layout(1, "link_up", field("channel", &note::LinkUp::channel),
                                                      later("adapter", &note::LinkUp::adapter),
                                                      later("bit_rate", &note::LinkUp::bitRate));
 template <>
-inline constexpr auto kLayout<note::LinkDown> = layout(2, field("channel", &note::LinkDown::channel),
+inline constexpr auto kLayout<note::LinkDown> = layout(2, "link_down",
+                                                       field("channel", &note::LinkDown::channel),
                                                        field("fault", &note::LinkDown::fault),
                                                        field("words", &note::LinkDown::words));
 template <>
-inline constexpr auto kLayout<note::Dropped> = layout(3, field("channel", &note::Dropped::channel),
+inline constexpr auto kLayout<note::Dropped> = layout(3, "dropped", field("channel", &note::Dropped::channel),
                                                       field("count", &note::Dropped::count));
 template <>
-inline constexpr auto kLayout<note::Locked> = layout(4, field("channel", &note::Locked::channel));
+inline constexpr auto kLayout<note::Locked> = layout(4, "locked", field("channel", &note::Locked::channel));
 template <>
-inline constexpr auto kLayout<note::Unlocked> = layout(5, field("channel", &note::Unlocked::channel));
+inline constexpr auto kLayout<note::Unlocked> = layout(5, "unlocked",
+                                                       field("channel", &note::Unlocked::channel));
 template <>
-inline constexpr auto kLayout<note::Mark> = layout(6, field("text", &note::Mark::text));
+inline constexpr auto kLayout<note::Mark> = layout(6, "mark", field("text", &note::Mark::text));
 template <>
-inline constexpr auto kLayout<note::DriveSaid> = layout(7, field("channel", &note::DriveSaid::channel),
+inline constexpr auto kLayout<note::DriveSaid> = layout(7, "drive_said",
+                                                        field("channel", &note::DriveSaid::channel),
                                                         field("address", &note::DriveSaid::address),
                                                         field("is_drive", &note::DriveSaid::isDrive));
 template <>
-inline constexpr auto kLayout<note::OwnAddress> = layout(8, field("channel", &note::OwnAddress::channel),
+inline constexpr auto kLayout<note::OwnAddress> = layout(8, "own_address",
+                                                         field("channel", &note::OwnAddress::channel),
                                                          field("address", &note::OwnAddress::address),
                                                          field("how", &note::OwnAddress::how));
 template <>
-inline constexpr auto kLayout<note::Asked> = layout(9, field("channel", &note::Asked::channel),
+inline constexpr auto kLayout<note::Asked> = layout(9, "asked", field("channel", &note::Asked::channel),
                                                     field("address", &note::Asked::address),
                                                     field("pin", &note::Asked::pin),
                                                     field("ask", &note::Asked::request));
 template <>
-inline constexpr auto kLayout<note::RequestEnded> = layout(10, field("channel", &note::RequestEnded::channel),
+inline constexpr auto kLayout<note::RequestEnded> = layout(10, "ask_ended",
+                                                           field("channel", &note::RequestEnded::channel),
                                                            field("address", &note::RequestEnded::address),
                                                            field("pin", &note::RequestEnded::pin),
                                                            field("ask", &note::RequestEnded::request),
                                                            field("end", &note::RequestEnded::end));
 template <>
-inline constexpr auto kLayout<note::Pipe> = layout(11, field("channel", &note::Pipe::channel),
+inline constexpr auto kLayout<note::Pipe> = layout(11, "pipe", field("channel", &note::Pipe::channel),
                                                    field("address", &note::Pipe::address),
                                                    field("pin", &note::Pipe::pin),
                                                    field("event", &note::Pipe::event),
                                                    field("file", &note::Pipe::file));
 template <>
-inline constexpr auto kLayout<note::RequestWaits> = layout(12, field("channel", &note::RequestWaits::channel),
+inline constexpr auto kLayout<note::RequestWaits> = layout(12, "ask_waits",
+                                                           field("channel", &note::RequestWaits::channel),
                                                            field("address", &note::RequestWaits::address),
                                                            field("pin", &note::RequestWaits::pin),
                                                            field("ask", &note::RequestWaits::request));
 template <>
-inline constexpr auto kLayout<note::StillWaits> = layout(13, field("channel", &note::StillWaits::channel),
+inline constexpr auto kLayout<note::StillWaits> = layout(13, "still_waits",
+                                                         field("channel", &note::StillWaits::channel),
                                                          field("count", &note::StillWaits::count));
 template <>
-inline constexpr auto kLayout<note::LeftOut> = layout(14, field("channel", &note::LeftOut::channel),
+inline constexpr auto kLayout<note::LeftOut> = layout(14, "left_out",
+                                                      field("channel", &note::LeftOut::channel),
                                                       field("why", &note::LeftOut::why),
                                                       field("count", &note::LeftOut::count));
 template <>
-inline constexpr auto kLayout<note::Label> = layout(15, field("pin", &note::Label::pin),
+inline constexpr auto kLayout<note::Label> = layout(15, "label", field("pin", &note::Label::pin),
                                                     field("text", &note::Label::text));
 template <>
-inline constexpr auto kLayout<note::Added> = layout(16, field("count", &note::Added::count));
+inline constexpr auto kLayout<note::Added> = layout(16, "added", field("count", &note::Added::count));
 
 namespace checks {
 
@@ -133,6 +144,47 @@ static_assert(areSound(static_cast<const NoteValue*>(nullptr)),
               "two kinds have one number, or a layout leaves a field out");
 
 }  // namespace checks
+
+// What the readers of both forms have in common. `Own` takes numbers and texts. Once something was not there, or not to
+// be understood, it takes nothing more.
+template <typename Own>
+class FieldReader {
+ public:
+  bool isDamaged() const { return m_isDamaged; }
+  bool isUnknown() const { return m_isUnknown; }
+
+  template <typename T>
+  requires std::is_unsigned_v<T>
+  void take(T& number) { own().takeNumber(number); }
+  void take(bool& flag) {
+    std::uint8_t number = 0;
+    take(number);
+    if (number > 1) m_isDamaged = true;
+    flag = number != 0;
+  }
+  template <typename E>
+  requires std::is_enum_v<E>
+  void take(E& value) {
+    std::uint8_t number = 0;
+    take(number);
+    value = static_cast<E>(number);
+    if (!isKnown(value)) m_isUnknown = true;
+  }
+  void take(Channel& channel) { take(channel.value); }
+  void take(Pin& pin) {
+    const std::string text = own().takeText();
+    const auto parsed = Pin::parse(text);
+    if (!text.empty() && !parsed) m_isDamaged = true;
+    pin = parsed.value_or(Pin());
+  }
+
+ protected:
+  bool m_isDamaged = false;
+
+ private:
+  Own& own() { return static_cast<Own&>(*this); }
+  bool m_isUnknown = false;
+};
 
 template <typename T, typename Reader, typename... Fields>
 T takeFields(Reader& reader, const std::tuple<Fields...>& fields) {

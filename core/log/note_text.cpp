@@ -51,44 +51,18 @@ class TextWriter {
   std::string& m_out;
 };
 
-// Once something was not there, or not to be understood, nothing more is read.
-class TextReader {
+class TextReader : public layouts::FieldReader<TextReader> {
  public:
+  using FieldReader::take;
+
   explicit TextReader(std::string_view text) : m_text(text) {}
 
-  bool isDamaged() const { return m_isDamaged; }
-  bool isUnknown() const { return m_isUnknown; }
-
-  template <typename T>
-  requires std::is_unsigned_v<T>
-  void take(T& number) { takeNumber(number, 10); }
-  void take(bool& flag) {
-    std::uint8_t number = 0;
-    take(number);
-    if (number > 1) m_isDamaged = true;
-    flag = number != 0;
-  }
-  template <typename E>
-  requires std::is_enum_v<E>
-  void take(E& value) {
-    std::uint8_t number = 0;
-    take(number);
-    value = static_cast<E>(number);
-    if (!isKnown(value)) m_isUnknown = true;
-  }
-  void take(Channel& channel) { take(channel.value); }
   void take(Address& address) {
     takeWord("0x");
     takeNumber(address.value, 16);
   }
-  void take(Pin& pin) {
-    const std::string text = takeQuoted();
-    const auto parsed = Pin::parse(text);
-    if (!text.empty() && !parsed) m_isDamaged = true;
-    pin = parsed.value_or(Pin());
-  }
   void take(NoteText& text) {
-    std::string words = takeQuoted();
+    std::string words = takeText();
     if (words.size() > NoteText::kMaxBytes) m_isDamaged = true;
     text = std::move(words);
   }
@@ -105,21 +79,14 @@ class TextReader {
     takeWord(" ");
     m_text.remove_prefix(std::min(m_text.find(' '), m_text.size()));
   }
-  bool isAtEnd() const { return m_text.empty() || m_text.front() == ' '; }
-
- private:
-  void takeWord(std::string_view word) {
-    if (!m_text.starts_with(word)) m_isDamaged = true;
-    if (!m_isDamaged) m_text.remove_prefix(word.size());
-  }
   template <typename T>
-  void takeNumber(T& number, int base) {
+  void takeNumber(T& number, int base = 10) {
     const char* const end = m_text.data() + m_text.size();
     const auto [p, error] = std::from_chars(m_text.data(), end, number, base);
     if (error != std::errc()) m_isDamaged = true;
     if (!m_isDamaged) m_text.remove_prefix(static_cast<std::size_t>(p - m_text.data()));
   }
-  std::string takeQuoted() {
+  std::string takeText() {
     std::string text;
     takeWord("\"");
     while (!m_isDamaged && !m_text.empty() && m_text.front() != '"') {
@@ -139,10 +106,15 @@ class TextReader {
     takeWord("\"");
     return text;
   }
+  bool isAtEnd() const { return m_text.empty() || m_text.front() == ' '; }
+
+ private:
+  void takeWord(std::string_view word) {
+    if (!m_text.starts_with(word)) m_isDamaged = true;
+    if (!m_isDamaged) m_text.remove_prefix(word.size());
+  }
 
   std::string_view m_text;
-  bool m_isDamaged = false;
-  bool m_isUnknown = false;
 };
 
 }  // namespace

@@ -177,7 +177,7 @@ void Device::takeMalformed(const Frame& frame, MessageId id, Instant time) {
     m_malformedStatus = time;
   }
   const Request request = messageOf(id).request;
-  if (isKnown(request)) refused(request);
+  if (request != Request::Count) refused(request);
   // Shorter than four bytes it names no object.
   if (id == MessageId::SdoReadResponse && frame.length >= 4 && objectOf(frame) == sdo::kFaultStatus)
     refused(Request::Fault);
