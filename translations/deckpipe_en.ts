@@ -62,6 +62,13 @@
             <numerusform>%1 (%Ln changes right before it are not listed)</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %Ln CAN XL frames came and are not held</source>
+        <translation>
+            <numerusform>%1: %Ln CAN XL frame came and is not held</numerusform>
+            <numerusform>%1: %Ln CAN XL frames came and are not held</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>

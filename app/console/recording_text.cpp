@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QStringList>
 #include <algorithm>
+#include <map>
 
 #include "log/link_gaps.h"
 #include "status_text.h"
@@ -105,19 +106,18 @@ StatusFact recordingFact(const Snapshot& snapshot) {
   return fact;
 }
 
-// A live log tells of the CAN FD frames that it left out twice, in its list of
-// skipped frames and in its notes.
+// The notes tell of what a link left out, the skipped places of what a reader of the log's file did.
 MissingFrames missingFrames(const LogDocument& log) {
   using Why = note::LeftOut::Why;
   const SkippedPlaces skipped = log.skipped.content();
-  std::uint64_t lost = 0, flexible = 0, notClassic = 0;
+  std::uint64_t lost = 0;
+  std::map<Why, std::uint64_t> leftOut{{Why::CanFd, skipped.count(Skipped::CanFd)},
+                                       {Why::CanXl, skipped.count(Skipped::CanXl)}};
   for (const Note& note : log.notes.all()) {
     if (const auto* dropped = std::get_if<note::Dropped>(&note.value)) lost += dropped->count;
-    if (const auto* leftOut = std::get_if<note::LeftOut>(&note.value))
-      (leftOut->why == Why::CanFd ? flexible : notClassic) += leftOut->count;
+    if (const auto* noted = std::get_if<note::LeftOut>(&note.value)) leftOut[noted->why] += noted->count;
   }
-  flexible = std::max(flexible, skipped.count(Skipped::CanFd));
-  const std::uint64_t canXl = skipped.count(Skipped::CanXl), places = skipped.count(Skipped::RecorderDropped);
+  const std::uint64_t places = skipped.count(Skipped::RecorderDropped);
   QStringList kinds;
   const auto add = [&kinds](std::uint64_t count, QString (*text)(int)) {
     if (count > 0) kinds += text(forPlural(count));
@@ -127,13 +127,15 @@ MissingFrames missingFrames(const LogDocument& log) {
   });
   add(places,
       [](int n) { return StatusText::tr("what the recorder lost at %Ln places, as it says", nullptr, n); });
-  add(flexible, [](int n) { return StatusText::tr("%Ln CAN FD frames, which are not held", nullptr, n); });
-  add(canXl, [](int n) { return StatusText::tr("%Ln CAN XL frames, which are not held", nullptr, n); });
-  add(notClassic, [](int n) {
+  add(leftOut[Why::CanFd],
+      [](int n) { return StatusText::tr("%Ln CAN FD frames, which are not held", nullptr, n); });
+  add(leftOut[Why::CanXl],
+      [](int n) { return StatusText::tr("%Ln CAN XL frames, which are not held", nullptr, n); });
+  add(leftOut[Why::NotClassic], [](int n) {
     return StatusText::tr("%Ln frames that are not classic CAN, which are not held", nullptr, n);
   });
   if (kinds.isEmpty()) return {};
-  return {places > 0 ? 0 : lost + flexible + canXl + notClassic,
+  return {places > 0 ? 0 : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] + leftOut[Why::NotClassic],
           StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
 }
 

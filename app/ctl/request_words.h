@@ -57,6 +57,7 @@ constexpr std::string_view leftOutWord(note::LeftOut::Why why) {
   switch (why) {
     case Why::CanFd: return "can_fd";
     case Why::NotClassic: return "not_classic";
+    case Why::CanXl: return "can_xl";
   }
   return {};
 }

@@ -178,12 +178,7 @@ void LiveBus::framesNotKept(NotKept reason, std::uint32_t count) {
       serve();
       break;
     case NotKept::Overrun: write(note::Dropped{m_settings.channel, count}); break;
-    case NotKept::FlexibleDataRate:
-      for (std::uint32_t i = 0; i < count; ++i) {
-        m_document->skipped.add(m_document->frames.count(), Skipped::CanFd);
-      }
-      leftOut(note::LeftOut::Why::CanFd, count);
-      break;
+    case NotKept::FlexibleDataRate: leftOut(note::LeftOut::Why::CanFd, count); break;
     case NotKept::Invalid: leftOut(note::LeftOut::Why::NotClassic, count); break;
   }
 }

@@ -10,19 +10,6 @@
 
 namespace deckpipe {
 
-namespace {
-
-// The skipped frames of a file that a live log would note for this reason.
-Skipped skippedAs(note::LeftOut::Why why) {
-  switch (why) {
-    case note::LeftOut::Why::CanFd: return Skipped::CanFd;
-    case note::LeftOut::Why::NotClassic: return Skipped::CanXl;
-  }
-  return Skipped::CanFd;
-}
-
-}  // namespace
-
 PartWriter::PartWriter(const LogDocument& log, const Span& span, const LabelsByPin& labels, LogWriter& writer,
                        std::string& out)
     : m_log(log),
@@ -115,14 +102,10 @@ void PartWriter::noteLeftOut() {
   const SkippedPlaces skipped = m_log.skipped.content();
   const std::uint64_t count = m_log.frames.count();
   const Instant time = count > 0 ? m_log.frames.timeAt(count - 1) : Instant{};
-  // They are numbered from 1 without a gap.
-  for (Why why{1}; isKnown(why); why = static_cast<Why>(static_cast<unsigned>(why) + 1)) {
-    std::uint64_t leftOut = skipped.count(skippedAs(why));
-    for (const Note& note : m_notes) {
-      const auto* noted = std::get_if<note::LeftOut>(&note.value);
-      if (noted != nullptr && noted->why == why) leftOut -= std::min(leftOut, noted->count);
-    }
-    if (leftOut > 0) write(note::LeftOut{{m_channels.begin()->first}, why, leftOut}, time);
+  for (const auto& [why, reason] :
+       {std::pair(Why::CanFd, Skipped::CanFd), std::pair(Why::CanXl, Skipped::CanXl)}) {
+    if (const std::uint64_t leftOut = skipped.count(reason); leftOut > 0)
+      write(note::LeftOut{{m_channels.begin()->first}, why, leftOut}, time);
   }
 }
 

@@ -133,6 +133,7 @@ struct LeftOut {
   enum class Why : std::uint8_t {
     CanFd = 1,
     NotClassic = 2,  // what the adapter handed over is no frame of classic CAN
+    CanXl = 3,
   };
   Channel channel;
   Why why = Why::CanFd;
@@ -166,7 +167,7 @@ struct Pipe {
 template <>
 inline constexpr note::OwnAddress::How kLastOf<note::OwnAddress::How> = note::OwnAddress::How::Disputed;
 template <>
-inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::NotClassic;
+inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::CanXl;
 
 using NoteValue =
     std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,

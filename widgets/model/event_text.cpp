@@ -246,6 +246,8 @@ QString leftOutText(const note::LeftOut& n) {
   switch (n.why) {
     case Why::CanFd:
       return EventText::tr("%1: %Ln CAN FD frames came and are not held", nullptr, forPlural(n.count));
+    case Why::CanXl:
+      return EventText::tr("%1: %Ln CAN XL frames came and are not held", nullptr, forPlural(n.count));
     case Why::NotClassic:
       return EventText::tr("%1: %Ln frames came that are not classic CAN and are not held", nullptr,
                            forPlural(n.count));

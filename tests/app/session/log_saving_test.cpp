@@ -243,8 +243,7 @@ TEST_F(SavedPartTest, SkippedFramesKeepTheirKind) {
   std::vector<note::LeftOut> leftOut;
   for (const Note& note : reopened()->notes.all()) leftOut.push_back(std::get<note::LeftOut>(note.value));
   using Why = note::LeftOut::Why;
-  EXPECT_EQ(leftOut,
-            (std::vector<note::LeftOut>{{Channel{0}, Why::CanFd, 1}, {Channel{0}, Why::NotClassic, 2}}));
+  EXPECT_EQ(leftOut, (std::vector<note::LeftOut>{{Channel{0}, Why::CanFd, 1}, {Channel{0}, Why::CanXl, 2}}));
 }
 
 TEST_F(SavedPartTest, WhoLeftItsAddressIsNotAddedThere) {
