@@ -31,16 +31,6 @@ EventKind kindOf(ControllerState state) {
 
 }  // namespace
 
-Event BusWatch::eventOf(const State& state, EventKind kind, Address address) const {
-  Event event;
-  event.kind = kind;
-  event.frame = state.cursor().frames;
-  event.time = state.cursor().time;
-  event.channel = m_channel;
-  event.address = address;
-  return event;
-}
-
 void BusWatch::beginSecond(const State& state) {
   const Instant now = state.cursor().time;
   if (m_first == kNotYet) m_first = now;
@@ -78,10 +68,9 @@ Address BusWatch::formerAddress(Address address) const {
 void BusWatch::compareErrors(const State& state, std::vector<Event>& out) {
   const bool isBurst = m_burstEnd != kNever;
   if (!m_burst.moves(isBurst ? 1 : 0, state.cursor().time, m_retry)) return;
-  Event event = eventOf(state, isBurst ? EventKind::ErrorFrames : EventKind::ErrorFramesOver);
+  Event event = eventAt(state, m_channel, isBurst ? EventKind::ErrorFrames : EventKind::ErrorFramesOver);
   if (!isBurst) event.now = static_cast<std::int64_t>(std::exchange(m_errors, 0u));
-  m_burst.settle(event);
-  out.push_back(event);
+  m_burst.tell(event, out);
 }
 
 void BusWatch::compareController(const State& state, std::vector<Event>& out) {
@@ -89,9 +78,7 @@ void BusWatch::compareController(const State& state, std::vector<Event>& out) {
   if (!m_controller.moves(static_cast<std::uint64_t>(kind), state.cursor().time, m_retry,
                           EventSlot::First::Always))
     return;
-  Event event = eventOf(state, kind);
-  m_controller.settle(event);
-  out.push_back(event);
+  m_controller.tell(eventAt(state, m_channel, kind), out);
 }
 
 void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out) {
@@ -106,7 +93,7 @@ void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices,
     std::ranges::replace(m_formerHolders, before, Name{});
     if (!before.isNull()) m_formerHolders[a] = before;
     std::erase(m_cannotClaim, holder);
-    Event event = eventOf(state, EventKind::AddressLost, address);
+    Event event = eventAt(state, m_channel, EventKind::AddressLost, address);
     const Instant since = std::exchange(m_heldSince[a], event.time);
     // Who claims an address and gives way within the time for that never had it.
     if (holder.isNull() || before.isNull() || event.time - since < kClaimTime) continue;
@@ -118,11 +105,9 @@ void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices,
       if (device.address() != address) isTold = isTold || isLoser;
       if (device.address() == address && (isLoser || device.pin().isNull())) device.addressWasTaken();
     }
-    if (isTold || !m_losses[a].happens(event.time)) continue;
     event.was = static_cast<std::int64_t>(before.value);
     event.now = static_cast<std::int64_t>(holder.value);
-    m_losses[a].settle(event);
-    out.push_back(event);
+    if (!isTold) m_losses[a].happens(event, out);
   }
 }
 
@@ -132,7 +117,7 @@ void BusWatch::cannotClaim(const State& state, Name name, std::span<DeviceWatch>
   if (name.isNull() || m_cannotClaim.size() >= kMaxNames) return;
   if (std::ranges::find(m_cannotClaim, name) != m_cannotClaim.end()) return;
   m_cannotClaim.push_back(name);
-  Event event = eventOf(state, EventKind::CannotClaim);
+  Event event = eventAt(state, m_channel, EventKind::CannotClaim);
   event.was = static_cast<std::int64_t>(name.value);
   const auto holder = std::ranges::find(m_holders, name);
   if (holder != m_holders.end()) event.address = {static_cast<std::uint8_t>(holder - m_holders.begin())};
@@ -158,8 +143,8 @@ void BusWatch::lookAtShared(const State& state, std::vector<Event>& out) {
   for (std::size_t a = 0; a < shared.size(); ++a) {
     if (shared[a] == m_shared[a]) continue;
     const Address address{static_cast<std::uint8_t>(a)};
-    Event event =
-        eventOf(state, shared[a] ? EventKind::TwoAtOneAddress : EventKind::TwoAtOneAddressOver, address);
+    Event event = eventAt(state, m_channel,
+                          shared[a] ? EventKind::TwoAtOneAddress : EventKind::TwoAtOneAddressOver, address);
     if (const Device* device = state.devices().byAddress(m_channel, address)) event.pin = device->pin;
     for (const Device& device : state.devices().all()) {
       if (device.kind != Device::Kind::Pin || device.channel != m_channel || device.pin == event.pin)
@@ -203,13 +188,12 @@ void BusWatch::compareLoad(const State& state, std::vector<Event>& out) {
   const std::uint32_t bitRate = state.channel(m_channel).bitRate;
   const bool isHigh = (isAkron || bitRate != 0) && m_percent >= (wasHigh ? kNormal : kHigh);
   if (!m_load.moves(isHigh ? 1 : 0, state.cursor().time, m_retry)) return;
-  Event event = eventOf(state, isHigh ? EventKind::LoadHigh : EventKind::LoadNormal);
+  Event event = eventAt(state, m_channel, isHigh ? EventKind::LoadHigh : EventKind::LoadNormal);
   event.was = m_percentBefore;
   event.now = m_percent;
   event.bitRate = bitRate != 0 ? bitRate : kAssumedBitRate;
   event.isRateAssumed = bitRate == 0;
-  m_load.settle(event);
-  out.push_back(event);
+  m_load.tell(event, out);
 }
 
 void BusWatch::timeCame(const State& state, std::vector<Event>& out) {

@@ -62,7 +62,6 @@ class BusWatch {
   bool isShared(Address a) const { return m_shared[a.value]; }
 
  private:
-  Event eventOf(const State& state, EventKind kind, Address address = kNullAddress) const;
   void beginSecond(const State& state);
   void judgeLoad(const State& state, std::vector<Event>& out);
   void compareLoad(const State& state, std::vector<Event>& out);

@@ -80,11 +80,7 @@ void DeviceWatch::begin(const Device& device, Instant now) {
 }
 
 Event DeviceWatch::eventOf(const State& state) const {
-  Event event;
-  event.frame = state.cursor().frames;
-  event.time = state.cursor().time;
-  event.channel = m_channel;
-  event.address = m_kind == Device::Kind::Node ? kNullAddress : m_address;
+  Event event = eventAt(state, m_channel, {}, m_kind == Device::Kind::Node ? kNullAddress : m_address);
   event.node = m_node;
   event.pin = m_pin;
   return event;
@@ -102,15 +98,15 @@ Event DeviceWatch::appeared(const State& state, Address former) const {
 
 void DeviceWatch::linkChanged(Instant time) {
   m_linkChanged = time;
-  if (!m_isSilent) m_silenceDue = time + kSilentAfter;
+  if (!m_silence.isSilent()) m_silenceDue = time + kSilentAfter;
   m_permissiveDue = time;
 }
 
 void DeviceWatch::heard(const State& state, const Device& device, std::vector<Event>& out) {
-  if (m_isSilent) {
-    if (lastBeat(state, device) == m_silentSince || healthOf(state, device).has(HealthCause::Silent)) return;
-    m_isSilent = false;
-    m_silentFor = state.cursor().time - m_silentSince;
+  if (m_silence.isSilent()) {
+    if (lastBeat(state, device) == m_silence.lastHeard() || healthOf(state, device).has(HealthCause::Silent))
+      return;
+    m_silence.end(state.cursor().time);
     compareSilence(state, out);
   }
   if (m_silenceDue == kNever) m_silenceDue = state.cursor().time + kSilentAfter;
@@ -128,22 +124,8 @@ void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::v
     if (health.has(HealthCause::TwoAtOneAddress)) m_silenceDue = now + kSilentAfter;
     return;
   }
-  m_isSilent = true;
-  m_silentSince = lastBeat(state, device);
+  m_silence.begin(lastBeat(state, device));
   compareSilence(state, out);
-}
-
-void DeviceWatch::compareSilence(const State& state, std::vector<Event>& out) {
-  Event event = eventOf(state);
-  if (!m_silence.moves(m_isSilent ? 1 : 0, event.time, m_retry)) return;
-  event.kind = m_isSilent ? EventKind::Silent : EventKind::Back;
-  if (m_isSilent) {
-    event.since = m_silentSince;
-  } else {
-    event.now = m_silentFor.count();
-  }
-  m_silence.settle(event);
-  out.push_back(event);
 }
 
 void DeviceWatch::timeCame(const State& state, const Device& device, std::vector<Event>& out) {
@@ -171,29 +153,21 @@ void DeviceWatch::lookAtIdentity(const State& state, const Device& device, std::
     Event event = eventOf(state);
     if (!hasAddress && m_hasAddress) {
       event.kind = EventKind::AddressLost;
-      if (m_moves.happens(event.time)) {
-        m_moves.settle(event);
-        out.push_back(event);
-      }
+      m_moves.happens(event, out);
     } else if (hasAddress && device.address != m_address) {
       event.kind = EventKind::MovedAddress;
       event.was = m_address.value;
       event.now = device.address.value;
       event.address = m_address = device.address;
-      if (m_moves.happens(event.time)) {
-        m_moves.settle(event);
-        out.push_back(event);
-      }
+      m_moves.happens(event, out);
     }
     m_hasAddress = hasAddress;
   }
   if (device.restarted != m_restarted) {
     m_restarted = device.restarted;
     Event event = eventOf(state);
-    if (!m_restarts.happens(event.time)) return;
     event.kind = EventKind::Restarted;
-    m_restarts.settle(event);
-    out.push_back(event);
+    m_restarts.happens(event, out);
   }
 }
 
@@ -299,16 +273,14 @@ void DeviceWatch::compareFaults(const State& state, const Device& device, std::v
       Event told = event;
       told.kind = isRaised != 0 ? EventKind::Fault : EventKind::FaultCleared;
       told.was = told.now = static_cast<std::int64_t>(bit);
-      m_faults[bit].settle(told);
-      out.push_back(told);
+      m_faults[bit].tell(told, out);
     }
   }
   if (!code || !m_errorCode.moves(*code, event.time, m_retry, EventSlot::First::Always)) return;
   event.kind = *code != 0 ? EventKind::ErrorCode : EventKind::ErrorCodeCleared;
   event.was = static_cast<std::int64_t>(m_errorCode.shown());
   event.now = *code;
-  m_errorCode.settle(event);
-  out.push_back(event);
+  m_errorCode.tell(event, out);
 }
 
 void DeviceWatch::comparePermissive(const State& state, const Device& device, std::vector<Event>& out) {
@@ -331,8 +303,7 @@ void DeviceWatch::compareFlag(EventSlot& slot, bool value, EventKind on, EventKi
     event.was = value ? 0 : code;
     event.now = value ? code : 0;
   }
-  slot.settle(event);
-  out.push_back(event);
+  slot.tell(event, out);
 }
 
 // Not available is neither reached nor left. A stop that reports an error at first is told, one that is reached is not.
@@ -345,8 +316,7 @@ void DeviceWatch::compareStop(EventSlot& slot, Status2 value, Event event, std::
                                          : EventKind::StopLeft;
   event.was = static_cast<std::int64_t>(slot.shown());
   event.now = static_cast<std::int64_t>(value);
-  slot.settle(event);
-  out.push_back(event);
+  slot.tell(event, out);
 }
 
 void DeviceWatch::compareLimit(std::size_t which, std::int16_t value, Event event, std::vector<Event>& out) {
@@ -355,8 +325,8 @@ void DeviceWatch::compareLimit(std::size_t which, std::int16_t value, Event even
   event.kind = EventKind::SoftLimitChanged;
   event.was = static_cast<std::int16_t>(slot.shown());
   event.now = value;
-  slot.settle(event);
-  if (event.was != event.now) out.push_back(event);
+  slot.tell(event, out);
+  if (event.was == event.now) out.pop_back();
 }
 
 }  // namespace deckpipe

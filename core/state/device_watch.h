@@ -6,9 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "state/event.h"
 #include "state/event_slot.h"
-#include "state/state.h"
 
 namespace deckpipe {
 
@@ -27,7 +25,7 @@ class DeviceWatch {
   // of it is told.
   void look(const State& state, const Device& device, MessageId id, const Payload& data,
             std::vector<Event>& out) {
-    if (m_isSilent || m_silenceDue == kNever) heard(state, device, out);
+    if (m_silence.isSilent() || m_silenceDue == kNever) heard(state, device, out);
     if (id != MessageId::Count && !isAsCompared(device, id, data)) compareNew(state, device, id, data, out);
   }
   // Whatever is due by the state's time.
@@ -62,7 +60,9 @@ class DeviceWatch {
                   std::vector<Event>& out);
   Event eventOf(const State& state) const;
   void heard(const State& state, const Device& device, std::vector<Event>& out);
-  void compareSilence(const State& state, std::vector<Event>& out);
+  void compareSilence(const State& state, std::vector<Event>& out) {
+    m_silence.compare(eventOf(state), m_retry, out);
+  }
   void lookAtSilence(const State& state, const Device& device, std::vector<Event>& out);
   void compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out);
   void comparePosition(const State& state, const Device& device, std::vector<Event>& out);
@@ -84,9 +84,6 @@ class DeviceWatch {
   NodeId m_node;
   Pin m_pin;
   bool m_hasAddress = false;
-  bool m_isSilent = false;
-  Instant m_silentSince = kNotYet;  // while it is silent: when it was heard last
-  Duration m_silentFor{0};          // after that
   Instant m_linkChanged = kNotYet;
   Instant m_restarted = kNotYet;
   Instant m_silenceDue = kNever;     // it may be silent then; never: once it is heard again
@@ -95,7 +92,7 @@ class DeviceWatch {
 
   // Of each report what was compared last. All ones: nothing, as a report begins with its type.
   std::array<std::uint64_t, kReports.size()> m_compared = noneCompared();
-  EventSlot m_silence{0};
+  Silence m_silence;
   TellCount m_restarts, m_moves;
   EventSlot m_rotationError{0}, m_elevationError{0}, m_operationalError{0};
   EventSlot m_deviceFaulted{0}, m_errorCode{0};

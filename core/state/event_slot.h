@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "state/event.h"
+#include "state/state.h"
 
 namespace deckpipe {
 
@@ -26,18 +28,29 @@ class TellLimit {
   Instant m_paid = kNotYet;  // until when what was told has been paid for
 };
 
+// What happened on a channel at the state's time.
+inline Event eventAt(const State& state, Channel channel, EventKind kind = {},
+                     Address address = kNullAddress) {
+  Event event;
+  event.kind = kind;
+  event.frame = state.cursor().frames;
+  event.time = state.cursor().time;
+  event.channel = channel;
+  event.address = address;
+  return event;
+}
+
 // Something that happens, and has no value. What is not told is counted with the next one that is.
 class TellCount {
  public:
-  bool happens(Instant now) {
-    if (m_limit.allows(now)) return true;
-    ++m_folded;
-    return false;
-  }
-  // After happens(), by this event.
-  void settle(Event& event) {
+  void happens(Event event, std::vector<Event>& out) {
+    if (!m_limit.allows(event.time)) {
+      ++m_folded;
+      return;
+    }
     m_limit.pay(event.time);
     event.folded = std::exchange(m_folded, 0u);
+    out.push_back(event);
   }
 
  private:
@@ -55,7 +68,7 @@ class EventSlot {
   // The first value heard is a change if it is another one than `usual`.
   explicit EventSlot(std::uint64_t usual) : m_shown(usual), m_last(usual), m_isKnown(true) {}
 
-  // Whether a change is to be told now: from shown() to `value`. Then call settle(). If it is to be told later,
+  // Whether a change is to be told now: from shown() to `value`. Then call tell(). If it is to be told later,
   // `retry` becomes the time to ask again, if that is sooner.
   bool moves(std::uint64_t value, Instant now, Instant& retry, First first = First::AsOthers) {
     if (!m_isKnown) {
@@ -83,7 +96,7 @@ class EventSlot {
     m_isKnown = true;
   }
   // The change is told, by this event. One that is told later than it came says since when it holds.
-  void settle(Event& event) {
+  void tell(Event event, std::vector<Event>& out) {
     if (m_waiting > 0) {
       event.folded = m_waiting - 1;
       if (event.since == kNotYet && m_changed < event.time) event.since = m_changed;
@@ -92,6 +105,7 @@ class EventSlot {
     m_told |= bitOf(m_last);
     m_waiting = 0;
     m_limit.pay(event.time);
+    out.push_back(event);
   }
 
  private:
@@ -109,6 +123,39 @@ class EventSlot {
   TellLimit m_limit;
   std::uint32_t m_waiting = 0;  // changes that are not told
   bool m_isKnown = false;
+};
+
+// Whether somebody who sent by himself is silent: told as Silent and Back.
+class Silence {
+ public:
+  bool isSilent() const { return m_isSilent; }
+  // Before the last silence; kNotYet if there was none.
+  Instant lastHeard() const { return m_lastHeard; }
+  void begin(Instant lastHeard) {
+    m_isSilent = true;
+    m_lastHeard = lastHeard;
+  }
+  void end(Instant now) {
+    m_isSilent = false;
+    m_length = now - m_lastHeard;
+  }
+  // `event` says when and whom; `retry` is that of EventSlot::moves().
+  void compare(Event event, Instant& retry, std::vector<Event>& out) {
+    if (!m_slot.moves(m_isSilent ? 1 : 0, event.time, retry)) return;
+    event.kind = m_isSilent ? EventKind::Silent : EventKind::Back;
+    if (m_isSilent) {
+      event.since = m_lastHeard;
+    } else {
+      event.now = m_length.count();
+    }
+    m_slot.tell(event, out);
+  }
+
+ private:
+  bool m_isSilent = false;
+  Instant m_lastHeard = kNotYet;
+  Duration m_length{0};  // of the last one
+  EventSlot m_slot{0};
 };
 
 }  // namespace deckpipe

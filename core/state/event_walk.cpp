@@ -119,13 +119,8 @@ void EventWalk::apply(const Note& note) {
 void EventWalk::apply(const Frame& frame, Instant time) {
   if (m_due <= time) catchUp(time);
   m_state->apply(frame, time);
-  if ((frame.flags & Frame::kTimeJump) != 0) {
-    Event event;
-    event.frame = cursor().frames;
-    event.time = cursor().time;
-    event.channel = {frame.channel};
-    m_found.push_back(event);
-  }
+  if ((frame.flags & Frame::kTimeJump) != 0)
+    m_found.push_back(eventAt(*m_state, {frame.channel}, EventKind::ClockJump));
   if (frame.channel >= kMaxChannels) return;
   BusWatch& bus = m_buses[frame.channel];
   if (bus.heard(*m_state)) m_due = std::min(m_due, bus.due());

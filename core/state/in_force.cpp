@@ -45,25 +45,16 @@ std::int64_t stampAt(const FrameStore& frames, std::uint8_t channel, std::uint64
 using NoteSubject = std::tuple<int, Channel, Address>;
 std::optional<NoteSubject> subjectOf(const NoteValue& value) {
   using About = std::optional<NoteSubject>;
+  const auto of = [](int group, Channel channel, Address address = {}) {
+    return About({group, channel, address});
+  };
   return std::visit(
-      Overload{[](const note::LinkUp& n) {
-                 return About({0, n.channel, {}});
-               },
-               [](const note::LinkDown& n) {
-                 return About({0, n.channel, {}});
-               },
-               [](const note::Locked& n) {
-                 return About({1, n.channel, {}});
-               },
-               [](const note::Unlocked& n) {
-                 return About({1, n.channel, {}});
-               },
-               [](const note::OwnAddress& n) {
-                 return About({2, n.channel, {}});
-               },
-               [](const note::DriveSaid& n) {
-                 return About({3, n.channel, n.address});
-               },
+      Overload{[&](const note::LinkUp& n) { return of(0, n.channel); },
+               [&](const note::LinkDown& n) { return of(0, n.channel); },
+               [&](const note::Locked& n) { return of(1, n.channel); },
+               [&](const note::Unlocked& n) { return of(1, n.channel); },
+               [&](const note::OwnAddress& n) { return of(2, n.channel); },
+               [&](const note::DriveSaid& n) { return of(3, n.channel, n.address); },
                [](const note::Mark&) { return About(); }, [](const note::Dropped&) { return About(); },
                [](const note::Asked&) { return About(); }, [](const note::RequestEnded&) { return About(); },
                [](const note::RequestWaits&) { return About(); },

@@ -5,22 +5,22 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <vector>
 
-#include "state/event.h"
 #include "state/event_slot.h"
-#include "state/state.h"
 
 namespace deckpipe {
 
 class NodeWatch {
  public:
-  explicit NodeWatch(Channel channel) : m_channel(channel) { m_silence.fill(EventSlot(0)); }
+  explicit NodeWatch(Channel channel) : m_channel(channel) {}
 
   // A J1939 frame came from `source`.
   void heard(const State& state, Address source, std::vector<Event>& out) {
-    if (m_silent[source.value]) spoke(state, source, out);
+    if (m_silences[source.value].isSilent()) {
+      m_silences[source.value].end(state.cursor().time);
+      compare(state, source, out);
+    }
     if (m_due == kNever) m_due = state.cursor().time + kSilentAfter;
   }
   // The link of its channel went up or down: nothing can be heard while it is down, which is told by itself.
@@ -35,17 +35,14 @@ class NodeWatch {
   Instant due() const { return m_due; }
 
  private:
-  void spoke(const State& state, Address source, std::vector<Event>& out);
-  void compare(const State& state, Address address, std::vector<Event>& out);
+  void compare(const State& state, Address address, std::vector<Event>& out) {
+    m_silences[address.value].compare(eventAt(state, m_channel, {}, address), m_due, out);
+  }
 
   Channel m_channel;
   Instant m_linkChanged = kNotYet;
   Instant m_due = kNever;
-  std::bitset<256> m_silent;
-  std::bitset<256> m_wereSilent;            // at any time
-  std::array<Instant, 256> m_since{};       // of those that are silent: when they were heard last
-  std::array<Duration, 256> m_silentFor{};  // of those that are not any more
-  std::array<EventSlot, 256> m_silence;
+  std::array<Silence, 256> m_silences;
 };
 
 }  // namespace deckpipe

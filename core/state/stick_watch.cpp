@@ -25,16 +25,6 @@ std::array<Address, 2> whoGoesBefore(const Joysticks& all, const Joystick& stick
 
 }  // namespace
 
-Event StickWatch::eventOf(const State& state, Channel channel, EventKind kind) const {
-  Event event;
-  event.kind = kind;
-  event.frame = state.cursor().frames;
-  event.time = state.cursor().time;
-  event.channel = channel;
-  event.address = m_source;
-  return event;
-}
-
 bool StickWatch::look(const State& state, Channel channel, const Joystick& stick, bool isNews,
                       std::vector<Event>& out) {
   if (stick.source != m_source) {
@@ -54,11 +44,10 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   } else if (hadTimedOut) {
     m_timeoutGap = gap;
     compareTimeout(state, channel, out);
-  } else if (!wasDeaf && gap > (stick.period > kSlowPeriod ? kMaxSlowGap : kMaxGap) && m_gaps.happens(now)) {
-    Event event = eventOf(state, channel, EventKind::JoystickGap);
+  } else if (!wasDeaf && gap > (stick.period > kSlowPeriod ? kMaxSlowGap : kMaxGap)) {
+    Event event = eventAt(state, channel, EventKind::JoystickGap, m_source);
     event.now = gap.count();
-    m_gaps.settle(event);
-    out.push_back(event);
+    m_gaps.happens(event, out);
   }
   if (stick.priority()) lookAtRank(state, channel, stick, out);
   return !wasSending;
@@ -67,20 +56,19 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
 void StickWatch::compareSending(const State& state, Channel channel, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
   if (!m_sending.moves(m_isSending ? 1 : 0, now, m_due)) return;
-  Event event = eventOf(state, channel, m_isSending ? EventKind::JoystickBegan : EventKind::JoystickEnded);
+  Event event =
+      eventAt(state, channel, m_isSending ? EventKind::JoystickBegan : EventKind::JoystickEnded, m_source);
   if (!m_isSending) event.since = m_last;
-  m_sending.settle(event);
-  out.push_back(event);
+  m_sending.tell(event, out);
 }
 
 void StickWatch::compareTimeout(const State& state, Channel channel, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
   if (!m_timeout.moves(m_hasTimedOut ? 1 : 0, now, m_due)) return;
-  Event event =
-      eventOf(state, channel, m_hasTimedOut ? EventKind::JoystickTimedOut : EventKind::JoystickBack);
+  Event event = eventAt(state, channel, m_hasTimedOut ? EventKind::JoystickTimedOut : EventKind::JoystickBack,
+                        m_source);
   event.now = m_timeoutGap.count();
-  m_timeout.settle(event);
-  out.push_back(event);
+  m_timeout.tell(event, out);
 }
 
 void StickWatch::lookAtRank(const State& state, Channel channel, const Joystick& stick,
@@ -96,12 +84,12 @@ void StickWatch::lookAtRank(const State& state, Channel channel, const Joystick&
     const Address by = before[axis];
     EventSlot& slot = m_outranked[axis];
     if (!slot.moves(by.value, state.cursor().time, m_due, EventSlot::First::Always)) continue;
-    Event event = eventOf(
-        state, channel, by == kNullAddress ? EventKind::JoystickOutrankedOver : EventKind::JoystickOutranked);
+    Event event = eventAt(
+        state, channel, by == kNullAddress ? EventKind::JoystickOutrankedOver : EventKind::JoystickOutranked,
+        m_source);
     event.axis = static_cast<std::uint8_t>(axis + 1);
     event.now = by.value;
-    slot.settle(event);
-    out.push_back(event);
+    slot.tell(event, out);
   }
 }
 

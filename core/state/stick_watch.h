@@ -6,9 +6,7 @@
 
 #include <vector>
 
-#include "state/event.h"
 #include "state/event_slot.h"
-#include "state/state.h"
 
 namespace deckpipe {
 
@@ -28,7 +26,6 @@ class StickWatch {
   Instant due() const { return m_due; }
 
  private:
-  Event eventOf(const State& state, Channel channel, EventKind kind) const;
   void compareSending(const State& state, Channel channel, std::vector<Event>& out);
   void compareTimeout(const State& state, Channel channel, std::vector<Event>& out);
   void lookAtRank(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
