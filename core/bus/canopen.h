@@ -36,8 +36,4 @@ struct CobId {
   }
 };
 
-constexpr std::uint32_t cobId(CobFunction function, NodeId node) {
-  return static_cast<std::uint32_t>(function) + node.value;
-}
-
 }  // namespace deckpipe

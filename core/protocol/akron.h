@@ -228,17 +228,10 @@ inline constexpr std::array kPipeDataFields{
 // A status that its sender broadcasts.
 constexpr Message status(MessageId id, std::string_view key, std::string_view name, int type, Lengths lengths,
                          std::span<const Field> fields, std::string_view source) {
-  return {.id = id,
-          .key = key,
-          .name = name,
-          .family = Family::Akron,
-          .selector = pgn::kProprietaryA,
-          .firstByte = type,
-          .lengths = lengths,
-          .fields = fields,
-          .broadcast = true,
-          .device = DeviceEnd::Sender,
-          .source = source};
+  Message message =
+      proprietary(Family::Akron, DeviceEnd::Sender, id, key, name, type, lengths, fields, source);
+  message.broadcast = true;
+  return message;
 }
 // One that it repeats, and that stands on its page.
 constexpr Message periodic(Duration period, PageGroups page, Message status) {
@@ -247,45 +240,20 @@ constexpr Message periodic(Duration period, PageGroups page, Message status) {
 // Sent to the device.
 constexpr Message toDevice(MessageId id, std::string_view key, std::string_view name, int type,
                            Lengths lengths, std::string_view source, std::span<const Field> fields = {}) {
-  return {.id = id,
-          .key = key,
-          .name = name,
-          .family = Family::Akron,
-          .selector = pgn::kProprietaryA,
-          .firstByte = type,
-          .lengths = lengths,
-          .fields = fields,
-          .device = DeviceEnd::Receiver,
-          .source = source};
+  return proprietary(Family::Akron, DeviceEnd::Receiver, id, key, name, type, lengths, fields, source);
 }
 // The device's answer or acknowledgement.
 constexpr Message fromDevice(MessageId id, std::string_view key, std::string_view name, int type,
                              Lengths lengths, std::string_view source, std::span<const Field> fields = {}) {
-  return watched({.id = id,
-                  .key = key,
-                  .name = name,
-                  .family = Family::Akron,
-                  .selector = pgn::kProprietaryA,
-                  .firstByte = type,
-                  .lengths = lengths,
-                  .fields = fields,
-                  .device = DeviceEnd::Sender,
-                  .source = source});
+  return watched(proprietary(Family::Akron, DeviceEnd::Sender, id, key, name, type, lengths, fields, source));
 }
 constexpr Message pipe(MessageId id, std::string_view key, std::string_view name, Lengths lengths,
                        std::span<const Field> fields = {}) {
-  return {.id = id,
-          .key = key,
-          .name = name,
-          .family = Family::Akron,
-          .selector = pgn::kProprietaryA,
-          .firstByte = 0xFE,
-          .lengths = lengths,
-          .fields = fields,
-          .device = DeviceEnd::Either,
-          .sharedType = true,
-          .source = "CAN Messaging manual, message type FE",
-          .part = Part::Pipe};
+  Message message = proprietary(Family::Akron, DeviceEnd::Either, id, key, name, 0xFE, lengths, fields,
+                                "CAN Messaging manual, message type FE");
+  message.sharedType = true;
+  message.part = Part::Pipe;
+  return message;
 }
 // As the gateway sends it too.
 constexpr Message inPdo(CobFunction function, Message message) {

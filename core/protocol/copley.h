@@ -5,7 +5,6 @@
 
 #include <array>
 
-#include "bus/j1939.h"
 #include "protocol/message.h"
 
 namespace deckpipe::copley {
@@ -107,29 +106,12 @@ inline constexpr std::array kGetRegisterResponseFields{kErrorCode, orLeftOut(sig
 
 constexpr Message command(MessageId id, std::string_view key, std::string_view name, int code,
                           Lengths lengths, std::span<const Field> fields, std::string_view source) {
-  return {.id = id,
-          .key = key,
-          .name = name,
-          .family = Family::Copley,
-          .selector = pgn::kProprietaryA,
-          .firstByte = code,
-          .lengths = lengths,
-          .fields = fields,
-          .device = DeviceEnd::Receiver,
-          .source = source};
+  return proprietary(Family::Copley, DeviceEnd::Receiver, id, key, name, code, lengths, fields, source);
 }
 constexpr Message response(MessageId id, std::string_view key, std::string_view name, int code,
                            Lengths lengths, std::span<const Field> fields, std::string_view source) {
-  return {.id = id,
-          .key = key,
-          .name = name,
-          .family = Family::Copley,
-          .selector = pgn::kProprietaryA,
-          .firstByte = code | kResponseBit,
-          .lengths = lengths,
-          .fields = fields,
-          .device = DeviceEnd::Sender,
-          .source = source};
+  return proprietary(Family::Copley, DeviceEnd::Sender, id, key, name, code | kResponseBit, lengths, fields,
+                     source);
 }
 
 inline constexpr auto kMessages = [] {

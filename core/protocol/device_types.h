@@ -42,6 +42,14 @@ inline constexpr auto kDeviceTypes = [] {
   using enum AxisUse;
   constexpr EnumSet kMonitorRepeats(PositionLimitStatus, DigitalOutputs);
   constexpr EnumSet kMonitorTakes(Request::Reset, Request::SetupMode);
+  constexpr auto monitor = [=](unsigned number, std::string_view name, std::array<AxisUse, 5> axes) {
+    return DeviceTypeFacts{.number = number,
+                           .name = name,
+                           .use = DeviceUse::Monitor,
+                           .repeats = kMonitorRepeats,
+                           .takes = kMonitorTakes,
+                           .axes = axes};
+  };
   return std::array{
       DeviceTypeFacts{.number = 1032,
                       .name = "6032 Universal II",
@@ -55,26 +63,11 @@ inline constexpr auto kDeviceTypes = [] {
       DeviceTypeFacts{.number = 1035, .name = "6035 Joystick", .use = DeviceUse::Control},
       DeviceTypeFacts{.number = 1036, .name = "6036 Direction Indicator"},
       DeviceTypeFacts{.number = 1037, .name = "6037 Wireless Interface", .use = DeviceUse::Control},
-      DeviceTypeFacts{.number = 1040,
-                      .name = "6040 Forestry",
-                      .use = DeviceUse::Monitor,
-                      .repeats = kMonitorRepeats,
-                      .takes = kMonitorTakes,
-                      .axes = {Rotation, Elevation, Pattern, DischargeValve}},
+      monitor(1040, "6040 Forestry", {Rotation, Elevation, Pattern, DischargeValve}),
       DeviceTypeFacts{.number = 1041, .name = "6041 Switchbox", .use = DeviceUse::Control},
-      DeviceTypeFacts{.number = 1042,
-                      .name = "6042 Global Platform",
-                      .use = DeviceUse::Monitor,
-                      .repeats = kMonitorRepeats,
-                      .takes = kMonitorTakes,
-                      .axes = {Rotation, Elevation, Pattern}},
+      monitor(1042, "6042 Global Platform", {Rotation, Elevation, Pattern}),
       DeviceTypeFacts{.number = 1051, .name = "6051 CAN Gateway"},
-      DeviceTypeFacts{.number = 1052,
-                      .name = "6052 StreamMaster II",
-                      .use = DeviceUse::Monitor,
-                      .repeats = kMonitorRepeats,
-                      .takes = kMonitorTakes,
-                      .axes = {Rotation, Elevation, Pattern}},
+      monitor(1052, "6052 StreamMaster II", {Rotation, Elevation, Pattern}),
   };
 }();
 

@@ -12,6 +12,7 @@
 #include "base/enum_table.h"
 #include "base/request.h"
 #include "base/time.h"
+#include "bus/j1939.h"
 #include "protocol/field.h"
 #include "protocol/page_group.h"
 
@@ -97,6 +98,22 @@ struct Message {
   // Bits before the fields that selecting the message already accounts for.
   constexpr unsigned selectedBits() const { return firstByte >= 0 ? 8 : 0; }
 };
+
+// A message on PGN EF00, which its first byte tells apart.
+constexpr Message proprietary(Family family, DeviceEnd device, MessageId id, std::string_view key,
+                              std::string_view name, int firstByte, Lengths lengths,
+                              std::span<const Field> fields, std::string_view source) {
+  return {.id = id,
+          .key = key,
+          .name = name,
+          .family = family,
+          .selector = pgn::kProprietaryA,
+          .firstByte = firstByte,
+          .lengths = lengths,
+          .fields = fields,
+          .device = device,
+          .source = source};
+}
 
 // What a table line adds to the message that a family's builder made.
 constexpr Message partOf(Request request, Part part, Message message) {

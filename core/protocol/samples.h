@@ -23,16 +23,14 @@ inline constexpr Sample kSamples[] = {
     // The manuals' own examples.
     {"manual_basic_joystick", "0CFDD633", "107D046400100000", MessageId::BasicJoystick,
      "x_percent=50; x_right=on; x_left=off; x_neutral=off; y_percent=-40; y_forward=off; y_back=on; "
-     "y_neutral=off; "
-     "x_detent=off; y_detent=off; switch_1=off; switch_2=on; switch_3=off; switch_4=off; switch_5=off; "
-     "switch_6=off; "
-     "switch_7=off; switch_8=off; switch_9=off; switch_10=off; switch_11=off; switch_12=off"},
+     "y_neutral=off; x_detent=off; y_detent=off; switch_1=off; switch_2=on; switch_3=off; switch_4=off; "
+     "switch_5=off; switch_6=off; switch_7=off; switch_8=off; switch_9=off; switch_10=off; "
+     "switch_11=off; switch_12=off"},
     {"manual_extended_joystick", "0CFDD733", "107D0464FFFF0004", MessageId::ExtendedJoystick,
      "grip_x_percent=50; grip_x_right=on; grip_x_left=off; grip_x_neutral=off; grip_y_percent=-40; "
-     "grip_y_forward=off; "
-     "grip_y_back=on; grip_y_neutral=off; grip_theta_percent=~; grip_theta_forward=na; grip_theta_back=na; "
-     "grip_theta_neutral=na; grip_x_detent=off; grip_y_detent=off; grip_theta_detent=off; switch_13=off; "
-     "switch_14=off; switch_15=on; switch_16=off"},
+     "grip_y_forward=off; grip_y_back=on; grip_y_neutral=off; grip_theta_percent=~; "
+     "grip_theta_forward=na; grip_theta_back=na; grip_theta_neutral=na; grip_x_detent=off; "
+     "grip_y_detent=off; grip_theta_detent=off; switch_13=off; switch_14=off; switch_15=on; switch_16=off"},
     {"manual_announcement_by_its_bits", "18EFFF80", "FF83150226021A0B", MessageId::AddressAnnouncement,
      "pin=1032AE637671947; device_type=1032"},
     {"manual_announcement_by_its_text", "18EFFF80", "FF83150206021A0B", MessageId::AddressAnnouncement,
@@ -41,20 +39,18 @@ inline constexpr Sample kSamples[] = {
      "record_type=1; data=00 00 00"},
     {"manual_position", "18EFFF80", "011D940371000041", MessageId::PositionLimitStatus,
      "rotation_deg=47.3; rotation_plus=on; rotation_minus=off; rotation_state=ok; elevation_deg=-5.5; "
-     "elevation_plus=off; elevation_minus=on; elevation_state=ok; axis1_plus_stop=off; axis1_minus_stop=off; "
-     "axis2_plus_stop=off; axis2_minus_stop=off; axis3_plus_stop=off; axis3_minus_stop=off; "
-     "axis4_plus_stop=off; "
-     "axis4_minus_stop=off; axis5_plus_stop=on; axis5_minus_stop=off; operational_error=off; calibrated=on"},
+     "elevation_plus=off; elevation_minus=on; elevation_state=ok; axis1_plus_stop=off; "
+     "axis1_minus_stop=off; axis2_plus_stop=off; axis2_minus_stop=off; axis3_plus_stop=off; "
+     "axis3_minus_stop=off; axis4_plus_stop=off; axis4_minus_stop=off; axis5_plus_stop=on; "
+     "axis5_minus_stop=off; operational_error=off; calibrated=on"},
     {"manual_rotation_limits", "18EFFF80", "81FED401C280", MessageId::RotationSoftLimits,
      "left_deg=-30; right_deg=45; oscillating=on"},
     {"manual_elevation_limits", "18EFFF80", "82FF38038400", MessageId::ElevationSoftLimits,
      "down_deg=-20; up_deg=90"},
     {"manual_outputs", "18EFFF80", "83C051", MessageId::DigitalOutputs,
      "panel_led=on; point_aim_led=off; outside_exclusion_zone=off; remote_mode=off; wireless_led=on; "
-     "high_flow=off; "
-     "discharge_valve=on; aux_agent=off; riser_command=0; soe_mode=off; point_aim_mode=off; stowed=off; "
-     "active=on; "
-     "enable=on"},
+     "high_flow=off; discharge_valve=on; aux_agent=off; riser_command=0; soe_mode=off; "
+     "point_aim_mode=off; stowed=off; active=on; enable=on"},
     {"manual_mini_outputs", "18EFFF81", "848002", MessageId::MiniDigitalOutputs,
      "riser_retracted=off; riser_extended=on; device_faulted=off; device_active=on"},
     {"manual_inputs_header_holds", "18EFFFF0", "8501", MessageId::DigitalInputs,
@@ -101,51 +97,41 @@ inline constexpr Sample kSamples[] = {
      "index=20482; subindex=1"},
     {"gateway_manual_joystick", "224", "107D046400100000", MessageId::GatewayJoystick,
      "x_percent=50; x_right=on; x_left=off; x_neutral=off; y_percent=-40; y_forward=off; y_back=on; "
-     "y_neutral=off; "
-     "x_detent=off; y_detent=off; switch_1=off; switch_2=on; switch_3=off; switch_4=off; switch_5=off; "
-     "switch_6=off; "
-     "switch_7=off; switch_8=off; switch_9=off; switch_10=off; switch_11=off; switch_12=off"},
+     "y_neutral=off; x_detent=off; y_detent=off; switch_1=off; switch_2=on; switch_3=off; switch_4=off; "
+     "switch_5=off; switch_6=off; switch_7=off; switch_8=off; switch_9=off; switch_10=off; "
+     "switch_11=off; switch_12=off"},
     {"gateway_manual_tpdo1", "1A4", "011D940371000001", MessageId::PositionLimitStatus,
      "rotation_deg=47.3; rotation_plus=on; rotation_minus=off; rotation_state=ok; elevation_deg=-5.5; "
-     "elevation_plus=off; elevation_minus=on; elevation_state=ok; axis1_plus_stop=off; axis1_minus_stop=off; "
-     "axis2_plus_stop=off; axis2_minus_stop=off; axis3_plus_stop=off; axis3_minus_stop=off; "
-     "axis4_plus_stop=off; "
-     "axis4_minus_stop=off; axis5_plus_stop=off; axis5_minus_stop=off; operational_error=off; calibrated=on"},
+     "elevation_plus=off; elevation_minus=on; elevation_state=ok; axis1_plus_stop=off; "
+     "axis1_minus_stop=off; axis2_plus_stop=off; axis2_minus_stop=off; axis3_plus_stop=off; "
+     "axis3_minus_stop=off; axis4_plus_stop=off; axis4_minus_stop=off; axis5_plus_stop=off; "
+     "axis5_minus_stop=off; operational_error=off; calibrated=on"},
     {"gateway_manual_tpdo2_as_drawn", "2A4", "83C001", MessageId::DigitalOutputs,
      "panel_led=on; point_aim_led=off; outside_exclusion_zone=off; remote_mode=off; wireless_led=off; "
-     "high_flow=off; "
-     "discharge_valve=off; aux_agent=off; riser_command=0; soe_mode=off; point_aim_mode=off; stowed=off; "
-     "active=on; "
-     "enable=on"},
+     "high_flow=off; discharge_valve=off; aux_agent=off; riser_command=0; soe_mode=off; "
+     "point_aim_mode=off; stowed=off; active=on; enable=on"},
 
     // Readings that the manuals' examples do not reach.
     {"operational_error_bits", "18EFFF80", "01FFFFFFF4800004", MessageId::PositionLimitStatus,
      "rotation_deg=~; rotation_plus=na; rotation_minus=na; rotation_state=not_fitted; elevation_deg=~; "
      "elevation_plus=on; elevation_minus=off; elevation_state=sensor_error; axis1_plus_stop=error; "
      "axis1_minus_stop=off; axis2_plus_stop=off; axis2_minus_stop=off; axis3_plus_stop=off; "
-     "axis3_minus_stop=off; "
-     "axis4_plus_stop=off; axis4_minus_stop=off; axis5_plus_stop=off; axis5_minus_stop=off; "
-     "operational_error=on; "
-     "calibrated=off"},
+     "axis3_minus_stop=off; axis4_plus_stop=off; axis4_minus_stop=off; axis5_plus_stop=off; "
+     "axis5_minus_stop=off; operational_error=on; calibrated=off"},
     {"every_output_bit", "18EFFF80", "837B82", MessageId::DigitalOutputs,
      "panel_led=off; point_aim_led=on; outside_exclusion_zone=off; remote_mode=off; wireless_led=off; "
-     "high_flow=off; "
-     "discharge_valve=off; aux_agent=on; riser_command=3; soe_mode=on; point_aim_mode=on; stowed=on; "
-     "active=on; "
-     "enable=off"},
+     "high_flow=off; discharge_valve=off; aux_agent=on; riser_command=3; soe_mode=on; point_aim_mode=on; "
+     "stowed=on; active=on; enable=off"},
     {"mini_faulted", "18EFFF81", "844001", MessageId::MiniDigitalOutputs,
      "riser_retracted=on; riser_extended=off; device_faulted=on; device_active=off"},
     {"five_byte_faults_of_older_firmware", "18EF0580", "0280201003", MessageId::FaultResponse,
      "faults=internal_eeprom, motor_axis_1, internal_fuse, s12_processor; reserved_bits=12; pcode_error=~"},
     {"vista_bits", "18EF0580", "21802AAA7D021925", MessageId::VistaStatus,
      "system_voltage_raw=512; k1_relay_reset=on; k1_relay_set=off; digital_output_3=on; "
-     "digital_output_2=off; "
-     "digital_output_1=on; digital_input_5l=off; digital_input_5h=on; digital_input_4l=off; "
-     "digital_input_4h=on; "
-     "digital_input_3l=off; digital_input_3h=on; digital_input_2l=off; digital_input_2h=on; "
-     "digital_input_1=off; "
-     "joystick_x_raw=500; joystick_sw10=on; joystick_sw3=off; joystick_y_raw=100; joystick_sw2=on; "
-     "joystick_sw1=off; "
+     "digital_output_2=off; digital_output_1=on; digital_input_5l=off; digital_input_5h=on; "
+     "digital_input_4l=off; digital_input_4h=on; digital_input_3l=off; digital_input_3h=on; "
+     "digital_input_2l=off; digital_input_2h=on; digital_input_1=off; joystick_x_raw=500; "
+     "joystick_sw10=on; joystick_sw3=off; joystick_y_raw=100; joystick_sw2=on; joystick_sw1=off; "
      "joystick_y_forward=off; joystick_y_back=on; joystick_x_left=off; joystick_x_right=on"},
     {"vista_position", "18EF0580", "2212348000", MessageId::VistaPosition,
      "rotation_raw=4660; elevation_raw=32768"},
@@ -154,8 +140,8 @@ inline constexpr Sample kSamples[] = {
     {"error_code_eight_bytes", "5A4", "4B0150020B000000", MessageId::SdoReadResponse,
      "index=20481; subindex=2; value=11; size=2; error_code=11"},
     {"abort_of_a_missing_object", "5A4", "8001500200000206", MessageId::SdoAbort,
-     "index=20481; subindex=2; abort_code=100794368; abort_text=Object does not exist in the object "
-     "dictionary"},
+     "index=20481; subindex=2; abort_code=100794368; "
+     "abort_text=Object does not exist in the object dictionary"},
     {"abort_without_a_known_text", "5A4", "8001500278563412", MessageId::SdoAbort,
      "index=20481; subindex=2; abort_code=305419896; abort_text=~"},
     {"upload_segment_request", "624", "6000000000000000", MessageId::SdoOther, "specifier=96"},

@@ -13,32 +13,27 @@ consteval BitRange position(std::string_view key) {
   return fieldOf(akron::kPositionLimitStatusFields, key).bits;
 }
 
-template <typename Array>
-consteval std::array<BitRange, 5> stops(const Array& keys) {
-  std::array<BitRange, 5> bits{};
-  for (std::size_t i = 0; i < bits.size(); ++i)
-    bits[i] = fieldOf(akron::kPositionLimitStatusFields, keys[i]).bits;
-  return bits;
-}
-constexpr auto kPlusStops = stops(std::array<std::string_view, 5>{
-    "axis1_plus_stop", "axis2_plus_stop", "axis3_plus_stop", "axis4_plus_stop", "axis5_plus_stop"});
-constexpr auto kMinusStops = stops(std::array<std::string_view, 5>{
-    "axis1_minus_stop", "axis2_minus_stop", "axis3_minus_stop", "axis4_minus_stop", "axis5_minus_stop"});
-
+// The bits of the fields whose keys begin and end so, in order.
 template <std::size_t N>
-consteval std::array<BitRange, N> switches(std::span<const Field> fields) {
+consteval std::array<BitRange, N> alike(std::span<const Field> fields, std::string_view begin,
+                                        std::string_view end = "") {
   std::array<BitRange, N> bits{};
   std::size_t at = 0;
   for (const Field& field : fields) {
-    if (field.key.starts_with("switch_")) bits[at++] = field.bits;
+    if (field.key.starts_with(begin) && field.key.ends_with(end)) bits[at++] = field.bits;
   }
   return bits;
 }
-constexpr auto kSwitches = switches<12>(j1939::kBasicJoystickFields);
-constexpr auto kGripSwitches = switches<4>(j1939::kExtendedJoystickFields);
+constexpr auto kPlusStops = alike<5>(akron::kPositionLimitStatusFields, "axis", "_plus_stop");
+constexpr auto kMinusStops = alike<5>(akron::kPositionLimitStatusFields, "axis", "_minus_stop");
+constexpr auto kSwitches = alike<12>(j1939::kBasicJoystickFields, "switch_");
+constexpr auto kGripSwitches = alike<4>(j1939::kExtendedJoystickFields, "switch_");
 
 unsigned bitsOf(const Frame& frame, BitRange range) {
   return static_cast<unsigned>(readBits(frame.data, range));
+}
+std::uint16_t shortAt(const Frame& frame, const Field& field) {
+  return static_cast<std::uint16_t>(bitsOf(frame, field.bits));
 }
 template <BitRange R>
 unsigned bitsAt(const LoadedPayload& payload) {
@@ -153,41 +148,50 @@ struct FlagAt {
   bool Struct::*member;
   BitRange bits;
 };
+template <typename Struct>
+struct FlagKey {
+  bool Struct::*member;
+  std::string_view key;
+};
+template <const auto& Fields, typename Struct, std::size_t N>
+consteval std::array<FlagAt<Struct>, N> flagsIn(const FlagKey<Struct> (&keys)[N]) {
+  std::array<FlagAt<Struct>, N> flags{};
+  for (std::size_t i = 0; i < N; ++i) flags[i] = {keys[i].member, fieldOf(Fields, keys[i].key).bits};
+  return flags;
+}
 
-constexpr FlagAt<DigitalOutputs> kOutputFlags[] = {
-    {&DigitalOutputs::panelLed, fieldOf(akron::kDigitalOutputsFields, "panel_led").bits},
-    {&DigitalOutputs::pointAimLed, fieldOf(akron::kDigitalOutputsFields, "point_aim_led").bits},
-    {&DigitalOutputs::outsideExclusionZone,
-     fieldOf(akron::kDigitalOutputsFields, "outside_exclusion_zone").bits},
-    {&DigitalOutputs::remoteMode, fieldOf(akron::kDigitalOutputsFields, "remote_mode").bits},
-    {&DigitalOutputs::wirelessLed, fieldOf(akron::kDigitalOutputsFields, "wireless_led").bits},
-    {&DigitalOutputs::highFlow, fieldOf(akron::kDigitalOutputsFields, "high_flow").bits},
-    {&DigitalOutputs::dischargeValve, fieldOf(akron::kDigitalOutputsFields, "discharge_valve").bits},
-    {&DigitalOutputs::auxAgent, fieldOf(akron::kDigitalOutputsFields, "aux_agent").bits},
-    {&DigitalOutputs::soeMode, fieldOf(akron::kDigitalOutputsFields, "soe_mode").bits},
-    {&DigitalOutputs::pointAimMode, fieldOf(akron::kDigitalOutputsFields, "point_aim_mode").bits},
-    {&DigitalOutputs::stowed, fieldOf(akron::kDigitalOutputsFields, "stowed").bits},
-    {&DigitalOutputs::active, fieldOf(akron::kDigitalOutputsFields, "active").bits},
-    {&DigitalOutputs::enable, fieldOf(akron::kDigitalOutputsFields, "enable").bits},
-};
-constexpr FlagAt<MiniOutputs> kMiniFlags[] = {
-    {&MiniOutputs::riserRetracted, fieldOf(akron::kMiniDigitalOutputsFields, "riser_retracted").bits},
-    {&MiniOutputs::riserExtended, fieldOf(akron::kMiniDigitalOutputsFields, "riser_extended").bits},
-    {&MiniOutputs::deviceFaulted, fieldOf(akron::kMiniDigitalOutputsFields, "device_faulted").bits},
-    {&MiniOutputs::deviceActive, fieldOf(akron::kMiniDigitalOutputsFields, "device_active").bits},
-};
-constexpr FlagAt<DigitalInputs> kInputFlags[] = {
-    {&DigitalInputs::allowedInCollisionZone,
-     fieldOf(akron::kDigitalInputsFields, "allowed_in_collision_zone").bits},
-    {&DigitalInputs::deploy, fieldOf(akron::kDigitalInputsFields, "deploy").bits},
-    {&DigitalInputs::stow, fieldOf(akron::kDigitalInputsFields, "stow").bits},
-};
-constexpr FlagAt<Permissive> kPermissiveFlags[] = {
-    {&Permissive::axis1Plus, fieldOf(akron::kSoePermissiveFields, "axis1_plus").bits},
-    {&Permissive::axis1Minus, fieldOf(akron::kSoePermissiveFields, "axis1_minus").bits},
-    {&Permissive::axis2Plus, fieldOf(akron::kSoePermissiveFields, "axis2_plus").bits},
-    {&Permissive::axis2Minus, fieldOf(akron::kSoePermissiveFields, "axis2_minus").bits},
-};
+constexpr auto kOutputFlags = flagsIn<akron::kDigitalOutputsFields, DigitalOutputs>({
+    {&DigitalOutputs::panelLed, "panel_led"},
+    {&DigitalOutputs::pointAimLed, "point_aim_led"},
+    {&DigitalOutputs::outsideExclusionZone, "outside_exclusion_zone"},
+    {&DigitalOutputs::remoteMode, "remote_mode"},
+    {&DigitalOutputs::wirelessLed, "wireless_led"},
+    {&DigitalOutputs::highFlow, "high_flow"},
+    {&DigitalOutputs::dischargeValve, "discharge_valve"},
+    {&DigitalOutputs::auxAgent, "aux_agent"},
+    {&DigitalOutputs::soeMode, "soe_mode"},
+    {&DigitalOutputs::pointAimMode, "point_aim_mode"},
+    {&DigitalOutputs::stowed, "stowed"},
+    {&DigitalOutputs::active, "active"},
+    {&DigitalOutputs::enable, "enable"},
+});
+constexpr auto kMiniFlags = flagsIn<akron::kMiniDigitalOutputsFields, MiniOutputs>({
+    {&MiniOutputs::riserRetracted, "riser_retracted"},
+    {&MiniOutputs::riserExtended, "riser_extended"},
+    {&MiniOutputs::deviceFaulted, "device_faulted"},
+    {&MiniOutputs::deviceActive, "device_active"},
+});
+constexpr auto kInputFlags = flagsIn<akron::kDigitalInputsFields, DigitalInputs>({
+    {&DigitalInputs::allowedInCollisionZone, "allowed_in_collision_zone"},
+    {&DigitalInputs::deploy, "deploy"},
+    {&DigitalInputs::stow, "stow"},
+});
+constexpr auto kPermissiveFlags = flagsIn<akron::kSoePermissiveFields, Permissive>({
+    {&Permissive::axis1Plus, "axis1_plus"},
+    {&Permissive::axis1Minus, "axis1_minus"},
+    {&Permissive::axis2Plus, "axis2_plus"},
+    {&Permissive::axis2Minus, "axis2_minus"},
+});
 constexpr BitRange kRiserCommand = fieldOf(akron::kDigitalOutputsFields, "riser_command").bits;
 
 template <auto& Flags, typename Struct>
@@ -198,7 +202,7 @@ void readFlags(const LoadedPayload& payload, Struct& out) {
   (std::make_index_sequence<std::size(Flags)>{});
 }
 template <typename Struct, std::size_t N>
-Encoded encodeFlags(MessageId id, const Struct& value, const FlagAt<Struct> (&flags)[N]) {
+Encoded encodeFlags(MessageId id, const Struct& value, const std::array<FlagAt<Struct>, N>& flags) {
   Encoded out = blank(id);
   for (const auto& flag : flags) put(out, flag.bits, std::uint64_t{value.*flag.member});
   return out;
@@ -347,21 +351,20 @@ std::uint8_t heartbeatState(const Frame& frame) {
 }
 
 FirmwareVersions FirmwareVersions::of(const Frame& frame) {
-  return {
-      static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kFirmwareResponseFields, "fixed_boot").bits)),
-      static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kFirmwareResponseFields, "bootloader").bits)),
-      static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kFirmwareResponseFields, "system").bits))};
+  return {shortAt(frame, fieldOf(akron::kFirmwareResponseFields, "fixed_boot")),
+          shortAt(frame, fieldOf(akron::kFirmwareResponseFields, "bootloader")),
+          shortAt(frame, fieldOf(akron::kFirmwareResponseFields, "system"))};
 }
 
 PcodeVersion PcodeVersion::of(const Frame& frame) {
-  return {static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kPcodeResponseFields, "style").bits)),
-          static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kPcodeResponseFields, "subtype").bits)),
-          static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kPcodeResponseFields, "version").bits))};
+  return {shortAt(frame, fieldOf(akron::kPcodeResponseFields, "style")),
+          shortAt(frame, fieldOf(akron::kPcodeResponseFields, "subtype")),
+          shortAt(frame, fieldOf(akron::kPcodeResponseFields, "version"))};
 }
 
 ConfigVersion ConfigVersion::of(const Frame& frame) {
   return {bitsOf(frame, fieldOf(akron::kConfigResponseFields, "config_type").bits),
-          static_cast<std::uint16_t>(bitsOf(frame, fieldOf(akron::kConfigResponseFields, "version").bits))};
+          shortAt(frame, fieldOf(akron::kConfigResponseFields, "version"))};
 }
 
 std::optional<Pin> announcedPin(const Frame& frame) {
