@@ -31,13 +31,6 @@ std::uint32_t namedBits(const Field& field) {
   return mask;
 }
 
-Value versionOf(std::uint64_t raw) {
-  std::string text = std::to_string(raw >> 8);
-  text += '.';
-  text += std::to_string(raw & 0xFF);
-  return Value::text(text);
-}
-
 Value realOf(std::uint64_t raw) {
   const float value = std::bit_cast<float>(static_cast<std::uint32_t>(raw));
   return std::isfinite(value) ? Value::real(static_cast<double>(value)) : Value();
@@ -92,7 +85,7 @@ Value valueOf(const Field& field, const Frame& frame) {
     case Kind::Flag: return Value::flag(raw != 0);
     case Kind::Status2: return Value::word(kStatus2Keys[static_cast<Status2>(raw)]);
     case Kind::Word: return wordOf(field, raw);
-    case Kind::Version: return versionOf(raw);
+    case Kind::Version: return Value::version(static_cast<std::uint16_t>(raw));
     case Kind::Float32: return realOf(raw);
     case Kind::Bytes: return Value::bytes(frame.bytes().subspan(field.bits.offset / 8u));
     case Kind::Tail: return tailOf(field, frame);

@@ -13,6 +13,10 @@ Value Value::text(std::string_view characters) {
   return v;
 }
 
+Value Value::version(std::uint16_t majorMinor) {
+  return text(std::to_string(majorMinor >> 8) + '.' + std::to_string(majorMinor & 0xFF));
+}
+
 Value Value::bytes(std::span<const std::uint8_t> bytes) {
   Value v(Type::Bytes, 0);
   v.m_size = static_cast<std::uint8_t>(std::min(bytes.size(), v.m_inline.size()));
@@ -69,6 +73,9 @@ void appendDecimal(std::string& out, std::int64_t number, unsigned decimals) {
 
 void appendText(std::string& out, const Value& value) {
   static constexpr char kHex[] = "0123456789ABCDEF";
+  const auto separate = [&out, begin = out.size()](const char* by) {
+    if (out.size() != begin) out += by;
+  };
   switch (value.type()) {
     case Value::Type::Null: break;
     case Value::Type::Integer: appendInteger(out, value.number()); break;
@@ -81,36 +88,27 @@ void appendText(std::string& out, const Value& value) {
     case Value::Type::Flag: out += value.flag() ? "on" : "off"; break;
     case Value::Type::Word:
     case Value::Type::Text: out += value.text(); break;
-    case Value::Type::Bytes: {
-      bool first = true;
+    case Value::Type::Bytes:
       for (const std::uint8_t byte : value.bytes()) {
-        if (!first) out += ' ';
-        first = false;
+        separate(" ");
         out += kHex[byte >> 4];
         out += kHex[byte & 15];
       }
       break;
-    }
-    case Value::Type::Names: {
-      bool first = true;
+    case Value::Type::Names:
       for (const ValueName& name : value.words()) {
         if ((value.mask() >> name.value & 1u) == 0) continue;
-        if (!first) out += ", ";
-        first = false;
+        separate(", ");
         out += name.word;
       }
       break;
-    }
-    case Value::Type::Numbers: {
-      bool first = true;
+    case Value::Type::Numbers:
       for (unsigned bit = 0; bit < 32; ++bit) {
         if ((value.mask() >> bit & 1u) == 0) continue;
-        if (!first) out += ", ";
-        first = false;
+        separate(", ");
         appendInteger(out, bit);
       }
       break;
-    }
   }
 }
 

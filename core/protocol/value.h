@@ -48,6 +48,7 @@ class Value {
     return v;
   }
   static Value text(std::string_view characters);  // at most 16
+  static Value version(std::uint16_t majorMinor);  // text: "2.6" of 0206 hex
   static Value bytes(std::span<const std::uint8_t> bytes);
   static constexpr Value names(std::uint32_t mask, std::span<const ValueName> words) {
     Value v(Type::Names, mask);

@@ -50,11 +50,9 @@ void appendQuotedKey(std::string& out, std::string_view key) {
 
 void appendFields(std::string& out, const Frame& frame, const Message& message) {
   out += '{';
-  bool first = true;
   for (const Field& field : message.fields) {
     if (!isPresent(field, frame)) continue;
-    if (!first) out += ',';
-    first = false;
+    if (out.back() != '{') out += ',';
     appendQuotedKey(out, field.key);
     appendJsonValue(out, valueOf(field, frame));
   }
@@ -73,6 +71,11 @@ void appendKeyed(std::string& out, std::string_view key, const std::optional<T>&
   appendJsonNumber(out, *number);
 }
 
+// Null for none.
+void appendWord(std::string& out, std::string_view word) {
+  word.empty() ? void(out += "null") : appendJsonString(out, word);
+}
+
 void appendJsonLine(std::string& out, const Frame& frame, std::string_view channel, const Classified& what) {
   const Ends ends = endsOf(frame);
   out += "{\"t\":";
@@ -84,18 +87,10 @@ void appendJsonLine(std::string& out, const Frame& frame, std::string_view chann
   out += "\",\"data\":\"";
   appendBytes(out, frame.bytes());
   out += "\",\"family\":";
-  if (const std::string_view family = familyKey(what.family); family.empty()) {
-    out += "null";
-  } else {
-    appendJsonString(out, family);
-  }
+  appendWord(out, familyKey(what.family));
   out += ",\"message\":";
   const std::string_view key = messageKey(what);
-  if (key.empty()) {
-    out += "null";
-  } else {
-    appendJsonString(out, key);
-  }
+  appendWord(out, key);
   appendKeyed(out, ",\"source\":", ends.source);
   appendKeyed(out, ",\"destination\":", ends.destination);
   appendKeyed(out, ",\"node\":", ends.node);

@@ -80,30 +80,24 @@ void appendJsonValue(std::string& out, const Value& value) {
       for (const std::uint8_t byte : value.bytes()) appendHex(out, byte, 2);
       out += '"';
       break;
-    case Value::Type::Names: {
+    case Value::Type::Names:
       out += '[';
-      bool first = true;
       for (const ValueName& name : value.words()) {
         if ((value.mask() >> name.value & 1u) == 0) continue;
-        if (!first) out += ',';
-        first = false;
+        if (out.back() != '[') out += ',';
         appendJsonString(out, name.word);
       }
       out += ']';
       break;
-    }
-    case Value::Type::Numbers: {
+    case Value::Type::Numbers:
       out += '[';
-      bool first = true;
       for (unsigned bit = 0; bit < 32; ++bit) {
         if ((value.mask() >> bit & 1u) == 0) continue;
-        if (!first) out += ',';
-        first = false;
+        if (out.back() != '[') out += ',';
         appendJsonNumber(out, bit);
       }
       out += ']';
       break;
-    }
   }
 }
 

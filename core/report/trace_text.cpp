@@ -49,43 +49,35 @@ void appendSummary(std::string& out, const Frame& frame, const Classified& what)
 }
 
 void appendTraceLine(std::string& out, const Frame& frame, std::string_view channel, const Classified& what) {
-  const auto padTo = [&](std::size_t start, std::size_t width) {
+  // The next column begins where this one has been so wide.
+  auto padTo = [&out, start = out.size()](std::size_t width) mutable {
     while (out.size() < start + width) out += ' ';
+    start = out.size();
   };
-  std::size_t start = out.size();
   if (frame.hasStamp()) {
     appendJsonSeconds(out, frame.stamp);
   } else {
     out += '-';
   }
-  padTo(start, 19);
-  start = out.size();
-  out += channel;
-  out += ' ';
-  padTo(start, 8);
-  start = out.size();
+  padTo(19);
+  out.append(channel) += ' ';
+  padTo(8);
   appendIdentifier(out, frame);
-  padTo(start, 10);
+  padTo(10);
   out += '[';
   appendJsonNumber(out, frame.length);
   out += "] ";
-  start = out.size();
+  padTo(0);
   if (frame.isRemote()) out += "remote";
   for (const std::uint8_t byte : frame.bytes()) {
     appendHex(out, byte, 2);
     out += ' ';
   }
-  padTo(start, 25);
-  start = out.size();
+  padTo(25);
   out += frame.isError() ? "error" : familyKey(what.family);
-  padTo(start, 10);
-  start = out.size();
-  if (what.malformed) {
-    out += "malformed";
-  } else if (what.isDecoded()) {
-    out += messageOf(what.message).key;
-  }
-  padTo(start, 24);
+  padTo(10);
+  out += what.malformed ? "malformed" : what.isDecoded() ? messageOf(what.message).key : "";
+  padTo(24);
   appendSummary(out, frame, what);
   out.erase(out.find_last_not_of(' ') + 1);
   out += '\n';

@@ -5,22 +5,22 @@
 #include <cstdio>
 #include <utility>
 
-#include "simulator/poll_answers.h"
-
 namespace deckpipe::simulator {
 namespace {
 
 // How long a controller takes to answer: ours, the manual does not give it.
 constexpr Duration kThinking = 2ms;
 
-void shorten(Encoded& data) {
-  data.length = static_cast<std::uint8_t>(data.length > 1 ? data.length - 1 : 2);
+// Of the answer to a fault poll: older firmware has no pCode error code.
+constexpr int kShortFaultLength = 5;
+
+void cut(Encoded& data, int length) {
+  data.length = static_cast<std::uint8_t>(length);
   std::fill(data.data.begin() + data.length, data.data.end(), std::uint8_t{0});
 }
+void shorten(Encoded& data) { cut(data, data.length > 1 ? data.length - 1 : 2); }
 
-std::string versionText(std::uint16_t version) {
-  return std::to_string(version >> 8) + '.' + std::to_string(version & 0xFF);
-}
+std::string versionText(std::uint16_t version) { return toText(Value::version(version)); }
 
 }  // namespace
 
@@ -124,9 +124,33 @@ void Device::heardRequest(Instant now, const J1939Id& id, const Frame& frame) {
     powerOff();
     if (away > 0ns) m_startAt = now + away;
   } else if (frame.length == 1) {
-    const FaultReport faults{faultMap(), errorCode(), m_misbehaviour.answers.shortFault};
-    if (const auto poll = pollAnswer(frame.data[0], m_identity, faults))
-      answer(now, poll->message, poll->data, id.source);
+    answerPoll(now, frame, id.source);
+  }
+}
+
+void Device::answerPoll(Instant now, const Frame& frame, Address to) {
+  const auto reply = [&](MessageId id, std::initializer_list<FieldValue> values) {
+    Encoded data = encoded(id, values);
+    if (id == MessageId::FaultResponse && m_misbehaviour.answers.shortFault) cut(data, kShortFaultLength);
+    answer(now, id, data, to);
+  };
+  const FirmwareVersions& firmware = m_identity.firmware;
+  const PcodeVersion& pcode = m_identity.pcode;
+  const ConfigVersion& config = m_identity.config;
+  if (hasTypeOf(frame, MessageId::FaultPoll)) {
+    reply(MessageId::FaultResponse,
+          {{"faults", Value::numbers(faultMap())}, {"pcode_error", Value::integer(errorCode())}});
+  } else if (hasTypeOf(frame, MessageId::FirmwarePoll)) {
+    reply(MessageId::FirmwareResponse, {{"fixed_boot", Value::version(firmware.fixedBoot)},
+                                        {"bootloader", Value::version(firmware.bootloader)},
+                                        {"system", Value::version(firmware.system)}});
+  } else if (hasTypeOf(frame, MessageId::PcodePoll)) {
+    reply(MessageId::PcodeResponse, {{"style", Value::integer(pcode.style)},
+                                     {"subtype", Value::integer(pcode.subtype)},
+                                     {"version", Value::version(pcode.version)}});
+  } else if (hasTypeOf(frame, MessageId::ConfigPoll)) {
+    reply(MessageId::ConfigResponse,
+          {{"config_type", Value::integer(config.type)}, {"version", Value::version(config.version)}});
   }
 }
 

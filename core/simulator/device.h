@@ -82,6 +82,8 @@ class Device : private PipeShell::Facts {
   void step(Instant now);
   void announce(Instant now);
   void heardRequest(Instant now, const J1939Id& id, const Frame& frame);
+  // Of one byte; nothing where it is none of polls 02-05.
+  void answerPoll(Instant now, const Frame& frame, Address to);
   void sendPipe(Instant now);
   void forget();
   void post(Instant due, Duration late, const Frame& frame);

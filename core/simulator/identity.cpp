@@ -37,10 +37,6 @@ Encoded encoded(MessageId id, std::initializer_list<FieldValue> values) {
   return result ? result.value() : Encoded{};
 }
 
-Value versionValue(std::uint16_t version) {
-  return Value::text(std::to_string(version >> 8) + '.' + std::to_string(version & 0xFF));
-}
-
 Frame nameFrame(Name name, Address source) {
   return j1939Frame(messageOf(MessageId::Name), {std::bit_cast<Payload>(name.value), 8}, source);
 }

@@ -30,8 +30,6 @@ Identity identityOf(std::string_view pin, PcodeVersion pcode, ConfigVersion conf
 
 // The data of a message whose values are ours, so that failing to encode is a bug of ours.
 Encoded encoded(MessageId id, std::initializer_list<FieldValue> values = {});
-// "major.minor" as the catalogue's version fields want it.
-Value versionValue(std::uint16_t version);
 
 Frame nameFrame(Name name, Address source);
 Frame announcementFrame(const Pin& pin, Address source);
