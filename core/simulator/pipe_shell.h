@@ -16,7 +16,6 @@
 #include <string_view>
 
 #include "base/time.h"
-#include "simulator/crc32.h"
 
 namespace deckpipe::simulator {
 
@@ -66,7 +65,7 @@ class PipeShell {
   struct Piece {
     std::string text;
     std::uint32_t left = 0, total = 0;  // of SEND, before the text
-    Crc32 crc;
+    std::uint32_t crc = 0;
   };
 
   void say(std::string_view text);
@@ -75,7 +74,7 @@ class PipeShell {
   void obey(Instant now, std::string_view command, std::string_view argument);
   void startFile(Instant now, std::uint32_t bytes);
   void fileByte(std::uint8_t byte);
-  static std::string summary(std::string_view what, std::uint32_t bytes, const Crc32& crc);
+  static std::string summary(std::string_view what, std::uint32_t bytes, std::uint32_t crc);
 
   const Facts& m_facts;
   std::string m_line;
@@ -86,7 +85,7 @@ class PipeShell {
   std::size_t m_waiting = 0;  // characters of all texts in m_out
   std::uint64_t m_lost = 0;
   std::uint32_t m_fileLeft = 0, m_fileSize = 0;
-  Crc32 m_fileCrc;
+  std::uint32_t m_fileCrc = 0;
   Instant m_fileBy = kNever;
 };
 

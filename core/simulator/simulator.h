@@ -20,6 +20,7 @@
 #include <variant>
 #include <vector>
 
+#include "control/simulator_control.h"
 #include "simulator/background.h"
 #include "simulator/device.h"
 
@@ -53,7 +54,7 @@ class Simulator {
   // From `when` on a device behaves like this. For at once there is Device::misbehave.
   void misbehave(Instant when, std::size_t index, const Misbehaviour& how);
   // Its switch or its reset button. On is ready after the device's own boot time, and nothing where it is on.
-  enum class Button : std::uint8_t { PowerOff, PowerOn, Reset };
+  using Button = SimulatorButton;
   void press(Instant when, std::size_t index, Button button);
 
  private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The devices' end of the data pipe: the shell, packets and acknowledgements, files, and what goes wrong.
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <random>
 
-#include "simulator/crc32.h"
 #include "terminal.h"
 
 namespace deckpipe::simulator::test {
@@ -13,10 +13,9 @@ namespace {
 constexpr const char* kBanner = "6032 Universal II 1032AE100801035 v2.6\r\n";
 
 std::string crcText(std::string_view bytes) {
-  Crc32 crc;
-  for (const char c : bytes) crc.add(static_cast<std::uint8_t>(c));
+  const uLong crc = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
   char hex[9];
-  std::snprintf(hex, sizeof hex, "%08X", static_cast<unsigned>(crc.value()));
+  std::snprintf(hex, sizeof hex, "%08lX", crc);
   return hex;
 }
 std::string randomBytes(std::size_t count, unsigned seed) {
@@ -24,11 +23,6 @@ std::string randomBytes(std::size_t count, unsigned seed) {
   std::string bytes(count, '\0');
   for (char& c : bytes) c = static_cast<char>(engine());
   return bytes;
-}
-
-TEST(Crc32, IsZlibs) {
-  EXPECT_EQ(crcText(""), "00000000");
-  EXPECT_EQ(crcText("123456789"), "CBF43926");
 }
 
 class Pipe : public ::testing::Test {
