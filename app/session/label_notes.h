@@ -14,7 +14,19 @@ class LabelNotes {
   // A log without a label yet is open from now on.
   void begin() { m_noted.clear(); }
   // Notes at the place of the log's live state what is not noted yet. No label any more is noted as an empty one.
-  void note(LogDocument& log, const State& state);
+  void note(LogDocument& log, const State& state) {
+    if (m_labels.empty() && m_noted.empty()) return;
+    for (const Device& device : state.devices().all()) {
+      if (device.kind != Device::Kind::Pin) continue;
+      const auto wanted = m_labels.find(device.pin);
+      const std::string label = wanted == m_labels.end() ? std::string() : wanted->second;
+      const auto noted = m_noted.try_emplace(device.pin).first;
+      if (noted->second == label) continue;
+      noted->second = label;
+      const Cursor end = state.cursor();
+      log.notes.append({.frame = end.frames, .time = end.time, .value = note::Label{device.pin, label}});
+    }
+  }
 
  private:
   LabelsByPin m_labels;  // the person's

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "log/journal_file.h"
-#include "log/sidecar.h"
 
 namespace deckpipe {
 namespace {
@@ -56,10 +55,6 @@ void LogSaving::write(const std::stop_token& stop) {
   end(Outcome::Saved, reason);
 }
 
-QString LogSaving::sidecarOf(const QString& path) {
-  return path + QLatin1String(kSidecarSuffix.data(), static_cast<int>(kSidecarSuffix.size()));
-}
-
 // The sidecar of a log that was there before would be of another log.
 QString LogSaving::writeSidecar(const std::string& text) {
   const QString path = sidecarOf(m_path);
@@ -67,12 +62,9 @@ QString LogSaving::writeSidecar(const std::string& text) {
     QFile old(path);
     return !old.exists() || old.remove() ? QString() : old.errorString();
   }
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly)) return file.errorString();
-  file.write(text.data(), static_cast<qint64>(text.size()));
-  if (!file.commit()) return file.errorString();
-  m_hasSidecar.store(true, std::memory_order_relaxed);
-  return {};
+  const QString reason = writeWholeFile(path, text);
+  m_hasSidecar.store(reason.isEmpty(), std::memory_order_relaxed);
+  return reason;
 }
 
 // False: given up.

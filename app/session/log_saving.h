@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "log/log_format.h"
+#include "session/mark_keeper.h"
 #include "session/part_writer.h"
 #include "state/log_view.h"
 
@@ -62,7 +63,6 @@ class LogSaving : public QObject {
   void ended(deckpipe::LogSaving::Outcome outcome, const QString& reason);
 
  private:
-  static QString sidecarOf(const QString& path);
   void write(const std::stop_token& stop);
   bool writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_token& stop);
   // The reason why not; empty if it is there, or none is needed.

@@ -18,13 +18,20 @@ namespace {
 
 using Why = UnkeptMarks::Why;
 
+QDateTime modifiedOf(const QString& path) { return QFileInfo(path).lastModified(); }
+
+}  // namespace
+
 QString sidecarOf(const QString& logPath) {
   return QFile::decodeName(sidecarPath(QFile::encodeName(logPath).toStdString()).c_str());
 }
 
-QDateTime modifiedOf(const QString& path) { return QFileInfo(path).lastModified(); }
-
-}  // namespace
+QString writeWholeFile(const QString& path, const std::string& text) {
+  QSaveFile file(path);
+  if (!file.open(QIODevice::WriteOnly)) return file.errorString();
+  file.write(text.data(), static_cast<qint64>(text.size()));
+  return file.commit() ? QString() : file.errorString();
+}
 
 QDateTime sidecarTime(const QString& logPath) { return modifiedOf(sidecarOf(logPath)); }
 
@@ -110,13 +117,6 @@ MarkKeeper::Status MarkKeeper::status(Instant now) const {
   if (work.busySince == kNotYet) return {.unkept = work.unkept};
   if (now - work.busySince <= kHangs) return {.isBusy = true};
   return {.unkept = UnkeptMarks{Why::NoAnswer}};
-}
-
-QString MarkKeeper::writeFile(const QString& path, const std::string& text) {
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly)) return file.errorString();
-  file.write(text.data(), static_cast<qint64>(text.size()));
-  return file.commit() ? QString() : file.errorString();
 }
 
 }  // namespace deckpipe

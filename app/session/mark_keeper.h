@@ -16,12 +16,16 @@
 
 namespace deckpipe {
 
+// The file beside a log that holds its notes.
+QString sidecarOf(const QString& logPath);
+// Writes a whole file, or leaves it as it was. Returns the system's words why not; empty if it is on the disk.
+QString writeWholeFile(const QString& path, const std::string& text);
 // When the sidecar beside a log was written; invalid if there is none.
 QDateTime sidecarTime(const QString& logPath);
 
 class MarkKeeper {
  public:
-  // Writes a whole file, or leaves it as it was. The system's words why not; empty if it is on the disk.
+  // Does what writeWholeFile() does.
   using Write = std::function<QString(const QString& path, const std::string& text)>;
   // A disk that takes longer is said not to answer.
   static constexpr Duration kHangs = 2s;
@@ -34,7 +38,7 @@ class MarkKeeper {
     friend bool operator==(const Status&, const Status&) = default;
   };
 
-  explicit MarkKeeper(Write write = writeFile) : m_write(std::move(write)) {}
+  explicit MarkKeeper(Write write = writeWholeFile) : m_write(std::move(write)) {}
   // Waits for the disk so long as kPatience; what hangs longer is left to itself.
   ~MarkKeeper();
   MarkKeeper(const MarkKeeper&) = delete;
@@ -51,7 +55,6 @@ class MarkKeeper {
 
  private:
   struct Work;
-  static QString writeFile(const QString& path, const std::string& text);
 
   Write m_write;
   std::vector<std::shared_ptr<Work>> m_works;  // their threads' too; the last is that of the open log

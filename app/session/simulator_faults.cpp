@@ -56,18 +56,7 @@ Misbehaviour misbehaviourOf(const SimulatedFaults& faults) {
   return result;
 }
 
-simulator::Simulator::Button buttonOf(SimulatorButton button) {
-  using Button = simulator::Simulator::Button;
-  switch (button) {
-    case SimulatorButton::PowerOff: return Button::PowerOff;
-    case SimulatorButton::PowerOn: return Button::PowerOn;
-    case SimulatorButton::Reset: break;
-  }
-  return Button::Reset;
-}
-
-SimulatorStatus simulatorStatus(const simulator::StandardSimulator& simulator,
-                                const std::vector<SimulatedFaults>& intended) {
+SimulatorStatus simulatorStatus(const simulator::StandardSimulator& simulator) {
   SimulatorStatus status;
   for (std::size_t i = 0; i < simulator.simulator.size(); ++i) {
     const simulator::Device& device = simulator.simulator.device(i);
@@ -77,7 +66,6 @@ SimulatorStatus simulatorStatus(const simulator::StandardSimulator& simulator,
     d.model = d.pin.isNull() ? 6039 : d.pin.deviceType() + 5000;
     d.address = device.address();
     d.isPowered = device.isPowered();
-    d.faults = intended[i];
     d.possible = possibleFor(d.model);
     status.devices.push_back(d);
   }

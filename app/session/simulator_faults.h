@@ -9,9 +9,7 @@
 namespace deckpipe {
 
 simulator::Misbehaviour misbehaviourOf(const SimulatedFaults& faults);
-simulator::Simulator::Button buttonOf(SimulatorButton button);
-// `intended` has the faults of each device of the simulator.
-SimulatorStatus simulatorStatus(const simulator::StandardSimulator& simulator,
-                                const std::vector<SimulatedFaults>& intended);
+// Without any fault.
+SimulatorStatus simulatorStatus(const simulator::StandardSimulator& simulator);
 
 }  // namespace deckpipe

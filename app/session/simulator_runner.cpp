@@ -19,7 +19,7 @@ constexpr Duration kHeldUp = 100ms;
 SimulatorRunner::SimulatorRunner(std::uint64_t seed, unsigned monitors, IsSimulated isSimulated)
     : m_simulator(simulator::standardSimulator(seed, {}, monitors)),
       m_isSimulated(std::move(isSimulated)),
-      m_intended(m_simulator.simulator.size()) {}
+      m_status(simulatorStatus(m_simulator)) {}
 // The link goes first, without a word: it tells its listener nothing from its destructor.
 SimulatorRunner::~SimulatorRunner() = default;
 
@@ -140,11 +140,11 @@ void SimulatorRunner::run() {
 }
 
 void SimulatorRunner::obey(const SimulatorIntent& intent) {
-  if (m_link == nullptr || !m_powered || intent.device >= m_intended.size()) return;
+  if (m_link == nullptr || !m_powered || intent.device >= m_status.devices.size()) return;
   if (const auto* button = std::get_if<SimulatorButton>(&intent.what)) {
-    m_simulator.simulator.press(now(), intent.device, buttonOf(*button));
+    m_simulator.simulator.press(now(), intent.device, *button);
   } else {
-    SimulatedFaults& faults = m_intended[intent.device];
+    SimulatedFaults& faults = m_status.devices[intent.device].faults;
     if (const auto* one = std::get_if<SimulatorSwitch>(&intent.what)) {
       faults.set(one->fault, one->on);
     } else {
@@ -152,16 +152,22 @@ void SimulatorRunner::obey(const SimulatorIntent& intent) {
     }
     m_simulator.simulator.misbehave(now(), intent.device, misbehaviourOf(faults));
   }
+  m_isNews = true;
   run();
 }
 
 // Only the demo's panel listens.
 void SimulatorRunner::publish() {
   if (m_bus == nullptr) return;
-  SimulatorStatus status = simulatorStatus(m_simulator, m_intended);
-  if (status == m_published) return;
-  m_published = std::move(status);
-  Q_EMIT simulatorChanged(m_published);
+  for (std::size_t i = 0; i < m_status.devices.size(); ++i) {
+    const simulator::Device& device = m_simulator.simulator.device(i);
+    SimulatedDevice& shown = m_status.devices[i];
+    if (shown.address == device.address() && shown.isPowered == device.isPowered()) continue;
+    shown.address = device.address();
+    shown.isPowered = device.isPowered();
+    m_isNews = true;
+  }
+  if (std::exchange(m_isNews, false)) Q_EMIT simulatorChanged(m_status);
 }
 
 void SimulatorRunner::send() {

@@ -83,8 +83,8 @@ class SimulatorRunner : public QObject, private PortListener {
   // Whether what the simulator sends goes out. The simulator itself goes on without.
   enum class Sending : std::uint8_t { NoBus, Listening, Allowed, Refused } m_sending = Sending::NoBus;
   std::vector<simulator::DueFrame> m_due;
-  std::vector<SimulatedFaults> m_intended;  // of each device
-  SimulatorStatus m_published;
+  SimulatorStatus m_status;
+  bool m_isNews = true;  // something of it is not published
 };
 
 }  // namespace deckpipe
