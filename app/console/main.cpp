@@ -25,6 +25,8 @@ void grabLater(deckpipe::MainWindow& window, const deckpipe::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Without it the C library looks at /etc/localtime anew for each local time, of which virtualcan takes one a frame.
+  if (!qEnvironmentVariableIsSet("TZ")) qputenv("TZ", ":/etc/localtime");
   // Qt would take --plugin for an option of its own.
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments += QString::fromLocal8Bit(argv[i]);
