@@ -2,21 +2,30 @@
 #include "changes.h"
 
 #include "base/overload.h"
-#include "json_line.h"
-#include "protocol/device_types.h"
+#include "event_lines.h"
 #include "protocol/lists.h"
 #include "report/decode_lines.h"
-#include "request_words.h"
 
 namespace deckpipe::ctl {
 namespace {
 
 void addWho(JsonLine& line, const Device& device) {
   if (device.kind == Device::Kind::Node) {
-    line.add("node", std::int64_t{device.node.value});
+    line.add("node", device.node.value);
   } else {
     line.add("pin", device.pin).add("address", device.address);
   }
+}
+
+// Marks, labels and drives are a person's own words; what was asked and its answers are seen in the frames.
+bool isWatched(const NoteValue& value) {
+  return std::visit(
+      Overload{[](const note::LinkUp&) { return true; }, [](const note::LinkDown&) { return true; },
+               [](const note::Locked&) { return true; }, [](const note::Unlocked&) { return true; },
+               [](const note::Dropped&) { return true; }, [](const note::LeftOut&) { return true; },
+               [](const note::OwnAddress&) { return true; }, [](const note::StillWaits&) { return true; },
+               [](const auto&) { return false; }},
+      value);
 }
 
 }  // namespace
@@ -48,40 +57,12 @@ void Changes::frameCame(const Frame& frame, const Classified& what) {
 }
 
 void Changes::noteCame(const Note& note) {
+  if (!isWatched(note.value)) return;
   JsonLine line;
   line.add("event", noteKey(note.value)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
-  const bool isSaid = std::visit(
-      Overload{
-          [&](const note::LinkUp& n) {
-            if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
-            if (n.bitRate != 0) line.add("bit_rate", std::int64_t{n.bitRate});
-            return true;
-          },
-          [](const note::Locked&) { return true; }, [](const note::Unlocked&) { return true; },
-          [&](const note::LinkDown& n) {
-            line.add("reason", kLinkFaultKeys[n.fault]);
-            if (!n.words.isEmpty()) line.add("words", n.words.str());
-            return true;
-          },
-          [&](const note::Dropped& n) {
-            return line.add("frames", static_cast<std::int64_t>(n.count)), true;
-          },
-          [&](const note::LeftOut& n) {
-            return line.add("frames", static_cast<std::int64_t>(n.count)).add("reason", leftOutWord(n.why)),
-                   true;
-          },
-          [&](const note::OwnAddress& n) {
-            return line.add("address", n.address).add("reason", ownAddressWord(n.how)), true;
-          },
-          [&](const note::StillWaits& n) {
-            return line.add("frames", static_cast<std::int64_t>(n.count)), true;
-          },
-          [](const note::Mark&) { return false; }, [](const note::DriveSaid&) { return false; },
-          [](const note::Asked&) { return false; }, [](const note::RequestWaits&) { return false; },
-          [](const note::RequestEnded&) { return false; }, [](const note::Pipe&) { return false; },
-          [](const note::Label&) { return false; }, [](const note::Added&) { return false; }},
-      note.value);
-  if (isSaid) m_out += line.text();
+  if (const auto* own = std::get_if<note::OwnAddress>(&note.value)) line.add("address", own->address);
+  addNoteFields(line, note.value);
+  m_out += line.text();
 }
 
 void Changes::compare() {
@@ -96,9 +77,10 @@ void Changes::compare() {
     const Address address{static_cast<std::uint8_t>(a)};
     const std::uint64_t name = bus.book.holder(address).value;
     if (name == m_names[a]) continue;
-    std::string text;
-    appendHex(text, name != 0 ? name : m_names[a], 16);
-    m_out += begin(name != 0 ? "claimed" : "claim_lost").add("address", address).add("name", text).text();
+    m_out += begin(name != 0 ? "claimed" : "claim_lost")
+                 .add("address", address)
+                 .addHex("name", name != 0 ? name : m_names[a], 16)
+                 .text();
     m_names[a] = name;
   }
   const auto devices = state.devices().all();
@@ -118,13 +100,7 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
     if (device.kind == Device::Kind::Free) {  // an address that turned out to be somebody else's
       m_out += begin("device_left").add("address", shown.address).text();
     } else {
-      JsonLine line = begin("device_appeared");
-      if (!device.pin.isNull()) {
-        const std::string_view type = deviceTypeName(device.pin.deviceType());
-        line.add("device_type", std::int64_t{device.pin.deviceType()});
-        type.empty() ? line.add("type_name", Value()) : line.add("type_name", type);
-      }
-      m_out += line.text();
+      m_out += begin("device_appeared").addTypeOf(device.pin).text();
     }
     shown = {device.kind, device.pin, device.address, device.node, {}};
   }

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "base/overload.h"
 #include "base/part_state.h"
 #include "counts.h"
-#include "json_line.h"
 #include "output.h"
 #include "protocol/akron.h"
 #include "protocol/field.h"
@@ -85,12 +83,6 @@ std::string faultKey(std::int64_t bit) {
   return found != akron::kFaultBits.end() ? std::string(found->word) : "reserved_bit_" + std::to_string(bit);
 }
 
-std::string nameKey(std::int64_t name) {
-  std::string text;
-  if (name != 0) appendHex(text, static_cast<std::uint64_t>(name), 16);
-  return text;
-}
-
 // "47.3", "-5.5"
 std::string tenthsText(std::int64_t tenths) {
   char text[32];
@@ -112,18 +104,18 @@ const char* sideOf(const Event& event) { return event.isPlus ? "plus" : "minus";
 
 void addDetail(JsonLine& line, const Event& event) {
   const EventDetail detail = kEvents[event.kind].detail;
-  if (event.axis != 0) line.add("axis", std::int64_t{event.axis});
+  if (event.axis != 0) line.add("axis", event.axis);
   switch (detail) {
     case EventDetail::None: break;
     case EventDetail::Flag: line.add("was", event.was != 0).add("now", event.now != 0); break;
     case EventDetail::Address: line.add("was", event.was).add("now", event.now); break;
     case EventDetail::Percent:
-      line.add("was", event.was).add("now", event.now).add("bit_rate", std::int64_t{event.bitRate});
+      line.add("was", event.was).add("now", event.now).add("bit_rate", event.bitRate);
       line.add("rate_assumed", event.isRateAssumed);
       break;
     case EventDetail::Name:
       for (const auto& [key, name] : {std::pair("was", event.was), std::pair("now", event.now)})
-        name == 0 ? line.add(key, Value()) : line.add(key, nameKey(name));
+        name == 0 ? line.add(key, Value()) : line.addHex(key, static_cast<std::uint64_t>(name), 16);
       break;
     case EventDetail::Fault: line.add("fault", faultKey(event.now)); break;
     case EventDetail::Code: {
@@ -138,7 +130,7 @@ void addDetail(JsonLine& line, const Event& event) {
       break;
     case EventDetail::Degrees:
       line.add("side", sideOf(event));
-      line.addNumber("was", tenthsText(event.was)).addNumber("now", tenthsText(event.now));
+      line.addJson("was", tenthsText(event.was)).addJson("now", tenthsText(event.now));
       break;
     case EventDetail::Length: line.add("ms", event.now / 1'000'000); break;
     case EventDetail::Source: line.add("by", event.now); break;
@@ -171,7 +163,7 @@ std::string detailText(const Event& event) {
       if (event.isRateAssumed) text += ", which is assumed";
       break;
     case EventDetail::Name:
-      if (event.now != 0) text += " to NAME " + nameKey(event.now);
+      if (event.now != 0) appendHex(text += " to NAME ", static_cast<std::uint64_t>(event.now), 16);
       break;
     case EventDetail::Fault: text += ": " + faultKey(event.now); break;
     case EventDetail::Code:
@@ -193,6 +185,46 @@ std::string detailText(const Event& event) {
   return text;
 }
 
+std::string spoken(std::string_view key) {
+  std::string text(key);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+// What stands behind the word for a note: ": fault, no answer"
+std::string detailText(const NoteValue& value) {
+  std::string text;
+  const auto say = [&text](std::string_view what) {
+    if (!what.empty()) text.append(text.empty() ? ": " : ", ").append(what);
+  };
+  std::visit(
+      [&](const auto& n) {
+        if constexpr (requires { n.text; }) say(n.text.str());
+        if constexpr (requires { n.adapter; }) say(n.adapter.str());
+        if constexpr (requires { n.request; }) say(requestWord(n.request));
+        if constexpr (requires { n.end; }) say(spoken(endWord(n.request, n.end)));
+        if constexpr (requires { n.count; }) say(framesText(n.count));
+        if constexpr (requires { n.why; }) say(spoken(leftOutWord(n.why)));
+      },
+      value);
+  return text;
+}
+
+struct Whom {
+  Pin pin;
+  Address address = kNullAddress;
+};
+Whom whomOf(const NoteValue& value) {
+  Whom whom;
+  std::visit(
+      [&](const auto& n) {
+        if constexpr (requires { n.pin; }) whom.pin = n.pin;
+        if constexpr (requires { n.address; }) whom.address = n.address;
+      },
+      value);
+  return whom;
+}
+
 std::string whoText(const Pin& pin, Address address, NodeId node) {
   if (!pin.isNull()) return std::string(pin.text());
   char text[16];
@@ -202,12 +234,6 @@ std::string whoText(const Pin& pin, Address address, NodeId node) {
   }
   if (address == kNullAddress) return "-";
   std::snprintf(text, sizeof text, "%02X", address.value);
-  return text;
-}
-
-std::string spoken(std::string_view key) {
-  std::string text(key);
-  std::ranges::replace(text, '_', ' ');
   return text;
 }
 
@@ -241,46 +267,11 @@ void EventLines::append(std::string& out, const Note& note) const {
     out += json(note);
     return;
   }
-  const std::string_view key = noteKey(note.value);
   const auto channel = channelOf(note.value);
-  std::string who = "-";
-  std::visit(
-      [&](const auto& n) {
-        if constexpr (requires {
-                        n.pin;
-                        n.address;
-                      }) {
-          who = whoText(n.pin, n.address, {});
-        } else if constexpr (requires { n.pin; }) {
-          who = whoText(n.pin, kNullAddress, {});
-        } else if constexpr (requires { n.address; }) {
-          who = whoText({}, n.address, {});
-        }
-      },
-      note.value);
-  std::string what = spoken(key);
-  std::visit(
-      Overload{[&](const note::Mark& n) { what += ": " + n.text.str(); },
-               [&](const note::Asked& n) { what += ": " + std::string(requestWord(n.request)); },
-               [&](const note::RequestWaits& n) { what += ": " + std::string(requestWord(n.request)); },
-               [&](const note::RequestEnded& n) {
-                 what +=
-                     ": " + std::string(requestWord(n.request)) + ", " + spoken(endWord(n.request, n.end));
-               },
-               [&](const note::Dropped& n) { what += ": " + framesText(n.count); },
-               [&](const note::StillWaits& n) { what += ": " + framesText(n.count); },
-               [&](const note::LeftOut& n) {
-                 what += ": " + framesText(n.count) + ", " + spoken(leftOutWord(n.why));
-               },
-               [&](const note::Added& n) { what += ": " + framesText(n.count); },
-               [&](const note::Label& n) { what += ": " + std::string(n.text.str()); },
-               [&](const note::LinkUp& n) {
-                 if (!n.adapter.isEmpty()) what += ": " + std::string(n.adapter.str());
-               },
-               [](const auto&) {}},
-      note.value);
-  out += begin(who, noteWeight(note.value), note.time, channel ? m_frames.channelName(channel->value) : "-") +
-         printable(what) + "\n";
+  const Whom whom = whomOf(note.value);
+  out += begin(whoText(whom.pin, whom.address, {}), noteWeight(note.value), note.time,
+               channel ? m_frames.channelName(channel->value) : "-") +
+         printable(spoken(noteKey(note.value)) + detailText(note.value)) + "\n";
 }
 
 // "12.300", since the begin; a dash where the log has no times.
@@ -316,13 +307,13 @@ std::string EventLines::json(const Event& event) const {
   line.add("channel", m_frames.channelName(event.channel.value));
   if (!event.pin.isNull()) line.add("pin", event.pin);
   if (event.address != kNullAddress) line.add("address", event.address);
-  if (event.node.value != 0) line.add("node", std::int64_t{event.node.value});
+  if (event.node.value != 0) line.add("node", event.node.value);
   line.add("weight", eventWeightKey(facts.weight));
   addDetail(line, event);
   if (!event.other.isNull()) line.add("other_pin", event.other);
   if (event.since != kNotYet)
     line.addTime("since", stampOf(event.since, event.channel.value, m_frames.firstAtOrAfter(event.since)));
-  if (event.folded > 0) line.add("folded", std::int64_t{event.folded});
+  if (event.folded > 0) line.add("folded", event.folded);
   return line.text();
 }
 
@@ -330,46 +321,35 @@ std::string EventLines::json(const Note& note) const {
   JsonLine line;
   line.add("event", noteKey(note.value)).addTime("t", stampOf(note));
   if (const auto channel = channelOf(note.value)) line.add("channel", m_frames.channelName(channel->value));
+  const Whom whom = whomOf(note.value);
+  if (!whom.pin.isNull()) line.add("pin", whom.pin);
+  if (whom.address != kNullAddress) line.add("address", whom.address);
+  line.add("weight", eventWeightKey(noteWeight(note.value)));
+  addNoteFields(line, note.value);
+  return line.text();
+}
+
+void addNoteFields(JsonLine& line, const NoteValue& value) {
+  const auto addText = [&line](const char* key, const NoteText& text) {
+    if (!text.isEmpty()) line.add(key, text.str());
+  };
   std::visit(
       [&](const auto& n) {
-        if constexpr (requires { n.pin; }) {
-          if (!n.pin.isNull()) line.add("pin", n.pin);
+        if constexpr (requires { n.text; }) line.add("text", n.text.str());
+        if constexpr (requires { n.adapter; }) addText("adapter", n.adapter);
+        if constexpr (requires { n.bitRate; }) {
+          if (n.bitRate != 0) line.add("bit_rate", n.bitRate);
         }
-        if constexpr (requires { n.address; }) {
-          if (n.address != kNullAddress) line.add("address", n.address);
-        }
+        if constexpr (requires { n.fault; }) line.add("reason", kLinkFaultKeys[n.fault]);
+        if constexpr (requires { n.words; }) addText("words", n.words);
+        if constexpr (requires { n.how; }) line.add("reason", ownAddressWord(n.how));
+        if constexpr (requires { n.request; }) line.add("ask", requestWord(n.request));
+        if constexpr (requires { n.end; }) line.add("end", endWord(n.request, n.end));
+        if constexpr (requires { n.file; }) addText("file", n.file);
+        if constexpr (requires { n.count; }) line.add("frames", n.count);
+        if constexpr (requires { n.why; }) line.add("reason", leftOutWord(n.why));
       },
-      note.value);
-  line.add("weight", eventWeightKey(noteWeight(note.value)));
-  std::visit(
-      Overload{[&](const note::Mark& n) { line.add("text", n.text.str()); },
-               [&](const note::LinkDown& n) {
-                 line.add("reason", kLinkFaultKeys[n.fault]);
-                 if (!n.words.isEmpty()) line.add("words", n.words.str());
-               },
-               [&](const note::Dropped& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
-               [&](const note::StillWaits& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
-               [&](const note::OwnAddress& n) { line.add("reason", ownAddressWord(n.how)); },
-               [&](const note::Asked& n) { line.add("ask", requestWord(n.request)); },
-               [&](const note::RequestWaits& n) { line.add("ask", requestWord(n.request)); },
-               [&](const note::RequestEnded& n) {
-                 line.add("ask", requestWord(n.request)).add("end", endWord(n.request, n.end));
-               },
-               [&](const note::Pipe& n) {
-                 if (!n.file.isEmpty()) line.add("file", n.file.str());
-               },
-               [&](const note::LinkUp& n) {
-                 if (!n.adapter.isEmpty()) line.add("adapter", n.adapter.str());
-                 if (n.bitRate != 0) line.add("bit_rate", std::int64_t{n.bitRate});
-               },
-               [&](const note::LeftOut& n) {
-                 line.add("frames", static_cast<std::int64_t>(n.count)).add("reason", leftOutWord(n.why));
-               },
-               [&](const note::Added& n) { line.add("frames", static_cast<std::int64_t>(n.count)); },
-               [&](const note::Label& n) { line.add("text", n.text.str()); }, [](const note::Locked&) {},
-               [](const note::Unlocked&) {}, [](const note::DriveSaid&) {}},
-      note.value);
-  return line.text();
+      value);
 }
 
 std::string eventKeysHelp() {

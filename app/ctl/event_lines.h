@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "json_line.h"
 #include "log/frame_store.h"
 #include "log/note.h"
 #include "state/event.h"
@@ -32,6 +33,9 @@ class EventLines {
   const FrameStore& m_frames;
   bool m_asJson;
 };
+
+// What a note says beside its time, its channel and whom it is about.
+void addNoteFields(JsonLine& line, const NoteValue& value);
 
 // The paragraph of --help with every key and what it means.
 std::string eventKeysHelp();

@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "counts.h"
+#include "json_line.h"
 #include "node_lines.h"
 #include "output.h"
-#include "protocol/device_types.h"
-#include "report/json.h"
 #include "report/trace_text.h"
 #include "state/advance.h"
 #include "state/current.h"
@@ -16,10 +15,6 @@
 
 namespace deckpipe::ctl {
 namespace {
-
-std::string versionText(std::uint16_t version) {
-  return std::to_string(version >> 8) + "." + std::to_string(version & 0xFF);
-}
 
 std::string hex(unsigned value, unsigned digits) {
   std::string text;
@@ -56,103 +51,51 @@ std::string faultsText(const State& state, const Device& device, bool hasTimes) 
   return out;
 }
 
-void appendAngle(std::string& out, const PositionReading& reading) {
-  appendJsonValue(out, reading.state == PositionState::Ok ? Value::decimal(reading.tenths, 1) : Value());
+void addAngle(JsonLine& line, const char* number, const char* state, const PositionReading& reading) {
+  line.add(number, reading.state == PositionState::Ok ? Value::decimal(reading.tenths, 1) : Value());
+  line.add(state, kPositionStateKeys[reading.state]);
 }
 
 // One device as a JSON object: what it is, and the last of each thing it said.
-void appendDeviceJson(std::string& out, const State& state, const Device& device, std::string_view channel,
-                      std::string_view label, bool hasTimes) {
-  const auto key = [&](std::string_view name) {
-    out += ",\"";
-    out += name;
-    out += "\":";
-  };
-  out += "{\"pin\":";
-  appendJsonValue(out, device.kind == Device::Kind::Pin ? Value::text(device.pin.text()) : Value());
-  if (!label.empty()) {
-    key("label");
-    appendJsonString(out, label);
-  }
-  key("channel");
-  appendJsonString(out, channel);
-  if (device.kind == Device::Kind::Pin) {
-    key("device_type");
-    appendJsonNumber(out, device.pin.deviceType());
-  }
+std::string deviceJson(const State& state, const Device& device, std::string_view channel,
+                       std::string_view label, bool hasTimes) {
+  JsonLine line;
+  line.add("pin", device.pin);
+  if (!label.empty()) line.add("label", label);
+  line.add("channel", channel);
+  if (device.kind == Device::Kind::Pin) line.add("device_type", device.pin.deviceType());
   if (device.kind == Device::Kind::Node) {
-    key("node");
-    appendJsonNumber(out, device.node.value);
+    line.add("node", device.node.value);
   } else {
-    key("address");
-    appendJsonValue(out, device.address == kNullAddress ? Value() : Value::integer(device.address.value));
-    key("address_changes");
-    appendJsonNumber(out, device.addressChanges);
+    line.add("address", device.address).add("address_changes", device.addressChanges);
   }
-  key("health");
   const Health health = healthOf(state, device);
-  appendJsonString(out, health.key());
-  key("causes");
-  out += '[';
-  for (bool isFirst = true; const HealthCause cause : kAllOf<HealthCause>) {
-    if (!health.has(cause)) continue;
-    if (!std::exchange(isFirst, false)) out += ',';
-    appendJsonString(out, kHealthCauses[cause].key);
-  }
-  out += ']';
-  key("frames");
-  appendJsonNumber(out, device.frames);
-  key("malformed");
-  appendJsonNumber(out, device.malformed);
+  line.add("health", health.key()).add("causes", causesOf(health));
+  line.add("frames", device.frames).add("malformed", device.malformed);
   if (device.position().isKnown()) {
-    key("rotation_deg");
-    appendAngle(out, device.position().value().rotation);
-    key("rotation_state");
-    appendJsonString(out, kPositionStateKeys[device.position().value().rotation.state]);
-    key("elevation_deg");
-    appendAngle(out, device.position().value().elevation);
-    key("elevation_state");
-    appendJsonString(out, kPositionStateKeys[device.position().value().elevation.state]);
-    key("position_old");
-    out += isStale(state, device, MessageId::PositionLimitStatus) ? "true" : "false";
+    addAngle(line, "rotation_deg", "rotation_state", device.position().value().rotation);
+    addAngle(line, "elevation_deg", "elevation_state", device.position().value().elevation);
+    line.add("position_old", isStale(state, device, MessageId::PositionLimitStatus));
   }
   if (device.faults().isKnown()) {
-    key("faults");
+    const FaultStatus faults = device.faults().value();
     std::uint32_t named = 0;
     for (const ValueName& bit : akron::kFaultBits) named |= 1u << bit.value;
-    appendJsonValue(out, Value::names(device.faults().value().map & named, akron::kFaultBits));
-    key("reserved_bits");
-    appendJsonValue(out, Value::numbers(device.faults().value().map & ~named));
-    key("pcode_error");
-    appendJsonValue(out, device.faults().value().pcodeError
-                             ? Value::integer(*device.faults().value().pcodeError)
-                             : Value());
-    key("faults_age");
+    line.add("faults", Value::names(faults.map & named, akron::kFaultBits));
+    line.add("reserved_bits", Value::numbers(faults.map & ~named));
+    line.add("pcode_error", faults.pcodeError ? Value::integer(*faults.pcodeError) : Value());
     const Duration ago = state.cursor().time - device.faults().at;
-    appendJsonValue(out, hasTimes ? Value::decimal(ago / 100ms, 1) : Value());
-    key("faults_old");
+    line.add("faults_age", hasTimes ? Value::decimal(ago / 100ms, 1) : Value());
     const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
-    appendJsonValue(out, why.empty() ? Value() : Value::text(why));
+    line.add("faults_old", why.empty() ? Value() : Value::text(why));
   }
-  if (device.firmware().isKnown()) {
-    key("system");
-    appendJsonString(out, versionText(device.firmware().value().system));
-  }
-  if (device.pcode().isKnown()) {
-    key("style");
-    appendJsonNumber(out, device.pcode().value().style);
-    key("pcode_version");
-    appendJsonString(out, versionText(device.pcode().value().version));
-  }
-  if (device.config().isKnown()) {
-    key("config_type");
-    appendJsonNumber(out, device.config().value().type);
-  }
-  if (device.partNumber.isKnown()) {
-    key("part_number");
-    appendJsonNumber(out, device.partNumber.value);
-  }
-  out += '}';
+  if (device.firmware().isKnown()) line.add("system", Value::version(device.firmware().value().system));
+  if (device.pcode().isKnown())
+    line.add("style", device.pcode().value().style)
+        .add("pcode_version", Value::version(device.pcode().value().version));
+  if (device.config().isKnown()) line.add("config_type", device.config().value().type);
+  if (device.partNumber.isKnown()) line.add("part_number", device.partNumber.value);
+  return line.object();
 }
 
 std::string deviceText(const State& state, const Device& device, std::string_view channel,
@@ -242,22 +185,6 @@ void InfoReport::appendNotes(std::string& out) const {
   if (m_marks != 0) out += "  " + counted(m_marks, "mark", "marks") + "\n";
 }
 
-void InfoReport::appendNotesJson(std::string& out) const {
-  out += ",\"adapters\":[";
-  for (const Adapter& at : m_adapters) {
-    if (out.back() == '}') out += ',';
-    out += "{\"channel\":";
-    appendJsonString(out, m_frames.channelName(at.channel));
-    out += ",\"adapter\":";
-    appendJsonString(out, at.words);
-    out += ",\"bit_rate\":";
-    appendJsonValue(out, at.bitRate == 0 ? Value() : Value::integer(at.bitRate));
-    out += '}';
-  }
-  out += "],\"added\":" + std::to_string(m_added) + ",\"missed\":" + std::to_string(m_missed) +
-         ",\"marks\":" + std::to_string(m_marks);
-}
-
 Frame InfoReport::frameOf(const Key& key) const {
   Frame frame;
   frame.id = key.id;
@@ -319,57 +246,44 @@ std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipp
 }
 
 std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipped) const {
-  std::string out = "{\"file\":";
-  appendJsonString(out, file);
-  out += ",\"frames\":" + std::to_string(m_frames.count());
-  char span[40] = ",\"span\":null";
-  if (m_times == Times::Known) std::snprintf(span, sizeof span, ",\"span\":%.6f", spanSeconds());
-  out += span;
-  out += ",\"delta_times\":";
-  out += m_times == Times::Deltas ? "true" : "false";
-  appendNotesJson(out);
-  out += ",\"time_jumps\":" + std::to_string(m_timeJumps);
-  out += ",\"unreadable\":" + std::to_string(skipped.unreadable());
-  out += ",\"not_kept\":{";
-  bool first = true;
-  const auto comma = [&] {
-    if (!first) out += ',';
-    first = false;
-  };
+  char span[40] = "null";
+  if (m_times == Times::Known) std::snprintf(span, sizeof span, "%.6f", spanSeconds());
+  std::vector<std::string> adapters, ids, devices;
+  for (const Adapter& at : m_adapters)
+    adapters.push_back(JsonLine()
+                           .add("channel", m_frames.channelName(at.channel))
+                           .add("adapter", at.words)
+                           .add("bit_rate", at.bitRate == 0 ? Value() : Value::integer(at.bitRate))
+                           .object());
+  JsonLine notKept;
   for (const Skipped reason : kAllOf<Skipped>) {
-    if (isUnreadable(reason) || skipped.count(reason) == 0) continue;
-    comma();
-    appendJsonString(out, skippedText(reason));
-    out += ':' + std::to_string(skipped.count(reason));
+    if (!isUnreadable(reason) && skipped.count(reason) != 0)
+      notKept.add(skippedText(reason), skipped.count(reason));
   }
-  out += "},\"ids\":[";
-  first = true;
   for (const auto& [key, count] : m_byId) {
-    comma();
-    out += "{\"channel\":";
-    appendJsonString(out, m_frames.channelName(key.channel));
-    out += ",\"id\":\"";
-    appendIdentifier(out, frameOf(key));
-    out += '"';
-    if ((key.id & kRemoteBit) != 0) out += ",\"remote\":true";
-    if ((key.id & kErrorBit) != 0) out += ",\"error\":true";
-    out += ",\"frames\":" + std::to_string(count) + '}';
+    std::string id;
+    appendIdentifier(id, frameOf(key));
+    JsonLine line;
+    line.add("channel", m_frames.channelName(key.channel)).add("id", id);
+    if ((key.id & kRemoteBit) != 0) line.add("remote", true);
+    if ((key.id & kErrorBit) != 0) line.add("error", true);
+    ids.push_back(line.add("frames", count).object());
   }
-  out += ']';
+  JsonLine line;
+  line.add("file", file).add("frames", m_frames.count()).addJson("span", span);
+  line.add("delta_times", m_times == Times::Deltas).addList("adapters", adapters).add("added", m_added);
+  line.add("missed", m_missed).add("marks", m_marks).add("time_jumps", m_timeJumps);
+  line.add("unreadable", skipped.unreadable()).addJson("not_kept", notKept.object()).addList("ids", ids);
   if (m_withDevices) {
-    out += ",\"untracked_frames\":" + std::to_string(m_state.untrackedFrames());
-    out += ",\"untracked_devices\":" + std::string(m_state.devices().untracked() != 0 ? "true" : "false");
-    out += ",\"devices\":[";
-    first = true;
     for (const Device& device : m_state.devices().all()) {
-      if (device.kind == Device::Kind::Free) continue;
-      comma();
-      appendDeviceJson(out, m_state, device, m_frames.channelName(device.channel.value), labelOf(device),
-                       m_times == Times::Known);
+      if (device.kind != Device::Kind::Free)
+        devices.push_back(deviceJson(m_state, device, m_frames.channelName(device.channel.value),
+                                     labelOf(device), m_times == Times::Known));
     }
-    out += ']';
+    line.add("untracked_frames", m_state.untrackedFrames());
+    line.add("untracked_devices", m_state.devices().untracked() != 0).addList("devices", devices);
   }
-  return out + "}\n";
+  return line.text();
 }
 
 }  // namespace deckpipe::ctl

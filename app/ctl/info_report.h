@@ -42,7 +42,6 @@ class InfoReport {
 
   std::string_view labelOf(const Device& device) const;
   void appendNotes(std::string& out) const;
-  void appendNotesJson(std::string& out) const;
   Frame frameOf(const Key& key) const;
   double spanSeconds() const;
   std::string spanText() const;

@@ -3,13 +3,13 @@
 // are a frozen contract (README, "deckpipectl").
 #pragma once
 
-#include <optional>
+#include <concepts>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/ids.h"
+#include "protocol/device_types.h"
 #include "report/json.h"
 
 namespace deckpipe::ctl {
@@ -21,13 +21,20 @@ class JsonLine {
     return *this;
   }
   JsonLine& add(std::string_view key, const char* text) { return add(key, std::string_view(text)); }
-  JsonLine& add(std::string_view key, std::int64_t number) {
-    appendJsonNumber(begin(key), number);
+  template <std::integral T>
+  JsonLine& add(std::string_view key, T number) {
+    appendJsonNumber(begin(key), static_cast<std::int64_t>(number));
     return *this;
   }
-  // `number`: decimal text, which is inserted without quotes.
-  JsonLine& addNumber(std::string_view key, std::string_view number) {
-    begin(key) += number;
+  // `json`: a number, a list or an object as it is written.
+  JsonLine& addJson(std::string_view key, std::string_view json) {
+    begin(key) += json;
+    return *this;
+  }
+  JsonLine& addHex(std::string_view key, std::uint64_t number, unsigned digits) {
+    begin(key) += '"';
+    appendHex(m_text, number, digits);
+    m_text += '"';
     return *this;
   }
   JsonLine& add(std::string_view key, bool flag) {
@@ -39,12 +46,15 @@ class JsonLine {
     return *this;
   }
   JsonLine& add(std::string_view key, const std::vector<std::string_view>& words) {
-    std::string& text = begin(key) += '[';
-    for (bool isFirst = true; const std::string_view word : words) {
-      if (!std::exchange(isFirst, false)) text += ',';
-      appendJsonString(text, word);
-    }
-    text += ']';
+    std::vector<std::string> list(words.size());
+    for (std::size_t i = 0; i < words.size(); ++i) appendJsonString(list[i], words[i]);
+    return addList(key, list);
+  }
+  // `items`: each as it is written.
+  JsonLine& addList(std::string_view key, const std::vector<std::string>& items) {
+    begin(key) += '[';
+    for (const std::string& item : items) m_text.append(&item == &items.front() ? "" : ",").append(item);
+    m_text += ']';
     return *this;
   }
   // Writes null for a null PIN or address.
@@ -52,7 +62,14 @@ class JsonLine {
     return pin.isNull() ? add(key, Value()) : add(key, pin.text());
   }
   JsonLine& add(std::string_view key, Address address) {
-    return address == kNullAddress ? add(key, Value()) : add(key, std::int64_t{address.value});
+    return address == kNullAddress ? add(key, Value()) : add(key, address.value);
+  }
+  // device_type and type_name of a device with this PIN; nothing of one without.
+  JsonLine& addTypeOf(const Pin& pin) {
+    if (pin.isNull()) return *this;
+    const std::string_view type = deviceTypeName(pin.deviceType());
+    add("device_type", pin.deviceType());
+    return type.empty() ? add("type_name", Value()) : add("type_name", type);
   }
   // Nanoseconds since 1970 as seconds.
   JsonLine& addTime(std::string_view key, std::int64_t ns) {
@@ -66,7 +83,8 @@ class JsonLine {
     m_text += object.substr(1, end - 1);
     return *this;
   }
-  std::string text() const { return m_text + "}\n"; }
+  std::string object() const { return (m_text.empty() ? "{" : m_text) + '}'; }
+  std::string text() const { return object() + '\n'; }
 
  private:
   std::string& begin(std::string_view key) {

@@ -6,7 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "bus/j1939.h"
 #include "protocol/address_book.h"
+#include "protocol/classify.h"
 
 namespace deckpipe::ctl {
 
@@ -19,9 +21,26 @@ struct NodeCount {
 class NodeCounts {
  public:
   // Each frame of the bus in order; `book` knows the frame already.
-  void count(const Frame& frame, Instant time, const Classified& what, const AddressBook& book);
+  void count(const Frame& frame, Instant time, const Classified& what, const AddressBook& book) {
+    if (!frame.isExtended() || frame.isError()) return;
+    const Address source = J1939Id::of(frame.identifier()).source;
+    // A claim is its own NAME's, also where that does not get the address.
+    const bool isClaim = what.message == MessageId::Name && what.isDecoded();
+    const Name name = isClaim ? Name::of(frame) : book.lastHolder(source);
+    NodeCount& count = m_counts[{source.value, name.value}];
+    // The first NAME takes over the frames that came before any NAME was heard there.
+    if (name.value != 0 && count.frames == 0) {
+      if (const auto before = m_counts.extract({source.value, 0}); !before.empty()) count = before.mapped();
+    }
+    ++count.frames;
+    count.lastHeard = time;
+    if (what.malformed) ++count.malformed;
+  }
   // The count of the node with this NAME at this address; the null NAME stands for a node without one.
-  NodeCount at(Address address, Name name) const;
+  NodeCount at(Address address, Name name) const {
+    const auto found = m_counts.find({address.value, name.value});
+    return found != m_counts.end() ? found->second : NodeCount{};
+  }
 
  private:
   std::map<std::pair<std::uint8_t, std::uint64_t>, NodeCount> m_counts;

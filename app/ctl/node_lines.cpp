@@ -10,7 +10,6 @@
 #include "protocol/decode.h"
 #include "protocol/device_types.h"
 #include "protocol/j1939.h"
-#include "state/health.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -85,13 +84,6 @@ std::vector<Row> rowsOf(const State& state, const NodeCounts& counts, Channel ch
   return rows;
 }
 
-// Their keys, the worst first.
-std::vector<std::string_view> causesOf(const Health& health) {
-  std::vector<std::string_view> keys;
-  health.causes.forEach([&](HealthCause cause) { keys.push_back(kHealthCauses[cause].key); });
-  return keys;
-}
-
 std::string healthWords(const Health& health) {
   if (health.isFine()) return std::string(health.key());
   std::string words;
@@ -102,24 +94,13 @@ std::string healthWords(const Health& health) {
 std::string jsonLine(const Row& row, std::string_view channelName) {
   JsonLine line;
   line.add("channel", channelName);
-  if (row.node.value != 0) {
-    line.add("node", std::int64_t{row.node.value});
-  } else {
-    line.add("address", row.address);
-  }
+  row.node.value != 0 ? line.add("node", row.node.value) : line.add("address", row.address);
   line.add("what", row.what);
   if (row.sendsJoystick) line.add("sends_joystick", true);
-  line.add("pin", row.pin());
-  if (!row.pin().isNull()) {
-    const std::string_view type = deviceTypeName(row.pin().deviceType());
-    line.add("device_type", std::int64_t{row.pin().deviceType()});
-    type.empty() ? line.add("type_name", Value()) : line.add("type_name", type);
-  }
+  line.add("pin", row.pin()).addTypeOf(row.pin());
   if (row.heard) line.add("claim", claimWord(row.claim));
   if (row.name != 0) {
-    std::string name;
-    appendHex(name, row.name, 16);
-    line.add("name", name);
+    line.addHex("name", row.name, 16);
     Frame frame;
     frame.data = std::bit_cast<Payload>(row.name);
     frame.length = 8;
@@ -128,8 +109,8 @@ std::string jsonLine(const Row& row, std::string_view channelName) {
     }
   }
   if (row.device != nullptr && row.device->partNumber.isKnown())
-    line.add("part_number", std::int64_t{row.device->partNumber.value});
-  line.add("frames", std::int64_t{row.frames()}).add("malformed", std::int64_t{row.malformed()});
+    line.add("part_number", row.device->partNumber.value);
+  line.add("frames", row.frames()).add("malformed", row.malformed());
   line.addTime("last_heard", wallTime(row.lastHeard())).add("health", row.health.key());
   line.add("causes", causesOf(row.health));
   return line.text();
@@ -162,6 +143,12 @@ std::string nodeLines(const State& state, const NodeCounts& counts, Channel chan
     out += format == NodeFormat::Text ? textLine(row, state.cursor().time) : jsonLine(row, channelName);
   }
   return out;
+}
+
+std::vector<std::string_view> causesOf(const Health& health) {
+  std::vector<std::string_view> keys;
+  health.causes.forEach([&](HealthCause cause) { keys.push_back(kHealthCauses[cause].key); });
+  return keys;
 }
 
 std::vector<std::string> untrackedLines(const State& state) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "node_counts.h"
+#include "state/health.h"
 #include "state/state.h"
 
 namespace deckpipe::ctl {
@@ -16,6 +17,9 @@ enum class NodeFormat : std::uint8_t { JsonLines, Text };
 
 std::string nodeLines(const State& state, const NodeCounts& counts, Channel channel,
                       std::string_view channelName, NodeFormat format);
+
+// The keys of the causes, the worst first.
+std::vector<std::string_view> causesOf(const Health& health);
 
 // What was counted and not followed, each kind a line without its end; none where all is followed.
 std::vector<std::string> untrackedLines(const State& state);
