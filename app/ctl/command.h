@@ -8,15 +8,15 @@
 
 namespace deckpipe::ctl {
 
-ExitStatus decodeCommand(const QStringList& arguments);
-ExitStatus eventsCommand(const QStringList& arguments);
-ExitStatus infoCommand(const QStringList& arguments);
-ExitStatus recordingsCommand(const QStringList& arguments);
-ExitStatus simulateCommand(const QStringList& arguments);
-ExitStatus nodesCommand(const QStringList& arguments);
-ExitStatus watchCommand(const QStringList& arguments);
-ExitStatus pollCommand(const QStringList& arguments);
-ExitStatus pipeCommand(const QStringList& arguments);
-ExitStatus commandCommand(const QStringList& arguments);
+ExitStatus decodeCommand(const QStringList& given);
+ExitStatus eventsCommand(const QStringList& given);
+ExitStatus infoCommand(const QStringList& given);
+ExitStatus recordingsCommand(const QStringList& given);
+ExitStatus simulateCommand(const QStringList& given);
+ExitStatus nodesCommand(const QStringList& given);
+ExitStatus watchCommand(const QStringList& given);
+ExitStatus pollCommand(const QStringList& given);
+ExitStatus pipeCommand(const QStringList& given);
+ExitStatus commandCommand(const QStringList& given);
 
 }  // namespace deckpipe::ctl

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl command: what changes something in a device. Named, confirmed by --yes, sent once.
 #include <algorithm>
-#include <cstdio>
+#include <string>
 
-#include "arguments.h"
 #include "command.h"
 #include "device_finder.h"
 #include "request_words.h"
@@ -17,45 +16,46 @@ constexpr KeyTable<kCommands, const char*> kDeeds{{{Request::ZeroAxes, "zero the
                                                    {Request::SetupMode, "put into setup mode"}}};
 
 // "zero_axes, reset, …": as the output says them. They are typed with '-'.
-QString commandWords() {
-  QStringList words;
-  for (const Request request : kCommands) words << requestWordText(request);
-  return words.join(QStringLiteral(", "));
+std::string commandWords() {
+  std::string words;
+  for (const Request request : kCommands)
+    words.append(words.empty() ? "" : ", ").append(requestWord(request));
+  return words;
 }
-QString typed(QString words) { return words.replace(QLatin1Char('_'), QLatin1Char('-')); }
+std::string typed(std::string words) {
+  std::ranges::replace(words, '_', '-');
+  return words;
+}
 
 }  // namespace
 
-ExitStatus commandCommand(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(
-      QStringLiteral(
-          "Sends one command to one device, once, and waits for its acknowledgement; for a reset,\n"
-          "up to 10 s for its announcing itself anew. Without --yes it names the device and does\n"
-          "nothing (status 2). One line: pin, address, ask (%1),\n"
-          "end (answered, of a reset restarted, no_answer, …; not_on_bus_yet: it may still go\n"
-          "out; stopped by Ctrl+C, with on_bus: true, false, or null if the adapter cannot\n"
-          "tell), tries, latency_ms. Status 0 only if it was acknowledged or seen.")
-          .arg(commandWords()));
-  parser.addPositionalArgument(QStringLiteral("COMMAND"),
-                               QStringLiteral("One of %1.").arg(typed(commandWords())));
-  const LiveOptions live(parser);
-  const DeviceOptions device(parser, false);
-  const QCommandLineOption yes(QStringLiteral("yes"), QStringLiteral("Yes, this device."));
-  parser.addOption(yes);
-  if (const auto status = parse(parser, arguments)) return *status;
+ExitStatus commandCommand(const QStringList& given) {
+  Arguments arguments(
+      given,
+      R"(Sends one command to one device, once, and waits for its acknowledgement; for a reset,
+up to 10 s for its announcing itself anew. Without --yes it names the device and does
+nothing (status 2). One line: pin, address, ask ()" +
+          commandWords() + R"(),
+end (answered, of a reset restarted, no_answer, …; not_on_bus_yet: it may still go
+out; stopped by Ctrl+C, with on_bus: true, false, or null if the adapter cannot
+tell), tries, latency_ms. Status 0 only if it was acknowledged or seen.)");
+  arguments.addArgument("COMMAND", "One of " + typed(commandWords()) + '.');
+  arguments.add(liveOptions());
+  arguments.add(deviceOptions(false));
+  arguments.add({{"yes", "Yes, this device."}});
+  if (const auto status = arguments.parse()) return *status;
   const auto request = std::ranges::find_if(kCommands, [&](Request known) {
-    return parser.positionalArguments() == QStringList(typed(requestWordText(known)));
+    return arguments.argument().toStdString() == typed(std::string(requestWord(known)));
   });
   if (request == kCommands.end())
-    return badUsage(QStringLiteral("command: one of %1 is wanted").arg(typed(commandWords())));
-  const auto whom = device.read(QStringLiteral("command"));
-  if (!whom) return kBadUsage;
-  const auto settings = live.read(QStringLiteral("command"), true);
-  if (!settings) return kBadUsage;
+    return arguments.bad(
+        QStringLiteral("one of %1 is wanted").arg(QString::fromStdString(typed(commandWords()))));
+  const DeviceName whom = deviceName(arguments, false);
+  const LiveSettings settings = liveSettings(arguments, true);
+  if (arguments.areBad()) return kBadUsage;
 
-  LiveRun run(*settings, true);
-  DeviceFinder finder(run, *whom);
+  LiveRun run(settings, true);
+  DeviceFinder finder(run, whom);
   Requester requester(run, true);
   bool isAsking = false;
   run.onReady = [&] { finder.begin(); };
@@ -65,7 +65,7 @@ ExitStatus commandCommand(const QStringList& arguments) {
       requester.tick();
     } else if (finder.hasFound()) {
       const std::vector<DeviceServices> found = finder.devices();
-      if (!parser.isSet(yes)) {
+      if (!arguments.has("yes")) {
         run.say(QStringLiteral("this would %1 %2; add --yes to do it")
                     .arg(QLatin1String(*kDeeds.find(*request)), deviceText(found.front())));
         return run.finish(kBadUsage);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl decode: protocol.md section 5.
+#include <algorithm>
 #include <array>
 #include <optional>
 
-#include "arguments.h"
 #include "command.h"
 #include "log_input.h"
 #include "output.h"
@@ -12,6 +12,11 @@
 
 namespace deckpipe::ctl {
 namespace {
+
+struct ChannelAddress {
+  std::string channel;  // empty: all of them
+  Address address;
+};
 
 // Walks the store as it grows, with the roles of every channel.
 class Decoder {
@@ -78,44 +83,32 @@ class Decoder {
 
 }  // namespace
 
-ExitStatus decodeCommand(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(
-      QStringLiteral("Decodes every frame of a log, one line each, to standard output.\n"
-                     "What cannot be read is said on standard error with its line."));
-  parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
-  const QCommandLineOption format(QStringLiteral("format"), QStringLiteral("jsonl (default), csv or text."),
-                                  QStringLiteral("FORMAT"), QStringLiteral("jsonl"));
-  const QCommandLineOption drive(
-      QStringLiteral("drive"),
-      QStringLiteral("A Copley drive is at this address (hex), on all channels or on one."),
-      QStringLiteral("[CHANNEL:]ADDR"));
-  const QCommandLineOption deltas = deltasOption();
-  parser.addOptions({format, drive, deltas});
-  if (const auto status = parse(parser, arguments)) return *status;
-
-  DecodeFormat wanted;
-  if (const QString word = parser.value(format); word == QLatin1String("jsonl")) {
-    wanted = DecodeFormat::JsonLines;
-  } else if (word == QLatin1String("csv")) {
-    wanted = DecodeFormat::Csv;
-  } else if (word == QLatin1String("text")) {
-    wanted = DecodeFormat::Text;
-  } else {
-    return badUsage(QStringLiteral("decode: no format '%1'; it is jsonl, csv or text").arg(word));
-  }
+ExitStatus decodeCommand(const QStringList& given) {
+  Arguments arguments(given,
+                      "Decodes every frame of a log, one line each, to standard output.\n"
+                      "What cannot be read is said on standard error with its line.");
+  arguments.addArgument("FILE", logArgumentHelp());
+  arguments.add(
+      {{"format", "jsonl (default), csv or text.", "FORMAT", "jsonl"},
+       {"drive", "A Copley drive is at this address (hex), on all channels or on one.", "[CHANNEL:]ADDR"},
+       deltasOption()});
+  if (const auto status = arguments.parse()) return *status;
+  constexpr DecodeFormat kFormats[] = {DecodeFormat::JsonLines, DecodeFormat::Csv, DecodeFormat::Text};
+  const std::size_t format = arguments.oneOf("format", {"jsonl", "csv", "text"});
   std::vector<ChannelAddress> drives;
-  for (const QString& text : parser.values(drive)) {
-    const auto address = parseChannelAddress(text);
-    if (!address)
-      return badUsage(
-          QStringLiteral("decode: --drive '%1' is not [CHANNEL:]ADDR with ADDR in hex, 00 to FD").arg(text));
-    drives.push_back(*address);
+  for (const QString& text : arguments.texts("drive")) {
+    const qsizetype colon = text.lastIndexOf(QLatin1Char(':'));
+    const auto address = parseAddress(text.mid(colon + 1));
+    if (!address || colon == 0)
+      arguments.bad(
+          QStringLiteral("--drive '%1' is not [CHANNEL:]ADDR with ADDR in hex, 00 to FD").arg(text));
+    drives.push_back(
+        {text.left(std::max<qsizetype>(colon, 0)).toStdString(), address.value_or(kNullAddress)});
   }
-  if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("decode: one FILE is wanted"));
+  if (arguments.areBad()) return kBadUsage;
 
-  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
-  Decoder decoder(input, wanted, std::move(drives));
+  LogInput input(arguments);
+  Decoder decoder(input, kFormats[format], std::move(drives));
   bool written = true;
   const ExitStatus status = input.read([&] { return written = decoder.decodeNew(false); });
   written = written && decoder.decodeNew(true);

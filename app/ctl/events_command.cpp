@@ -2,7 +2,6 @@
 // deckpipectl events: what changed in a log, and when.
 #include <algorithm>
 
-#include "arguments.h"
 #include "command.h"
 #include "event_lines.h"
 #include "log_input.h"
@@ -59,28 +58,22 @@ class EventTeller {
 
 }  // namespace
 
-ExitStatus eventsCommand(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(
-      QStringLiteral(
-          "Says what changed in a log and when, one line each: time (seconds since the begin; - in a log\n"
-          "without times), channel,\n"
-          "device (PIN, address or node), weight and what happened.\n"
-          "With --json: event, t (seconds as 'deckpipectl decode' has them; null in a log without times),\n"
-          "channel, pin, address or node, "
-          "weight (info, warning, fault) and what stands in brackets below; since (t) and folded (changes\n"
-          "right before that were left out, as they came too fast for a reader) where they say "
-          "something.\n\n") +
-      QString::fromStdString(eventKeysHelp()));
-  parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
-  const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object a line."));
-  const QCommandLineOption deltas = deltasOption();
-  parser.addOptions({json, deltas});
-  if (const auto status = parse(parser, arguments)) return *status;
-  if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("events: one FILE is wanted"));
+ExitStatus eventsCommand(const QStringList& given) {
+  Arguments arguments(
+      given, R"(Says what changed in a log and when, one line each: time (seconds since the begin; - in a log
+without times), channel, device (PIN, address or node), weight and what happened.
+With --json: event, t (seconds as 'deckpipectl decode' has them; null in a log without times),
+channel, pin, address or node, weight (info, warning, fault) and what stands in brackets below;
+since (t) and folded (changes right before that were left out, as they came too fast for a reader)
+where they say something.
 
-  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
-  EventTeller teller(input, parser.isSet(json));
+)" + eventKeysHelp());
+  arguments.addArgument("FILE", logArgumentHelp());
+  arguments.add({{"json", "One JSON object a line."}, deltasOption()});
+  if (const auto status = arguments.parse()) return *status;
+
+  LogInput input(arguments);
+  EventTeller teller(input, arguments.has("json"));
   bool written = true;
   const ExitStatus status = input.read([&] { return written = teller.tellNew(); });
   written = written && teller.tellRest();

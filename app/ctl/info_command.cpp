@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl info: what is in a log.
-#include "arguments.h"
 #include "command.h"
 #include "info_report.h"
 #include "log_input.h"
@@ -8,21 +7,17 @@
 
 namespace deckpipe::ctl {
 
-ExitStatus infoCommand(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral(
-      "Says what is in a log: frames, span, frames by identifier, lines that cannot be read."));
-  parser.addPositionalArgument(QStringLiteral("FILE"), logArgumentHelp());
-  const QCommandLineOption devices(QStringLiteral("devices"),
-                                   QStringLiteral("Add what is known of every device at the end."));
-  const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object instead of text."));
-  const QCommandLineOption deltas = deltasOption();
-  parser.addOptions({devices, json, deltas});
-  if (const auto status = parse(parser, arguments)) return *status;
-  if (parser.positionalArguments().size() != 1) return badUsage(QStringLiteral("info: one FILE is wanted"));
+ExitStatus infoCommand(const QStringList& given) {
+  Arguments arguments(
+      given, "Says what is in a log: frames, span, frames by identifier, lines that cannot be read.");
+  arguments.addArgument("FILE", logArgumentHelp());
+  arguments.add({{"devices", "Add what is known of every device at the end."},
+                 {"json", "One JSON object instead of text."},
+                 deltasOption()});
+  if (const auto status = arguments.parse()) return *status;
 
-  LogInput input(parser.positionalArguments().first().toStdString(), parser.isSet(deltas));
-  InfoReport report(input.frames, input.notes, parser.isSet(devices));
+  LogInput input(arguments);
+  InfoReport report(input.frames, input.notes, arguments.has("devices"));
   const ExitStatus status = input.read([&] {
     report.countNew();
     return true;
@@ -32,7 +27,7 @@ ExitStatus infoCommand(const QStringList& arguments) {
   Output output;
   const SkippedPlaces skipped = input.skipped.content();
   output.text() =
-      parser.isSet(json) ? report.json(input.name(), skipped) : report.text(input.name(), skipped);
+      arguments.has("json") ? report.json(input.name(), skipped) : report.text(input.name(), skipped);
   return output.flush() ? status : kNotWhole;
 }
 

@@ -3,10 +3,10 @@
 // word that allows sending. And those that name a device.
 #pragma once
 
-#include <QCommandLineParser>
 #include <optional>
 #include <vector>
 
+#include "arguments.h"
 #include "base/ids.h"
 #include "link/can_link.h"
 #include "service/claim_service.h"
@@ -20,16 +20,13 @@ struct LiveSettings {
   bool unlock = false;
 };
 
-class LiveOptions {
- public:
-  explicit LiveOptions(QCommandLineParser& parser);
-  // Nothing where they are unusable, which has been said then. `sends`: it cannot do without --unlock.
-  std::optional<LiveSettings> read(const QString& command, bool sends) const;
+std::vector<Arguments::Option> liveOptions();
+// `sends`: the subcommand cannot do without --unlock.
+LiveSettings liveSettings(Arguments& arguments, bool sends);
 
- private:
-  QCommandLineParser& m_parser;
-  QCommandLineOption m_plugin, m_interface, m_bitRate, m_unlock, m_identity, m_ownAddress, m_drive;
-};
+// --bitrate: bits a second, 250000 by default; 0 leaves it as it is.
+Arguments::Option bitRateOption();
+int bitRate(Arguments& arguments);
 
 // Exactly one of them, or everyone.
 struct DeviceName {
@@ -39,24 +36,12 @@ struct DeviceName {
   QString text() const;
 };
 
-class DeviceOptions {
- public:
-  // `all`: --all is one of them.
-  DeviceOptions(QCommandLineParser& parser, bool all);
-  // Nothing where they are unusable, which has been said then; empty for --all.
-  std::optional<DeviceName> read(const QString& command) const;
-
- private:
-  QCommandLineParser& m_parser;
-  QCommandLineOption m_pin, m_address, m_all;
-  bool m_withAll;
-};
+// `withAll`: --all is one of them, and gives an empty name.
+std::vector<Arguments::Option> deviceOptions(bool withAll);
+DeviceName deviceName(Arguments& arguments, bool withAll);
 
 // Why there cannot be a link of these settings, as the end of a sentence; nothing if there may be one. It
 // opens nothing, and it does not look for the interface.
 std::optional<QString> pluginTrouble(const LinkSettings& link);
-
-// A number of seconds above 0; nothing where it is none.
-std::optional<double> parseSeconds(const QString& text);
 
 }  // namespace deckpipe::ctl

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "base/overload.h"
 #include "counts.h"
 #include "link/plugins.h"
 #include "link_words.h"
@@ -19,14 +18,10 @@ namespace deckpipe::ctl {
 namespace {
 
 QString reasonOf(const SourceError& error) {
-  return std::visit(
-      Overload{[](std::monostate) { return linkErrorText({}); },
-               [](const LinkError& e) { return linkErrorText(e); },
-               [](const StoreFull&) {
-                 return QStringLiteral("No room for more frames, neither in memory nor on disk.");
-               },
-               [](const ReadError&) { return linkErrorText({}); }},  // a link reads no file
-      error);
+  if (std::holds_alternative<StoreFull>(error))
+    return QStringLiteral("No room for more frames, neither in memory nor on disk.");
+  const auto* link = std::get_if<LinkError>(&error);
+  return linkErrorText(link != nullptr ? *link : LinkError{});
 }
 
 }  // namespace
@@ -36,6 +31,10 @@ LiveRun::LiveRun(const LiveSettings& settings, bool wantsAddress)
 
 void LiveRun::say(const QString& message) const {
   std::fprintf(stderr, "deckpipectl: %s\n", qPrintable(message));
+}
+
+void LiveRun::after(double seconds, std::function<void()> call) {
+  QTimer::singleShot(std::chrono::milliseconds(static_cast<int>(seconds * 1000)), this, std::move(call));
 }
 
 ExitStatus LiveRun::run() {
@@ -98,8 +97,8 @@ void LiveRun::linkWentDown(const QString& reason) {
     return finish(kNotWhole);
   }
   m_isWaiting = true;
+  // The lost link has locked sending.
   const bool wasUnlocked = std::exchange(m_settings.unlock, false);
-  if (wasUnlocked) m_session.intend(intent::Lock{});
   say(why + (wasUnlocked ? QStringLiteral("; waiting for it; sending is locked from now on.")
                          : QStringLiteral("; waiting for it.")));
 }
@@ -119,7 +118,7 @@ void LiveRun::unlock() {
 void LiveRun::unlockRefused(Refusal why) {
   m_unlockSerial = 0;
   say(m_settings.link.interfaceName + QStringLiteral(": cannot send: ") +
-      QLatin1String(refusalSentence(why)));
+      QLatin1String(kRefusalWords[why].sentence));
   if (m_wantsAddress) finish(kNotWhole);
 }
 

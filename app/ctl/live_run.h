@@ -4,7 +4,7 @@
 //
 // 1. A link that goes down, for however short a time, ends the run with status 1 and the reason.
 // 2. Unless outlivesLink: then an interface of Linux is waited for, which comes back by itself. Other adapters
-//    do not, so there the run ends all the same. Sending is locked as soon as the link went down.
+//    do not, so there the run ends all the same. The lost link locks sending.
 // 3. Whoever wants an address and has none kAddressPatience after the link came up ends with status 1.
 #pragma once
 
@@ -47,6 +47,8 @@ class LiveRun : public QObject {
   Output& output() { return m_output; }
   Channel channel() const { return {0}; }
   Address ownAddress() const { return m_follower.state().channel(channel()).ownAddress; }
+  // Calls it once the run has lasted so long.
+  void after(double seconds, std::function<void()> call);
   // "deckpipectl: …" on standard error.
   void say(const QString& message) const;
 

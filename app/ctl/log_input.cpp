@@ -41,15 +41,13 @@ std::string textOf(const ReadError& error) {
 
 }  // namespace
 
-QString logArgumentHelp() {
-  return QStringLiteral("Log to read (%1); - is standard input (%2).")
-      .arg(QString::fromStdString(formatNames(LogUse::Read)),
-           QString::fromStdString(formatNames(LogUse::ReadFromPipe)));
+std::string logArgumentHelp() {
+  return "Log to read (" + formatNames(LogUse::Read) + "); - is standard input (" +
+         formatNames(LogUse::ReadFromPipe) + ").";
 }
 
-QCommandLineOption deltasOption() {
-  return {QStringLiteral("deltas"),
-          QStringLiteral("The times are differences, each to the frame before: add them up.")};
+Arguments::Option deltasOption() {
+  return {"deltas", "The times are differences, each to the frame before: add them up."};
 }
 
 ExitStatus LogInput::read(const std::function<bool()>& more) {

@@ -3,13 +3,11 @@
 // store; whoever wants them is called as they come, on the calling thread.
 #pragma once
 
-#include <QCommandLineOption>
-#include <QString>
 #include <functional>
 #include <string>
 
+#include "arguments.h"
 #include "base/result.h"
-#include "exit_status.h"
 #include "log/frame_store.h"
 #include "log/note_store.h"
 #include "log/reading.h"
@@ -18,13 +16,15 @@
 namespace deckpipe::ctl {
 
 // The sentence of --help that says which files and pipes can be read.
-QString logArgumentHelp();
+std::string logArgumentHelp();
 
 // --deltas
-QCommandLineOption deltasOption();
+Arguments::Option deltasOption();
 
 struct LogInput {
-  LogInput(std::string filePath, bool areDeltas) : path(std::move(filePath)), addsUpTimes(areDeltas) {}
+  // Its FILE and --deltas.
+  explicit LogInput(const Arguments& arguments)
+      : path(arguments.argument().toStdString()), addsUpTimes(arguments.has("deltas")) {}
 
   std::string path;  // "-" is standard input
   bool addsUpTimes;  // --deltas was given

@@ -15,15 +15,9 @@ constexpr const char* kDevices[] = {"monitor", "riser", "io", "joystick"};
 
 // Buttons rather than misbehaviours: they happen once.
 constexpr const char *kOff = "off", *kOn = "on", *kReset = "reset";
-constexpr MisbehaveWord kOffFor{kOff, MisbehaveWord::Takes::Milliseconds, 0, 86'400'000, "", nullptr};
+constexpr MisbehaveWord kOffFor{kOff, "", nullptr, MisbehaveWord::Takes::Milliseconds, 0, 86'400'000};
 
 }  // namespace
-
-QString misbehaveHelp() {
-  return QStringLiteral(
-             "What goes wrong, and from when on; may be given more than once. '%1' lists what there is.")
-      .arg(QStringLiteral("--misbehave help"));
-}
 
 QString misbehaveTable() {
   QString text = QStringLiteral(

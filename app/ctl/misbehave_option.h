@@ -11,8 +11,7 @@
 
 namespace deckpipe::ctl {
 
-// One line for the option, and everything it takes as a table.
-QString misbehaveHelp();
+// Everything that the option takes.
 QString misbehaveTable();
 
 // Options of one device add up in the order of their times; "none" ends them.

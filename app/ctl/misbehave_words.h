@@ -22,11 +22,11 @@ struct MisbehaveWord {
   enum class Takes : std::uint8_t { Nothing, Number, Milliseconds, Losses, Fault };
 
   const char* word;
-  Takes takes;
-  unsigned leftOut;  // the number if none is given; 0: one must be given
-  unsigned max;      // of the number, in the unit of `takes`
   const char* help;
   void (*change)(simulator::Misbehaviour&, const WordValue&);
+  Takes takes = Takes::Nothing;
+  unsigned leftOut = 0;  // the number if none is given; 0: one must be given
+  unsigned max = 0;      // of the number, in the unit of `takes`
 };
 
 std::span<const MisbehaveWord> misbehaveWords();

@@ -3,7 +3,6 @@
 
 #include <QStringList>
 
-#include "arguments.h"
 #include "protocol/device_types.h"
 
 namespace deckpipe::ctl {
@@ -31,17 +30,16 @@ QString whoIs(const Stranger& stranger) {
 
 }  // namespace
 
-QCommandLineOption movesMonitorsOption() {
-  return {QStringLiteral("moves-monitors"),
-          QStringLiteral("The word for an interface with real monitors: any but virtualcan's and a vcan.")};
+Arguments::Option movesMonitorsOption() {
+  return {"moves-monitors", "The word for an interface with real monitors: any but virtualcan's and a vcan."};
 }
 
-QString movesMonitorsMissing(const QString& command, const QString& interfaceName) {
+QString movesMonitorsMissing(const QString& interfaceName) {
   return QStringLiteral(
-             "%1: real monitors may be on %2, and every one that hears this moves; --moves-monitors is the "
-             "word for "
+             "real monitors may be on %1, and every one that hears this moves; --moves-monitors is the word "
+             "for "
              "it. It is not wanted for virtualcan, a vcan or a file")
-      .arg(command, interfaceName);
+      .arg(interfaceName);
 }
 
 QString strangersText(const std::vector<Stranger>& strangers) {

@@ -3,17 +3,17 @@
 // the subcommands that could.
 #pragma once
 
-#include <QCommandLineOption>
 #include <vector>
 
+#include "arguments.h"
 #include "session/stranger_watch.h"
 
 namespace deckpipe::ctl {
 
 // --moves-monitors
-QCommandLineOption movesMonitorsOption();
-// The sentence for badUsage() if --moves-monitors was left out.
-QString movesMonitorsMissing(const QString& command, const QString& interfaceName);
+Arguments::Option movesMonitorsOption();
+// The sentence for bad() if --moves-monitors was left out.
+QString movesMonitorsMissing(const QString& interfaceName);
 // "1032AE100801035 (6032 Universal II) at address 80; a joystick at address 33"
 QString strangersText(const std::vector<Stranger>& strangers);
 

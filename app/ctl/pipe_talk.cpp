@@ -58,7 +58,7 @@ void PipeTalk::tick() {
   if (m_run.services().claim.progress != ClaimStatus::Progress::Claimed)
     return fail(QStringLiteral("our address was lost to another node"), pipe);
   if (m_firstSerial != 0 && m_run.services().refusedSerial >= m_firstSerial) {
-    return fail(QLatin1String(refusalSentence(m_run.services().refusal)), pipe);
+    return fail(QLatin1String(kRefusalWords[m_run.services().refusal].sentence), pipe);
   }
   talk(pipe);
 }
@@ -186,7 +186,7 @@ void PipeTalk::ackMissing(const PipeStatus& pipe) {
     return fail(QStringLiteral("the device has no address any more"), pipe);
   if (pipe.stall == PipeStatus::Stall::NotSent)
     return fail(QStringLiteral("the next packet was not sent (%1)")
-                    .arg(QString::fromLatin1(refusalWord(pipe.refusal))),
+                    .arg(QLatin1String(kRefusalWords[pipe.refusal].word.data())),
                 pipe);
   if (pipe.stall == PipeStatus::Stall::NotOnBus)
     return fail(QStringLiteral("the packet is not on the bus yet; it may still go out"), pipe);

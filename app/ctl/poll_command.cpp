@@ -3,8 +3,8 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <algorithm>
+#include <limits>
 
-#include "arguments.h"
 #include "command.h"
 #include "control/intent.h"
 #include "device_finder.h"
@@ -15,10 +15,11 @@ namespace deckpipe::ctl {
 namespace {
 
 // "fault,firmware,…"
-QString pollWords() {
-  QStringList words;
-  kPolls.forEach([&](Request request) { words << requestWordText(request); });
-  return words.join(QLatin1Char(','));
+std::string pollWords() {
+  std::string words;
+  kPolls.forEach(
+      [&](Request request) { words.append(words.empty() ? "" : ",").append(requestWord(request)); });
+  return words;
 }
 
 std::optional<RequestSet> parseKinds(const QString& text) {
@@ -98,61 +99,46 @@ class Poll {
 
 }  // namespace
 
-ExitStatus pollCommand(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral(
-      "Asks devices for faults, versions and settings, which changes nothing in them. One line an answer:\n"
-      "pin, ask, and what 'deckpipectl decode' writes of the frame; one for what came to another end:\n"
-      "pin, address, ask, end (wrong_answer, no_answer, cancelled, link_lost, gone, answered_late,\n"
-      "not_on_bus, not_taken, refused with its reason, stopped with on_bus: true, false, or null if the\n"
-      "adapter cannot tell), tries.\n"
-      "Status 0 only if everything asked was answered in time. With --every, Ctrl+C ends it by the same\n"
-      "rule, and what is open then counts as not answered. It ends with 1 when the interface is lost: "
-      "sending\n"
-      "is locked then, and is unlocked again only by --unlock."));
-  const LiveOptions live(parser);
-  const DeviceOptions device(parser, true);
-  const QCommandLineOption kinds(
-      QStringLiteral("kinds"),
-      QStringLiteral("Some of %1; by default all that the device takes.").arg(pollWords()),
-      QStringLiteral("KINDS"));
-  const QCommandLineOption every(QStringLiteral("every"),
-                                 QStringLiteral("Ask again so often, from round to round; until Ctrl+C."),
-                                 QStringLiteral("SECONDS"));
-  const QCommandLineOption count(QStringLiteral("count"), QStringLiteral("… or until so many rounds."),
-                                 QStringLiteral("N"));
-  parser.addOptions({kinds, every, count});
-  if (const auto status = parse(parser, arguments)) return *status;
-  if (!parser.positionalArguments().isEmpty()) return badUsage(QStringLiteral("poll: takes options only"));
+ExitStatus pollCommand(const QStringList& given) {
+  Arguments arguments(
+      given,
+      R"(Asks devices for faults, versions and settings, which changes nothing in them. One line an answer:
+pin, ask, and what 'deckpipectl decode' writes of the frame; one for what came to another end:
+pin, address, ask, end (wrong_answer, no_answer, cancelled, link_lost, gone, answered_late,
+not_on_bus, not_taken, refused with its reason, stopped with on_bus: true, false, or null if the
+adapter cannot tell), tries.
+Status 0 only if everything asked was answered in time. With --every, Ctrl+C ends it by the same
+rule, and what is open then counts as not answered. It ends with 1 when the interface is lost: sending
+is locked then, and is unlocked again only by --unlock.)");
+  arguments.add(liveOptions());
+  arguments.add(deviceOptions(true));
+  arguments.add({{"kinds", "Some of " + pollWords() + "; by default all that the device takes.", "KINDS"},
+                 {"every", "Ask again so often, from round to round; until Ctrl+C.", "SECONDS"},
+                 {"count", "… or until so many rounds.", "N"}});
+  if (const auto status = arguments.parse()) return *status;
 
   Plan plan;
-  if (parser.isSet(kinds)) {
-    plan.kinds = parseKinds(parser.value(kinds));
+  if (arguments.has("kinds")) {
+    plan.kinds = parseKinds(arguments.text("kinds"));
     if (!plan.kinds)
-      return badUsage(
-          QStringLiteral("poll: --kinds '%1' is not some of %2").arg(parser.value(kinds), pollWords()));
+      return arguments.bad(QStringLiteral("--kinds '%1' is not some of %2")
+                               .arg(arguments.text("kinds"), QString::fromStdString(pollWords())));
   }
-  if (parser.isSet(every)) {
-    const auto seconds = parseSeconds(parser.value(every));
-    if (!seconds) return badUsage(QStringLiteral("poll: --every wants a number of seconds above 0"));
-    if (std::chrono::duration<double>(*seconds) < intent::Repeat::kShortestPeriod)
-      return badUsage(QStringLiteral("poll: --every takes 0.5 s or more: devices have other work to do"));
-    plan.every = *seconds;
+  if (arguments.has("every")) {
+    plan.every = arguments.seconds("every");
     plan.rounds = 0;
+    if (std::chrono::duration<double>(plan.every) < intent::Repeat::kShortestPeriod)
+      arguments.bad(QStringLiteral("--every takes 0.5 s or more: devices have other work to do"));
   }
-  if (parser.isSet(count)) {
-    bool ok = false;
-    plan.rounds = parser.value(count).toUInt(&ok);
-    if (!ok || plan.rounds == 0 || !parser.isSet(every))
-      return badUsage(QStringLiteral("poll: --count wants a number above 0, and --every"));
+  if (arguments.has("count")) {
+    plan.rounds = static_cast<unsigned>(arguments.number("count", 1, std::numeric_limits<unsigned>::max()));
+    if (!arguments.has("every")) arguments.bad(QStringLiteral("--count wants --every"));
   }
-  const auto whom = device.read(QStringLiteral("poll"));
-  if (!whom) return kBadUsage;
-  plan.whom = *whom;
-  const auto settings = live.read(QStringLiteral("poll"), true);
-  if (!settings) return kBadUsage;
+  plan.whom = deviceName(arguments, true);
+  const LiveSettings settings = liveSettings(arguments, true);
+  if (arguments.areBad()) return kBadUsage;
 
-  LiveRun run(*settings, true);
+  LiveRun run(settings, true);
   const Poll poll(run, plan);
   return run.run();
 }

@@ -65,24 +65,19 @@ QByteArray jsonOf(const Recording& recording) {
 
 }  // namespace
 
-ExitStatus recordingsCommand(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral(
+ExitStatus recordingsCommand(const QStringList& given) {
+  Arguments arguments(
+      given,
       "Lists what the console recorded on this machine, the newest first.\n"
-      "Each is growing, unsaved, saved, simulated or unreadable; info and decode read them all."));
-  const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("One JSON object a line."));
-  const QCommandLineOption folder(QStringLiteral("folder"),
-                                  QStringLiteral("Look there, not in %1.").arg(recordingsFolder()),
-                                  QStringLiteral("FOLDER"));
-  parser.addOptions({json, folder});
-  if (const auto status = parse(parser, arguments)) return *status;
-  if (!parser.positionalArguments().isEmpty())
-    return badUsage(QStringLiteral("recordings: no argument is wanted"));
+      "Each is growing, unsaved, saved, simulated or unreadable; info and decode read them all.");
+  arguments.add({{"json", "One JSON object a line."},
+                 {"folder", "Look there, not in " + recordingsFolder().toStdString() + '.', "FOLDER"}});
+  if (const auto status = arguments.parse()) return *status;
 
   Output output;
-  const QString where = parser.isSet(folder) ? parser.value(folder) : recordingsFolder();
+  const QString where = arguments.has("folder") ? arguments.text("folder") : recordingsFolder();
   for (const Recording& recording : recordingsIn(where)) {
-    const QByteArray line = parser.isSet(json) ? jsonOf(recording) : lineOf(recording);
+    const QByteArray line = arguments.has("json") ? jsonOf(recording) : lineOf(recording);
     output.text().append(line.constData(), static_cast<std::size_t>(line.size()));
   }
   return output.flush() ? kDone : kNotWhole;

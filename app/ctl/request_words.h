@@ -3,7 +3,6 @@
 // not in a log. They stand on command lines and in JSON: a word never changes once shipped.
 #pragma once
 
-#include <QString>
 #include <string_view>
 
 #include "control/status.h"
@@ -12,11 +11,6 @@
 namespace deckpipe::ctl {
 
 constexpr std::string_view requestWord(Request request) { return kRequestFacts[request].key; }
-
-inline QString requestWordText(Request request) {
-  const std::string_view word = requestWord(request);
-  return QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()));
-}
 
 constexpr std::string_view endWord(Request request, RequestEnd end) {
   switch (end) {
@@ -62,45 +56,25 @@ constexpr std::string_view leftOutWord(note::LeftOut::Why why) {
   return {};
 }
 
-constexpr std::string_view refusalWord(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::None: break;
-    case Refusal::Locked: return "locked";
-    case Refusal::NoLink: return "no_link";
-    case Refusal::NoAddress: return "no_address";
-    case Refusal::NoDevice: return "no_device";
-    case Refusal::NotTaken: return "not_taken";
-    case Refusal::Busy: return "busy";
-    case Refusal::TooMuch: return "too_much";
-    case Refusal::NotLive: return "not_live";
-    case Refusal::LogFull: return "log_full";
-    case Refusal::NotHeard: return "not_heard";
-    case Refusal::Contested: return "contested";
-    case Refusal::ListenOnly: return "listen_only";
-    case Refusal::Disputed: return "disputed";
-  }
-  return "none";
-}
-
-// For people: a sentence's end.
-constexpr const char* refusalSentence(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::None: break;
-    case Refusal::Locked: return "sending is locked";
-    case Refusal::NoLink: return "the link is not up";
-    case Refusal::NoAddress: return "there is no address of our own";
-    case Refusal::NoDevice: return "there is no such device, or it has no address now";
-    case Refusal::NotTaken: return "a device of this type does not take it";
-    case Refusal::Busy: return "the same is under way already";
-    case Refusal::TooMuch: return "more characters wait than may";
-    case Refusal::NotLive: return "the view is not at the live edge";
-    case Refusal::LogFull: return "there is no room to record what would be sent";
-    case Refusal::NotHeard: return "the device was not heard for 1 s";
-    case Refusal::Contested: return "two nodes claim the address of the device";
-    case Refusal::ListenOnly: return "the adapter is in listen-only mode";
-    case Refusal::Disputed: return "another node sends from our own address";
-  }
-  return "it was refused";
-}
+struct RefusalWords {
+  std::string_view word;
+  const char* sentence;  // for people: a sentence's end
+};
+inline constexpr EnumTable<Refusal, RefusalWords> kRefusalWords{{
+    {Refusal::None, {"none", "it was refused"}},
+    {Refusal::Locked, {"locked", "sending is locked"}},
+    {Refusal::NoLink, {"no_link", "the link is not up"}},
+    {Refusal::NoAddress, {"no_address", "there is no address of our own"}},
+    {Refusal::NoDevice, {"no_device", "there is no such device, or it has no address now"}},
+    {Refusal::NotTaken, {"not_taken", "a device of this type does not take it"}},
+    {Refusal::Busy, {"busy", "the same is under way already"}},
+    {Refusal::TooMuch, {"too_much", "more characters wait than may"}},
+    {Refusal::NotLive, {"not_live", "the view is not at the live edge"}},
+    {Refusal::LogFull, {"log_full", "there is no room to record what would be sent"}},
+    {Refusal::NotHeard, {"not_heard", "the device was not heard for 1 s"}},
+    {Refusal::Contested, {"contested", "two nodes claim the address of the device"}},
+    {Refusal::ListenOnly, {"listen_only", "the adapter is in listen-only mode"}},
+    {Refusal::Disputed, {"disputed", "another node sends from our own address"}},
+}};
 
 }  // namespace deckpipe::ctl

@@ -102,7 +102,8 @@ void Requester::refused(Refusal refusal) {
   const auto ended =
       std::ranges::stable_partition(m_open, [this](const Open& at) { return at.device != m_handed; });
   m_unanswered += ended.size();
-  for (const Open& at : ended) endLine(at, "refused", isTaken(at) ? "address_taken" : refusalWord(refusal));
+  for (const Open& at : ended)
+    endLine(at, "refused", isTaken(at) ? "address_taken" : kRefusalWords[refusal].word);
   m_open.erase(ended.begin(), ended.end());
   sendNext();
 }
@@ -231,7 +232,7 @@ void Requester::endLine(const Open& at, std::string_view end, std::string_view r
   if (!reason.empty()) line.add("reason", reason);
   const RequestStatus* status = statusOf(at);
   if (status != nullptr && status->tries > 0) {
-    line.add("tries", std::int64_t{status->tries});
+    line.add("tries", status->tries);
     if (status->end == RequestEnd::Answered || status->end == RequestEnd::AnsweredLate)
       line.add("latency_ms", Value::decimal(status->latency / 100us, 1));
   }

@@ -6,18 +6,18 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <limits>
 
-#include "arguments.h"
 #include "command.h"
 #include "counts.h"
 #include "link/plugins.h"
 #include "link_words.h"
 #include "live_options.h"
 #include "log/log_format.h"
-#include "log/sidecar.h"
 #include "misbehave_option.h"
 #include "moves_monitors.h"
 #include "output.h"
+#include "session/mark_keeper.h"
 #include "session/simulator_runner.h"
 #include "signals.h"
 
@@ -90,7 +90,7 @@ ExitStatus writeLog(simulator::StandardSimulator& simulator, double seconds, con
                        (replaces ? whole.commit() : asItStands.flush());
   if (isWhole) {
     // The sidecar of a log that was there before is of no other log.
-    QFile::remove(path + QLatin1String(kSidecarSuffix.data(), kSidecarSuffix.size()));
+    QFile::remove(sidecarOf(path));
     return written(path, frames);
   }
   std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(path), qPrintable(file.errorString()));
@@ -119,7 +119,7 @@ ExitStatus runOnInterface(SimulatorRunner& runner, const LinkSettings& settings,
     say(linkErrorText(why) + QStringLiteral("; waiting for it."));
   });
   QObject::connect(&runner, &SimulatorRunner::wordMissing, [&] {
-    status = badUsage(movesMonitorsMissing(QStringLiteral("simulate"), settings.interfaceName));
+    status = badUsage(QStringLiteral("simulate: ") + movesMonitorsMissing(settings.interfaceName));
     QCoreApplication::quit();
   });
   QObject::connect(&runner, &SimulatorRunner::strangersHeard, [&](const std::vector<Stranger>& strangers) {
@@ -134,106 +134,79 @@ ExitStatus runOnInterface(SimulatorRunner& runner, const LinkSettings& settings,
 
 }  // namespace
 
-ExitStatus simulateCommand(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral(
-      "Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose\n"
-      "scripted hand drives the monitor; on an interface in real time, or into a log.\n"
-      "On an interface its joystick drives every monitor that hears it: never put it on a truck. Where real\n"
-      "monitors may be, it wants --moves-monitors, listens 1 s first, and stays off the bus if it hears an\n"
-      "Akron device, a joystick, or somebody at an address of its own."));
-  const QCommandLineOption plugin(QStringLiteral("plugin"),
-                                  QStringLiteral("Qt CAN bus plugin, e.g. socketcan."),
-                                  QStringLiteral("PLUGIN"));
-  const QCommandLineOption interfaceName(QStringLiteral("interface"),
-                                         QStringLiteral("Interface of the plugin, e.g. vcan0."),
-                                         QStringLiteral("NAME"));
-  const QCommandLineOption bitRate(QStringLiteral("bitrate"),
-                                   QStringLiteral("Bit rate to ask for; 250000 by default, 0 as it is."),
-                                   QStringLiteral("BITS"), QStringLiteral("250000"));
-  const QCommandLineOption log(QStringLiteral("log"),
-                               QStringLiteral("Write a log instead (%1); - is standard output.")
-                                   .arg(QString::fromStdString(formatNames(LogUse::Write))),
-                               QStringLiteral("FILE"));
-  const QCommandLineOption seconds(QStringLiteral("seconds"),
-                                   QStringLiteral("Length of the log; 60 by default."), QStringLiteral("N"),
-                                   QStringLiteral("60"));
-  const QCommandLineOption seed(QStringLiteral("seed"),
-                                QStringLiteral("The same seed gives the same truck; 1 by default."),
-                                QStringLiteral("S"), QStringLiteral("1"));
-  const QCommandLineOption misbehave(QStringLiteral("misbehave"), misbehaveHelp(),
-                                     QStringLiteral("DEVICE:WHAT[=VALUE][@SECONDS]"));
-  const QCommandLineOption monitors(
-      QStringLiteral("monitors"),
-      QStringLiteral(
-          "So many 6032 monitors instead of one, up to %1; about 40 fill a real bus of 250 kbit/s.")
-          .arg(simulator::kMaxMonitors),
-      QStringLiteral("N"), QStringLiteral("1"));
-  const QCommandLineOption load(
-      QStringLiteral("load"),
-      QStringLiteral("Other traffic that fills so much of the bus, up to %1 per cent; none by default.")
-          .arg(kMaxLoad),
-      QStringLiteral("PERCENT"), QStringLiteral("0"));
-  const QCommandLineOption moves = movesMonitorsOption();
-  parser.addOptions({plugin, interfaceName, bitRate, moves, log, seconds, seed, monitors, load, misbehave});
-  if (const auto status = parse(parser, arguments)) return *status;
-  if (!parser.positionalArguments().isEmpty())
-    return badUsage(QStringLiteral("simulate: takes options only"));
+ExitStatus simulateCommand(const QStringList& given) {
+  Arguments arguments(
+      given,
+      R"(Simulates a truck: a 6032 monitor, a 6033 riser, a 6039 I/O module and a 6035 joystick whose
+scripted hand drives the monitor; on an interface in real time, or into a log.
+On an interface its joystick drives every monitor that hears it: never put it on a truck. Where real
+monitors may be, it wants --moves-monitors, listens 1 s first, and stays off the bus if it hears an
+Akron device, a joystick, or somebody at an address of its own.)");
+  arguments.add({
+      {"plugin", "Qt CAN bus plugin, e.g. socketcan.", "PLUGIN"},
+      {"interface", "Interface of the plugin, e.g. vcan0.", "NAME"},
+      bitRateOption(),
+      movesMonitorsOption(),
+      {"log", "Write a log instead (" + formatNames(LogUse::Write) + "); - is standard output.", "FILE"},
+      {"seconds", "Length of the log; 60 by default.", "N", "60"},
+      {"seed", "The same seed gives the same truck; 1 by default.", "S", "1"},
+      {"monitors",
+       "So many 6032 monitors instead of one, up to " + std::to_string(simulator::kMaxMonitors) +
+           "; about 40 fill a real bus of 250 kbit/s.",
+       "N", "1"},
+      {"load",
+       "Other traffic that fills so much of the bus, up to " + std::to_string(kMaxLoad) +
+           " per cent; none by default.",
+       "PERCENT", "0"},
+      {"misbehave",
+       "What goes wrong, and from when on; may be given more than once. '--misbehave help' lists what there "
+       "is.",
+       "DEVICE:WHAT[=VALUE][@SECONDS]"},
+  });
+  if (const auto status = arguments.parse()) return *status;
 
-  if (parser.values(misbehave).contains(QLatin1String("help"))) return print(misbehaveTable().toStdString());
+  if (arguments.texts("misbehave").contains(QLatin1String("help")))
+    return print(misbehaveTable().toStdString());
 
-  bool monitorsOk = false, seedOk = false, secondsOk = false, rateOk = false;
-  const quint64 seedValue = parser.value(seed).toULongLong(&seedOk);
-  const double secondsValue = parser.value(seconds).toDouble(&secondsOk);
-  const unsigned monitorCount = parser.value(monitors).toUInt(&monitorsOk);
-  const int rate = parser.value(bitRate).toInt(&rateOk);
-  if (!seedOk) return badUsage(QStringLiteral("simulate: --seed wants a whole number"));
-  if (!secondsOk || !(secondsValue > 0) || secondsValue > 1e6) {
-    return badUsage(QStringLiteral("simulate: --seconds wants a number above 0, at most 1000000"));
-  }
-  if (!monitorsOk || monitorCount < 1 || monitorCount > simulator::kMaxMonitors) {
-    return badUsage(
-        QStringLiteral("simulate: --monitors wants a number from 1 to %1").arg(simulator::kMaxMonitors));
-  }
-  if (!rateOk || rate < 0) return badUsage(QStringLiteral("simulate: --bitrate wants bits a second"));
-  bool loadOk = false;
-  const double percent = parser.value(load).toDouble(&loadOk);
-  if (!loadOk || !(percent >= 0) || percent > kMaxLoad)
-    return badUsage(QStringLiteral("simulate: --load wants per cent, 0 to %1").arg(kMaxLoad));
-  const bool toLog = parser.isSet(log);
-  if (toLog == (parser.isSet(plugin) || parser.isSet(interfaceName))) {
-    return badUsage(QStringLiteral("simulate: either --log, or --plugin and --interface"));
-  }
-  if (!toLog && !(parser.isSet(plugin) && parser.isSet(interfaceName))) {
-    return badUsage(QStringLiteral("simulate: --plugin and --interface go together"));
-  }
+  const std::uint64_t seed = arguments.number("seed", 0, std::numeric_limits<std::uint64_t>::max());
+  const double seconds = arguments.seconds("seconds");
+  const auto monitors = static_cast<unsigned>(arguments.number("monitors", 1, simulator::kMaxMonitors));
+  const int rate = bitRate(arguments);
+  bool isLoad = false;
+  const double percent = arguments.text("load").toDouble(&isLoad);
+  if (!isLoad || !(percent >= 0) || percent > kMaxLoad)
+    arguments.bad(QStringLiteral("--load wants per cent, 0 to %1").arg(kMaxLoad));
+  const bool toLog = arguments.has("log"), hasPlugin = arguments.has("plugin");
+  if (hasPlugin != arguments.has("interface"))
+    arguments.bad(QStringLiteral("--plugin and --interface go together"));
+  if (toLog == hasPlugin) arguments.bad(QStringLiteral("either --log, or --plugin and --interface"));
+  if (arguments.areBad()) return kBadUsage;
 
-  const LinkSettings link{parser.value(plugin), parser.value(interfaceName), rate, {}};
+  const LinkSettings link{arguments.text("plugin"), arguments.text("interface"), rate, {}};
   if (!toLog) {
-    if (const auto trouble = pluginTrouble(link)) return badUsage(QStringLiteral("simulate: ") + *trouble);
+    if (const auto trouble = pluginTrouble(link)) return arguments.bad(*trouble);
     std::optional<CanInterface> facts;
     if (isSocketCan(link.plugin)) {
       const auto read = readInterface(link.interfaceName.toStdString());
       if (!read || !read.value().isCan)
-        return badUsage(QStringLiteral("simulate: no such CAN interface: '%1'").arg(link.interfaceName));
+        return arguments.bad(QStringLiteral("no such CAN interface: '%1'").arg(link.interfaceName));
       facts = read.value();
     }
-    if (!parser.isSet(moves) && !isSimulatedBus(link, facts))
-      return badUsage(movesMonitorsMissing(QStringLiteral("simulate"), link.interfaceName));
+    if (!arguments.has("moves-monitors") && !isSimulatedBus(link, facts))
+      return arguments.bad(movesMonitorsMissing(link.interfaceName));
   }
 
-  SimulatorRunner runner(seedValue, monitorCount);
-  MisbehavePlan plan(monitorCount);
-  for (const QString& text : parser.values(misbehave)) {
+  SimulatorRunner runner(seed, monitors);
+  MisbehavePlan plan(monitors);
+  for (const QString& text : arguments.texts("misbehave")) {
     if (!plan.add(text))
-      return badUsage(
-          QStringLiteral("simulate: --misbehave '%1' is not understood; '--misbehave help' lists what is")
-              .arg(text));
+      return arguments.bad(
+          QStringLiteral("--misbehave '%1' is not understood; '--misbehave help' lists what is").arg(text));
   }
   plan.apply(runner.simulator());
   runner.simulator().simulator.fill({}, percent / 100, rate > 0 ? rate : 250'000);
-  if (toLog) return writeLog(runner.simulator(), secondsValue, parser.value(log));
-  return runOnInterface(runner, link, parser.isSet(moves));
+  if (toLog) return writeLog(runner.simulator(), seconds, arguments.text("log"));
+  return runOnInterface(runner, link, arguments.has("moves-monitors"));
 }
 
 }  // namespace deckpipe::ctl

@@ -32,6 +32,8 @@ enum class Refusal : std::uint8_t {
   ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
   Disputed,    // a command or packet while another node sends from our address: its acks would look like ours
 };
+template <>
+inline constexpr Refusal kLastOf<Refusal> = Refusal::Disputed;
 
 struct ClaimStatus {
   enum class Progress : std::uint8_t {
