@@ -6,8 +6,8 @@
 #include <QSettings>
 
 #include "adapter_offers.h"
+#include "kept_settings.h"
 #include "panel/connect/connection_page.h"
-#include "recent_logs.h"
 
 namespace deckpipe {
 namespace {

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <cstdio>
 
-#include "appearance.h"
+#include "kept_settings.h"
 #include "language.h"
 #include "main_window.h"
 #include "options.h"

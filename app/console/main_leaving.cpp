@@ -5,8 +5,8 @@
 #include <QPushButton>
 #include <utility>
 
+#include "kept_settings.h"
 #include "main_window.h"
-#include "recent_logs.h"
 #include "recordings_list.h"
 #include "save_bar.h"
 #include "status_text.h"

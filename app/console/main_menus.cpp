@@ -5,7 +5,7 @@
 #include <QMenuBar>
 #include <QWhatsThis>
 
-#include "appearance.h"
+#include "kept_settings.h"
 #include "main_window.h"
 #include "mark_bar.h"
 #include "pane_cycle.h"

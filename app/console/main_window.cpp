@@ -16,8 +16,8 @@
 #include <QWhatsThis>
 #include <utility>
 
-#include "appearance.h"
 #include "connection.h"
+#include "kept_settings.h"
 #include "log_filters.h"
 #include "mark_bar.h"
 #include "model/frame_test.h"
@@ -30,7 +30,6 @@
 #include "panel/play/transport_bar.h"
 #include "panel/trace/trace_panel.h"
 #include "protocol/name.h"
-#include "recent_logs.h"
 #include "recordings_list.h"
 #include "save_bar.h"
 #include "sending_actions.h"

@@ -6,11 +6,11 @@
 #include <QMainWindow>
 #include <functional>
 
+#include "kept_settings.h"
 #include "paint/app_style.h"
 #include "panel/common/notice_bar.h"
 #include "session/log_saving.h"
 #include "session/session.h"
-#include "settings_labels.h"
 
 class QActionGroup;
 class QFileDialog;

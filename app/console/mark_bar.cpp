@@ -7,7 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "text/elapsed_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 

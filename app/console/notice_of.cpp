@@ -6,8 +6,8 @@
 
 #include "status_text.h"
 #include "text/device_text.h"
-#include "text/elapsed_text.h"
 #include "text/service_text.h"
+#include "text/time_text.h"
 #include "words.h"
 
 namespace deckpipe {

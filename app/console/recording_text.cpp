@@ -7,9 +7,8 @@
 
 #include "log/link_gaps.h"
 #include "status_text.h"
-#include "text/age_text.h"
-#include "text/elapsed_text.h"
 #include "text/plural.h"
+#include "text/time_text.h"
 #include "words.h"
 
 namespace deckpipe {

@@ -90,7 +90,7 @@ std::string tenthsText(std::int64_t tenths) {
   return text;
 }
 
-// "12.300": cut to milliseconds, as the window cuts them (text/elapsed_text.h). Below zero counts as zero.
+// "12.300": cut to milliseconds, as the window cuts them (text/time_text.h). Below zero counts as zero.
 std::string secondsText(Duration time) {
   const long long ms = std::max<std::int64_t>(0, time.count()) / 1'000'000;
   char text[32];

@@ -8,8 +8,8 @@
 #include "model/message_text.h"
 #include "protocol/decode.h"
 #include "text/catalogue_text.h"
-#include "text/elapsed_text.h"
 #include "text/service_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -5,10 +5,9 @@
 #include <QStringList>
 
 #include "model/device_rows.h"
-#include "text/age_text.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
-#include "text/joystick_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

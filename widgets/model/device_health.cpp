@@ -4,10 +4,9 @@
 #include <QCoreApplication>
 
 #include "control/request.h"
-#include "text/age_text.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
-#include "text/fault_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "model/device_details.h"
-#include "text/age_text.h"
 #include "text/device_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

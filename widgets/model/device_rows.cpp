@@ -8,7 +8,6 @@
 #include "protocol/device_types.h"
 #include "protocol/j1939.h"
 #include "text/device_text.h"
-#include "text/joystick_text.h"
 #include "text/plural.h"
 
 namespace deckpipe {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "model/field_text.h"
-#include "text/elapsed_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

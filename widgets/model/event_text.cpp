@@ -9,14 +9,10 @@
 #include "model/field_text.h"
 #include "protocol/address_use.h"
 #include "protocol/name.h"
-#include "text/age_text.h"
-#include "text/axis_text.h"
 #include "text/device_text.h"
-#include "text/elapsed_text.h"
-#include "text/fault_text.h"
-#include "text/joystick_text.h"
 #include "text/plural.h"
 #include "text/service_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

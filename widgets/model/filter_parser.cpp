@@ -26,6 +26,8 @@ std::optional<FilterOp> opOf(const QString& text) {
   return {};
 }
 
+bool isWordPart(QChar c) { return !c.isSpace() && !QStringLiteral("()=!<>~,\"&|").contains(c); }
+
 }  // namespace
 
 void FilterParser::next() { m_token = readFilterToken(m_text, m_token.at + m_token.length); }
@@ -206,6 +208,40 @@ bool FilterParser::takeValues(FilterNode& node) {
     }
   } while (m_token.kind == Kind::Comma);
   return true;
+}
+
+FilterToken readFilterToken(const QString& text, int at) {
+  using TokenKind = FilterToken::Kind;
+  const int end = static_cast<int>(text.size());
+  while (at < end && text[at].isSpace()) ++at;
+  if (at >= end) return {TokenKind::End, end, 0, {}};
+  const QChar c = text[at];
+  const QChar after = at + 1 < end ? text[at + 1] : QChar();
+  const auto token = [&](TokenKind kind, int length) {
+    return FilterToken{kind, at, length, text.mid(at, length)};
+  };
+  if (c == u'(') return token(TokenKind::Open, 1);
+  if (c == u')') return token(TokenKind::Close, 1);
+  if (c == u',') return token(TokenKind::Comma, 1);
+  if (c == u'"') {
+    const auto close = static_cast<int>(text.indexOf(u'"', at + 1));
+    if (close < 0) return token(TokenKind::Unclosed, end - at);
+    return {TokenKind::Quoted, at, close + 1 - at, text.mid(at + 1, close - at - 1)};
+  }
+  if (c == u'&') return token(TokenKind::And, after == u'&' ? 2 : 1);
+  if (c == u'|') return token(TokenKind::Or, after == u'|' ? 2 : 1);
+  if (c == u'!' && after != u'=' && after != u'~') return token(TokenKind::Not, 1);
+  if (!isWordPart(c)) {
+    const bool isTwo = (c == u'!' || c == u'<' || c == u'>' || c == u'=') && (after == u'=' || after == u'~');
+    return token(TokenKind::Operator, isTwo ? 2 : 1);
+  }
+  int length = 1;
+  while (at + length < end && isWordPart(text[at + length])) ++length;
+  FilterToken word = token(TokenKind::Word, length);
+  if (word.text.compare(QLatin1String("and"), Qt::CaseInsensitive) == 0) word.kind = TokenKind::And;
+  if (word.text.compare(QLatin1String("or"), Qt::CaseInsensitive) == 0) word.kind = TokenKind::Or;
+  if (word.text.compare(QLatin1String("not"), Qt::CaseInsensitive) == 0) word.kind = TokenKind::Not;
+  return word;
 }
 
 }  // namespace deckpipe

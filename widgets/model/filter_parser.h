@@ -4,13 +4,24 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "model/filter_token.h"
 #include "model/trace_filter.h"
 
 namespace deckpipe {
+
+// What an expression of the filter language is made of: read one by one by the parser.
+struct FilterToken {
+  enum class Kind : std::uint8_t { End, Open, Close, Operator, Comma, Word, Quoted, And, Or, Not, Unclosed };
+  Kind kind = Kind::End;
+  int at = 0, length = 0;  // in the expression, in characters
+  QString text{};          // without quotes
+};
+
+// The one that begins at a character, or behind the blanks there.
+FilterToken readFilterToken(const QString& text, int at);
 
 class FilterParser {
  public:

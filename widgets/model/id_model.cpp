@@ -10,7 +10,7 @@
 #include "model/trace_cells.h"
 #include "model/trace_rows.h"
 #include "protocol/catalogue.h"
-#include "text/age_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

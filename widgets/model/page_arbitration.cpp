@@ -7,7 +7,6 @@
 #include "model/page_command.h"
 #include "state/current.h"
 #include "text/device_text.h"
-#include "text/joystick_text.h"
 
 namespace deckpipe {
 namespace {

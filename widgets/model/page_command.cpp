@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "state/current.h"
-#include "text/joystick_text.h"
+#include "text/device_text.h"
 
 namespace deckpipe {
 namespace {

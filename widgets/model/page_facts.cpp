@@ -9,11 +9,9 @@
 #include "model/page_sources.h"
 #include "protocol/gateway.h"
 #include "state/current.h"
-#include "text/age_text.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
-#include "text/fault_text.h"
-#include "text/joystick_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -7,9 +7,7 @@
 #include "model/page_sources.h"
 #include "protocol/device_types.h"
 #include "state/current.h"
-#include "text/axis_text.h"
 #include "text/device_text.h"
-#include "text/joystick_text.h"
 
 namespace deckpipe {
 namespace {

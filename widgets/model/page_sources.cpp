@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "protocol/catalogue.h"
-#include "text/source_text.h"
+#include "text/catalogue_text.h"
 
 namespace deckpipe {
 

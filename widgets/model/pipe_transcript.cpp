@@ -8,7 +8,7 @@
 
 #include "model/device_rows.h"
 #include "model/field_text.h"
-#include "text/elapsed_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -13,7 +13,6 @@
 #include "report/json.h"
 #include "report/trace_text.h"
 #include "text/catalogue_text.h"
-#include "text/source_text.h"
 
 namespace deckpipe {
 namespace {

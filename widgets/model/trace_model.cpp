@@ -10,7 +10,7 @@
 #include "model/field_text.h"
 #include "model/filter_worker.h"
 #include "model/trace_cells.h"
-#include "text/elapsed_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 

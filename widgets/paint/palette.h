@@ -4,7 +4,7 @@
 //
 // What a colour means is the same in all three: accent = can be touched, attend = look here, fault = fault or
 // stop, fine = good, stale = old. None of them carries its meaning alone: each has a glyph (glyph.h).
-// contrast.h lists every pair in use; a test holds text to 4.5:1 and graphics to 3:1.
+// A test lists every pair in use, and holds text to 4.5:1 and graphics to 3:1.
 #pragma once
 
 #include <QColor>

@@ -18,6 +18,10 @@ QString translated(const char* context, std::span<const char* const> texts, std:
   return found == texts.end() ? asItIs(name) : QCoreApplication::translate(context, *found);
 }
 
+struct SourceText {
+  Q_DECLARE_TR_FUNCTIONS(SourceText)
+};
+
 }  // namespace
 
 QString messageName(MessageId id) { return QCoreApplication::translate("Message", messageNameText(id)); }
@@ -39,6 +43,14 @@ QString abortText(std::uint32_t code) {
   if (!reason.empty()) return translated("SdoAbort", abortTexts(), reason);
   return QCoreApplication::translate("SdoAbort", "code %1 hex")
       .arg(QStringLiteral("%1").arg(code, 8, 16, QLatin1Char('0')).toUpper());
+}
+
+QString sourceText(MessageId id) {
+  if (id == MessageId::Count) return {};
+  const std::string_view source = messageOf(id).source;
+  if (source.empty()) return {};
+  return SourceText::tr("Source: %1")
+      .arg(QString::fromUtf8(source.data(), static_cast<qsizetype>(source.size())));
 }
 
 }  // namespace deckpipe

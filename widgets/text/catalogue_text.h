@@ -35,4 +35,8 @@ std::span<const char* const> numberNameTexts();
 std::span<const char* const> abortTexts();
 std::span<const WordText> wordTexts();
 
+// Where a meaning comes from, for tooltips and help: "Source: CAN Messaging manual, message type 01; gateway manual,
+// TPDO1". Titles are cited as they are printed. Empty for what is no message of the catalogue.
+QString sourceText(MessageId id);
+
 }  // namespace deckpipe

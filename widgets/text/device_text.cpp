@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "protocol/akron.h"
 #include "protocol/catalogue.h"
 #include "protocol/device_types.h"
 #include "text/catalogue_text.h"
@@ -58,6 +59,21 @@ QString withName(std::uint32_t number, const QString& name) {
              ? QString::number(number)
              : Words::tr("%1, %2", "a number and what it means").arg(QString::number(number), name);
 }
+
+constexpr const char* kSwitches[] = {
+    QT_TRANSLATE_NOOP("Switch", "Stream"),
+    QT_TRANSLATE_NOOP("Switch", "Fog"),
+    QT_TRANSLATE_NOOP("Switch", "Discharge on"),
+    QT_TRANSLATE_NOOP("Switch", "Oscillate on | set"),
+    QT_TRANSLATE_NOOP("Switch", "Flow high"),
+    QT_TRANSLATE_NOOP("Switch", "Flow low"),
+    QT_TRANSLATE_NOOP("Switch", "Oscillate pause | resume"),
+    QT_TRANSLATE_NOOP("Switch", "Deploy"),
+    QT_TRANSLATE_NOOP("Switch", "Stow"),
+    QT_TRANSLATE_NOOP("Switch", "Discharge off"),
+    QT_TRANSLATE_NOOP("Switch", "CAFS dry"),
+    QT_TRANSLATE_NOOP("Switch", "CAFS wet"),
+};
 
 }  // namespace
 
@@ -118,6 +134,64 @@ QStringList nameLines(Name name) {
   lines << (isCapable ? Words::tr("Claims another address when it loses its own")
                       : Words::tr("Has one address only"));
   return lines;
+}
+
+AxisText axisText(std::optional<unsigned> deviceType, int axis) {
+  const DeviceTypeFacts* known = deviceTypeOf(deviceType.value_or(0));
+  switch ((known != nullptr ? *known : DeviceTypeFacts{}).axes.at(static_cast<std::size_t>(axis - 1))) {
+    case AxisUse::Rotation: return {Words::tr("Rotation"), Words::tr("Right"), Words::tr("Left"), {}};
+    case AxisUse::Elevation: return {Words::tr("Elevation"), Words::tr("Up"), Words::tr("Down"), {}};
+    case AxisUse::Pattern: return {Words::tr("Pattern"), Words::tr("Stream"), Words::tr("Fog"), {}};
+    case AxisUse::DependsOnMonitor:
+      return {Words::tr("Axis %1").arg(axis), Words::tr("High | Deploy"), Words::tr("Low | Stow"),
+              Words::tr("Axis 4 is monitor specific. Trident Dual Gallonage: flow control, + is high flow. "
+                        "DeckMaster: swing arm, + is deploy. Other monitors have none.")};
+    case AxisUse::DischargeValve:
+      return {Words::tr("Discharge valve"), Words::tr("Open"), Words::tr("Close"), {}};
+    case AxisUse::Unnamed: break;
+  }
+  return {Words::tr("Axis %1").arg(axis), Words::tr("Plus"), Words::tr("Minus"),
+          Words::tr("The manual names no use of this axis on this device.")};
+}
+
+QString faultName(unsigned bit) {
+  const auto found = std::ranges::find(akron::kFaultBits, bit, &ValueName::value);
+  return found == akron::kFaultBits.end() ? Words::tr("Reserved bit %1").arg(bit) : wordText(found->word);
+}
+
+QString faultRemark(unsigned bit) {
+  if (bit >= 17 && bit <= 20) return Words::tr("older manuals: pCode fault %1").arg(bit - 16);
+  if (bit == 22) return Words::tr("older manuals: real-time clock");
+  return {};
+}
+
+QStringList faultLines(std::uint32_t map) {
+  QStringList lines;
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    if ((map >> bit & 1u) == 0) continue;
+    const QString remark = faultRemark(bit);
+    lines << (remark.isEmpty() ? faultName(bit) : Words::tr("%1 (%2)").arg(faultName(bit), remark));
+  }
+  return lines;
+}
+
+QString pcodeErrorText(unsigned code) {
+  const QString name = numberName(akron::kPcodeErrors, code);
+  return name.isEmpty() ? Words::tr("Error %1").arg(code) : Words::tr("Error %1: %2").arg(code).arg(name);
+}
+
+QString switchName(int number) {
+  if (number >= 1 && number <= static_cast<int>(std::size(kSwitches)))
+    return QCoreApplication::translate("Switch", kSwitches[number - 1]);
+  return Words::tr("Switch %1, reserved").arg(number);
+}
+
+QString joystickName(Address source) { return Words::tr("Joystick %1").arg(hexText(source.value)); }
+
+QString priorityText(int priority) {
+  if (priority == 0) return Words::tr("1 of 6, the highest on CAN");
+  if (priority == 5) return Words::tr("6 of 6, the lowest");
+  return Words::tr("%1 of 6").arg(priority + 1);
 }
 
 }  // namespace deckpipe

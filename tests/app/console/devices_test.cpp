@@ -8,7 +8,7 @@
 #include <QTreeView>
 
 #include "app/console/window_test.h"
-#include "console/settings_labels.h"
+#include "console/kept_settings.h"
 #include "console/workspace.h"
 #include "model/answer_history.h"
 #include "panel/devices/device_list_panel.h"

@@ -10,9 +10,8 @@
 #include <QSettings>
 
 #include "app/console/window_test.h"
+#include "console/kept_settings.h"
 #include "console/log_filters.h"
-#include "console/recent_logs.h"
-#include "console/settings_labels.h"
 #include "console/workspace.h"
 #include "log/journal_file.h"
 #include "log/journal_reader.h"

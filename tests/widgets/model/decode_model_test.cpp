@@ -6,7 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
-#include "model/bit_place.h"
+#include "model/decode_rows.h"
 #include "protocol/catalogue.h"
 #include "protocol/samples.h"
 #include "support/frames.h"

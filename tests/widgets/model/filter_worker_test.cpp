@@ -10,7 +10,7 @@
 #include "model/trace_model.h"
 #include "support/frames.h"
 #include "support/logs.h"
-#include "text/elapsed_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -15,7 +15,7 @@
 #include "panel/page/fact_list.h"
 #include "panel/page/full_dial.h"
 #include "support/child.h"
-#include "text/age_text.h"
+#include "text/time_text.h"
 #include "widgets/panel/panel_scenes.h"
 
 namespace deckpipe {

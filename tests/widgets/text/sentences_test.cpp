@@ -5,11 +5,8 @@
 #include <QLocale>
 
 #include "protocol/akron.h"
-#include "text/age_text.h"
-#include "text/axis_text.h"
 #include "text/device_text.h"
-#include "text/fault_text.h"
-#include "text/joystick_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -9,7 +9,7 @@
 #include "paint/figures.h"
 #include "paint/glyph.h"
 #include "panel/common/secondary_font.h"
-#include "text/age_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -11,7 +11,7 @@
 #include "panel/common/glyph_label.h"
 #include "panel/common/label_text.h"
 #include "panel/common/section_title.h"
-#include "text/age_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

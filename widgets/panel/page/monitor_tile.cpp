@@ -12,7 +12,7 @@
 #include "paint/glyph.h"
 #include "panel/common/health_look.h"
 #include "panel/common/secondary_font.h"
-#include "text/age_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

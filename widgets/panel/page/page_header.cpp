@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/page/page_header.h"
 
+#include <QAbstractButton>
 #include <QEvent>
 #include <QFontInfo>
 #include <QGridLayout>
@@ -15,8 +16,7 @@
 #include "panel/common/health_look.h"
 #include "panel/common/label_text.h"
 #include "panel/common/secondary_font.h"
-#include "panel/page/full_button.h"
-#include "text/age_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {
@@ -31,6 +31,61 @@ QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
 }
 
 }  // namespace
+
+// The button that spreads a dial over the window, and takes it back: four corners, outwards or inwards. Used
+// by PageHeader on a monitor's page and over the full dial.
+class FullButton : public QAbstractButton {
+ public:
+  explicit FullButton(QWidget* parent = nullptr);
+
+  void setFull(bool isFull);
+
+  QSize sizeHint() const override { return {44, 44}; }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  bool m_isFull = false;
+};
+
+FullButton::FullButton(QWidget* parent) : QAbstractButton(parent) {
+  setObjectName(QStringLiteral("fullButton"));
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setFocusPolicy(Qt::StrongFocus);
+  setFull(false);
+}
+
+void FullButton::setFull(bool isFull) {
+  m_isFull = isFull;
+  setAccessibleName(isFull ? PageHeader::tr("Back to the page") : PageHeader::tr("Large dial"));
+  setToolTip(isFull ? PageHeader::tr("Back to the page (Esc)") : PageHeader::tr("Large dial (F11)"));
+  update();
+}
+
+void FullButton::paintEvent(QPaintEvent*) {
+  const Colours& c = coloursOf(this);
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const QRectF box = QRectF(rect()).adjusted(2.5, 2.5, -2.5, -2.5);
+  p.setPen(QPen(hasFocus() ? c.accent.ink : c.outline, hasFocus() ? 2 : 1));
+  p.setBrush(isDown() ? c.surfaceAlternate : c.surface);
+  p.drawRoundedRect(box, 6, 6);
+  p.setPen(QPen(c.accent.ink, 2 * c.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  p.setBrush(Qt::NoBrush);
+  const double arm = 6, far = 9;
+  const QPointF middle = box.center();
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0}) {
+      // Outwards the corner is far from the middle, inwards it is near it.
+      const double corner = m_isFull ? far - arm : far, end = m_isFull ? far : far - arm;
+      p.drawPolyline(QPolygonF{middle + QPointF(sx * end, sy * corner),
+                               middle + QPointF(sx * corner, sy * corner),
+                               middle + QPointF(sx * corner, sy * end)});
+    }
+  }
+}
 
 PageHeader::PageHeader(QWidget* parent)
     : QWidget(parent),

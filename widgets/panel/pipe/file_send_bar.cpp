@@ -9,9 +9,9 @@
 
 #include "panel/common/elided_label.h"
 #include "panel/common/label_text.h"
-#include "text/age_text.h"
 #include "text/plural.h"
 #include "text/service_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

@@ -17,8 +17,8 @@
 #include "panel/pipe/pipe_input.h"
 #include "panel/pipe/pipe_view.h"
 #include "panel/pipe/send_file_button.h"
-#include "text/age_text.h"
 #include "text/service_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

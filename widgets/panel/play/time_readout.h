@@ -9,7 +9,7 @@
 
 #include "base/time.h"
 #include "state/log_view.h"
-#include "text/elapsed_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 

@@ -9,7 +9,7 @@
 #include "paint/app_style.h"
 #include "panel/common/label_text.h"
 #include "panel/common/secondary_font.h"
-#include "text/age_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {

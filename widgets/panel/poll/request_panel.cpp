@@ -27,8 +27,8 @@
 #include "panel/common/send_hint.h"
 #include "panel/poll/repeat_bar.h"
 #include "panel/poll/request_card.h"
-#include "text/age_text.h"
 #include "text/service_text.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {
