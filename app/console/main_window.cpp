@@ -12,7 +12,6 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 #include <QWhatsThis>
 #include <utility>
 
@@ -24,6 +23,7 @@
 #include "notice_of.h"
 #include "pane_cycle.h"
 #include "panel/common/about_page.h"
+#include "panel/common/build.h"
 #include "panel/common/settings_page.h"
 #include "panel/connect/connection_page.h"
 #include "panel/connect/recordings_page.h"
@@ -80,15 +80,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   m_recordings = new RecordingsList(m_session.recordingFolder(), this);
   m_pages->addWidget(m_recordings->page());
   auto* central = new QWidget(this);
-  auto* layout = new QVBoxLayout(central);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_status);
-  layout->addWidget(m_notice);
-  layout->addWidget(m_pages, 1);
-  layout->addWidget(m_markBar);
-  layout->addWidget(m_saveBar);
-  layout->addWidget(m_transport);
+  inColumn(central, {0, 0, 0, 0}, 0, {m_status, m_notice, {m_pages, 1}, m_markBar, m_saveBar, m_transport});
   setCentralWidget(central);
   m_sending = new SendingActions(m_session, this);
   const ClaimSettings claim = claimSettings();

@@ -2,12 +2,12 @@
 #include "save_bar.h"
 
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
 #include <algorithm>
 #include <utility>
 
+#include "panel/common/build.h"
 #include "panel/common/elided_label.h"
 #include "status_text.h"
 
@@ -37,23 +37,13 @@ QString outcomeText(const LogSaving& saving, LogSaving::Outcome outcome, const Q
 
 SaveBar::SaveBar(QWidget* parent)
     : QWidget(parent),
-      m_text(new ElidedLabel(this)),
-      m_progress(new QProgressBar(this)),
+      m_text(named(new ElidedLabel(this), "saveText", tr("Saving"))),
+      m_progress(named(new QProgressBar(this), "saveProgress", tr("How much is saved"))),
       m_button(new QPushButton(this)) {
-  setObjectName(QStringLiteral("saveBar"));
-  setAccessibleName(tr("Saving"));
-  m_text->setObjectName(QStringLiteral("saveText"));
-  m_text->setAccessibleName(tr("Saving"));
-  m_progress->setObjectName(QStringLiteral("saveProgress"));
-  m_progress->setAccessibleName(tr("How much is saved"));
+  named(this, "saveBar", tr("Saving"));
   m_progress->setFixedWidth(240);
   m_button->setObjectName(QStringLiteral("saveButton"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(14, 4, 8, 4);
-  row->setSpacing(8);
-  row->addWidget(m_text, 1);
-  row->addWidget(m_progress);
-  row->addWidget(m_button);
+  inRow(this, {14, 4, 8, 4}, 8, {{m_text, 1}, m_progress, m_button});
   connect(m_button, &QPushButton::clicked, this, &SaveBar::cancelOrClose);
   m_tick.setInterval(100);
   connect(&m_tick, &QTimer::timeout, this, &SaveBar::showProgress);

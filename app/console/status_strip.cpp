@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "panel/common/build.h"
 #include "panel/common/status_cell.h"
 
 namespace deckpipe {
@@ -25,8 +26,7 @@ bool tell(StatusCell* cell, const StatusFact& fact) {
 }  // namespace
 
 StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("statusStrip"));
-  setAccessibleName(tr("Status"));
+  named(this, "statusStrip", tr("Status"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 3);
   layout->setSpacing(4);
@@ -44,7 +44,6 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
   m_lock = addCell("transmitLock", tr("Transmit lock"), {});
   m_lockButton = new QPushButton(this);
   m_lockButton->setObjectName(QStringLiteral("lockButton"));
-  m_lockButton->setAutoDefault(false);
   layout->addWidget(m_lockButton);
   connect(m_lockButton, &QPushButton::clicked, this, &StatusStrip::lockToggled);
   setSnapshot({});

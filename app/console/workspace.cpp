@@ -12,6 +12,7 @@
 
 #include "model/device_rows.h"
 #include "pane_cycle.h"
+#include "panel/common/build.h"
 #include "panel/common/help_panel.h"
 #include "panel/common/simulator_panel.h"
 #include "panel/events/event_panel.h"
@@ -36,9 +37,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);  // what is asked needs the height
 
-  m_centre = new QTabWidget(this);
-  m_centre->setObjectName(QStringLiteral("centreTabs"));
-  m_centre->setAccessibleName(tr("Pages"));
+  m_centre = named(new QTabWidget(this), "centreTabs", tr("Pages"));
   m_centre->setDocumentMode(true);
   m_centre->setTabBarAutoHide(true);
   m_pages = {makeDevicePage(*this), makeOverview(*this)};

@@ -2,12 +2,10 @@
 #include "panel/common/about_page.h"
 
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLibraryInfo>
 #include <QPushButton>
-#include <QVBoxLayout>
 
-#include "panel/common/scrolled.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -17,25 +15,14 @@ constexpr int kTextColumn = 720;
 }  // namespace
 
 AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("aboutPage"));
-  setAccessibleName(tr("About Deckpipe"));
+  named(this, "aboutPage", tr("About Deckpipe"));
   auto* inside = new QWidget;
   inside->setMaximumWidth(kTextColumn);
-  auto* column = new QVBoxLayout(inside);
-  column->setContentsMargins(24, 16, 24, 16);
-  column->setSpacing(8);
-  auto* title = new QLabel(tr("Deckpipe %1").arg(facts.version), inside);
-  title->setObjectName(QStringLiteral("aboutTitle"));
-  QFont large = title->font();
-  large.setPointSizeF(large.pointSizeF() * 1.5);
-  large.setWeight(QFont::DemiBold);
-  title->setFont(large);
-  column->addWidget(title);
+  auto* column = inColumn(inside, {24, 16, 24, 16}, 8, {});
+  column->addWidget(makeTitle(inside, "aboutTitle", tr("Deckpipe %1").arg(facts.version)));
   const auto paragraph = [&](const char* name, const QString& text) {
-    auto* label = new QLabel(text, inside);
-    label->setObjectName(QLatin1String(name));
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
+    QLabel* label = makeWords(inside, name, {});
+    label->setText(text);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     column->addWidget(label);
   };
@@ -48,20 +35,18 @@ AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent)
   paragraph("aboutQt", tr("Built on Qt %1 and running with Qt %2, used under the GNU Lesser General Public "
                           "License, version 3.")
                            .arg(QStringLiteral(QT_VERSION_STR), QLibraryInfo::version().toString()));
-  paragraph("aboutManuals",
-            tr("What messages mean is taken from the makers' manuals: the CAN Messaging manual, the 6051 CAN "
-               "Gateway "
-               "manual, and Copley's note on J1939; beyond them from SAE J1939-81 and CiA 301. Akron and "
-               "Copley are names of their owners, who have no part in this program."));
+  paragraph(
+      "aboutManuals",
+      tr("What messages mean is taken from the makers' manuals: the CAN Messaging manual, the 6051 CAN "
+         "Gateway manual, and Copley's note on J1939; beyond them from SAE J1939-81 and CiA 301. Akron and "
+         "Copley are names of their owners, who have no part in this program."));
   paragraph("aboutPaths",
             tr("Settings: %1\nLogs larger than memory: %2").arg(facts.settingsPath, facts.spillFolder));
-  auto* done = new QPushButton(tr("Done"), inside);
-  done->setObjectName(QStringLiteral("aboutDone"));
-  done->setAccessibleName(tr("Close this page"));
+  auto* done = makeButton(inside, "aboutDone", tr("Done"), tr("Close this page"));
   connect(done, &QPushButton::clicked, this, &AboutPage::closeRequested);
   column->addWidget(done, 0, Qt::AlignLeft);
   column->addStretch(1);
-  fillScrolled(this, inside, QStringLiteral("aboutScroll"));
+  fillScrolled(this, inside, "aboutScroll");
 }
 
 void AboutPage::keyPressEvent(QKeyEvent* event) {

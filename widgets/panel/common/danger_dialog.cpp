@@ -3,9 +3,8 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -45,15 +44,9 @@ DangerDialog::DangerDialog(QWidget* parent, const Question& question) : QDialog(
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   setAccessibleName(question.title);
   setAccessibleDescription(question.text);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(24, 24, 24, 16);
-  layout->setSpacing(16);
-  layout->addWidget(title);
-  layout->addWidget(text);
+  auto* layout = inColumn(this, {24, 24, 24, 16}, 16, {title, text});
   if (!question.option.isEmpty()) {
-    m_option = new QCheckBox(question.option, this);
-    m_option->setObjectName(QStringLiteral("dangerOption"));
-    m_option->setAccessibleName(question.option);
+    m_option = named(new QCheckBox(question.option, this), "dangerOption", question.option);
     m_option->setMinimumHeight(kTarget);
     m_option->setChecked(true);
     layout->addWidget(m_option);

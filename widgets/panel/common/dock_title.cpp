@@ -3,10 +3,10 @@
 
 #include <QAbstractButton>
 #include <QDockWidget>
-#include <QHBoxLayout>
 #include <QPainter>
 
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/common/elided_label.h"
 
 namespace deckpipe {
@@ -66,12 +66,7 @@ DockTitle::DockTitle(QDockWidget* dock)
   connect(m_float, &QAbstractButton::clicked, dock, [dock] { dock->setFloating(!dock->isFloating()); });
   connect(m_close, &QAbstractButton::clicked, dock, &QWidget::close);
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(name, 1);
-  layout->addWidget(m_float);
-  layout->addWidget(m_close);
+  inRow(this, {8, 0, 0, 0}, 0, {{name, 1}, m_float, m_close});
   dock->setTitleBarWidget(this);
 }
 

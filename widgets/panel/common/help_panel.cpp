@@ -4,13 +4,9 @@
 #include <QAbstractItemView>
 #include <QEvent>
 #include <QItemSelectionModel>
-#include <QLabel>
 #include <QTextDocumentFragment>
-#include <QVBoxLayout>
 
-#include "paint/app_style.h"
-#include "panel/common/label_text.h"
-#include "panel/common/scrolled.h"
+#include "panel/common/build.h"
 #include "panel/trace/trace_view.h"
 
 namespace deckpipe {
@@ -20,15 +16,6 @@ constexpr int kAgainMs = 500;
 
 QString plain(const QString& tip) {
   return Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText() : tip;
-}
-
-QLabel* words(const char* name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QLatin1String(name));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  return label;
 }
 
 // The nearest that says what it is: a view's viewport and a box's inner field do not.
@@ -41,24 +28,17 @@ QWidget* speaker(QWidget* widget) {
 }  // namespace
 
 HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("helpPanel"));
-  setAccessibleName(tr("Explanation"));
+  named(this, "helpPanel", tr("Explanation"));
   auto* inside = new QWidget;
   inside->setAutoFillBackground(true);
   inside->setBackgroundRole(QPalette::Base);
-  m_title = words("helpTitle", inside);
-  QFont strong = m_title->font();
-  strong.setWeight(QFont::DemiBold);
-  m_title->setFont(strong);
-  m_now = words("helpNow", inside);
-  m_story = words("helpStory", inside);
-  setInk(*m_story, Ink::Secondary);
-  auto* column = new QVBoxLayout(inside);
-  column->setContentsMargins(12, 8, 12, 8);
-  column->setSpacing(6);
-  for (QLabel* label : {m_title, m_now, m_story}) column->addWidget(label);
-  column->addStretch(1);
-  fillScrolled(this, inside, QStringLiteral("helpScroll"));
+  m_title = makeWords(inside, "helpTitle", {});
+  m_title->setFont(strongFont(m_title->font()));
+  m_now = makeWords(inside, "helpNow", {});
+  m_story = makeWords(inside, "helpStory", {}, Ink::Secondary);
+  for (QLabel* label : {m_title, m_now, m_story}) label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  inColumn(inside, {12, 8, 12, 8}, 6, {m_title, m_now, m_story, LayoutPart::rest()});
+  fillScrolled(this, inside, "helpScroll");
   m_again.setInterval(kAgainMs);
   connect(&m_again, &QTimer::timeout, this, &HelpPanel::showExplanation);
   explain(nullptr);

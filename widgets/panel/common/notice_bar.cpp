@@ -2,16 +2,13 @@
 #include "panel/common/notice_bar.h"
 
 #include <QClipboard>
-#include <QFontDatabase>
 #include <QGuiApplication>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/common/glyph_label.h"
-#include "panel/common/label_text.h"
 
 namespace deckpipe {
 namespace {
@@ -33,36 +30,14 @@ QString actionText(Notice::Action action) {
 NoticeBar::NoticeBar(QWidget* parent)
     : QWidget(parent),
       m_sign(new GlyphLabel(this)),
-      m_text(new QLabel(this)),
-      m_command(new QLabel(this)),
-      m_copy(new QPushButton(tr("Copy"), this)),
+      m_text(makeWords(this, "noticeText", tr("Notice"))),
+      m_command(makeCommand(this, "noticeCommand", tr("Command for a terminal"))),
+      m_copy(makeButton(this, "noticeCopy", tr("Copy"), tr("Copy the command"))),
       m_act(new QPushButton(this)) {
-  setObjectName(QStringLiteral("noticeBar"));
-  setAccessibleName(tr("Notice"));
-  m_text->setObjectName(QStringLiteral("noticeText"));
-  m_text->setAccessibleName(tr("Notice"));
-  m_text->setTextFormat(Qt::PlainText);
-  m_text->setWordWrap(true);
-  m_command->setObjectName(QStringLiteral("noticeCommand"));
-  m_command->setAccessibleName(tr("Command for a terminal"));
-  m_command->setTextFormat(Qt::PlainText);
-  m_command->setWordWrap(true);
-  m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  m_command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  m_copy->setObjectName(QStringLiteral("noticeCopy"));
-  m_copy->setAccessibleName(tr("Copy the command"));
+  named(this, "noticeBar", tr("Notice"));
   m_act->setObjectName(QStringLiteral("noticeAction"));
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2);
-  words->addWidget(m_text);
-  words->addWidget(m_command);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(14, 6, 8, 6);
-  row->setSpacing(8);
-  row->addWidget(m_sign, 0, Qt::AlignVCenter);
-  row->addLayout(words, 1);
-  row->addWidget(m_copy);
-  row->addWidget(m_act);
+  inRow(this, {14, 6, 8, 6}, 8,
+        {{m_sign, 0, Qt::AlignVCenter}, {inColumn(2, {m_text, m_command}), 1}, m_copy, m_act});
   connect(m_copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(m_notice.command); });
   connect(m_act, &QPushButton::clicked, this, &NoticeBar::act);

@@ -8,7 +8,7 @@
 #include "paint/app_style.h"
 #include "paint/figures.h"
 #include "paint/glyph.h"
-#include "panel/common/secondary_font.h"
+#include "panel/common/build.h"
 #include "text/time_text.h"
 
 namespace deckpipe {

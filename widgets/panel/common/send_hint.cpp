@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/common/send_hint.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 
 #include "paint/app_style.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
@@ -19,11 +17,7 @@ SendHint::SendHint(const QString& prefix, QWidget* parent)
   setInk(*m_text, Ink::Warning);
   m_unlock->setObjectName(prefix + QStringLiteral("Unlock"));
   m_unlock->setAccessibleName(tr("Unlock sending"));
-  m_unlock->setAutoDefault(false);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_text, 1);
-  row->addWidget(m_unlock);
+  inRow(this, {{m_text, 1}, m_unlock});
   connect(m_unlock, &QPushButton::clicked, this, &SendHint::unlockRequested);
   hide();
 }

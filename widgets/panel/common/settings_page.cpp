@@ -3,15 +3,13 @@
 
 #include <QButtonGroup>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QVBoxLayout>
 #include <algorithm>
 
-#include "panel/common/scrolled.h"
+#include "panel/common/build.h"
 #include "protocol/address_use.h"
 #include "text/device_text.h"
 
@@ -22,16 +20,6 @@ constexpr int kSettingsColumn = 640;
 constexpr int kIndent = 30;
 constexpr int kMaxMegabytes = 1'000'000;
 constexpr int kMaxDays = 10'000;
-
-QLabel* heading(const QString& text, double size, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setAccessibleName(text);
-  QFont font = label->font();
-  font.setPointSizeF(font.pointSizeF() * size);
-  font.setWeight(QFont::DemiBold);
-  label->setFont(font);
-  return label;
-}
 
 QString hex(int address) { return hexText(static_cast<std::uint8_t>(address)); }
 AddressUse useOf(int address) { return addressUse(Address{static_cast<std::uint8_t>(address)}); }
@@ -53,14 +41,11 @@ class AddressBox : public QSpinBox {
 }  // namespace
 
 SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("settingsPage"));
-  setAccessibleName(tr("Settings"));
+  named(this, "settingsPage", tr("Settings"));
   auto* inside = new QWidget;
   inside->setMaximumWidth(kSettingsColumn);
-  m_column = new QVBoxLayout(inside);
-  m_column->setContentsMargins(24, 16, 24, 16);
-  m_column->setSpacing(4);
-  m_column->addWidget(heading(tr("Settings"), 1.5, inside));
+  m_column = inColumn(inside, {24, 16, 24, 16}, 4, {});
+  m_column->addWidget(makeTitle(inside, "", tr("Settings"), 1.5));
   m_themes = addGroup(tr("Colours"));
   addChoice(m_themes, static_cast<int>(Theme::Light), "lightTheme", tr("Light"),
             tr("For indoors and for shade."));
@@ -74,7 +59,7 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
   addChoice(m_densities, static_cast<int>(Density::Field), "fieldDensity", tr("Field"),
             tr("Larger text, and buttons that gloves can hit."));
   m_column->addSpacing(12);
-  m_column->addWidget(heading(tr("On the bus"), 1.15, inside));
+  m_column->addWidget(makeTitle(inside, "", tr("On the bus"), 1.15));
   m_address =
       addNumber(new AddressBox(this), "preferredAddress", tr("Preferred address, hex"),
                 tr("Claimed on unlocking; where another holds it, F9, FA or a free one of 80 to F7 is "
@@ -89,7 +74,7 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
                          1, 1);
   addStory(tr("Both hold from the next connection."));
   m_column->addSpacing(12);
-  m_column->addWidget(heading(tr("Recordings"), 1.15, inside));
+  m_column->addWidget(makeTitle(inside, "", tr("Recordings"), 1.15));
   m_megabytes = addNumber(new QSpinBox(this), "recordingMegabytes", tr("All together at most, MB"),
                           tr("Beyond it the oldest go, when the program starts."), 0, kMaxMegabytes);
   m_days = addNumber(new QSpinBox(this), "recordingDays", tr("Kept at most, days"),
@@ -97,28 +82,21 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
                         "was not saved stays until you delete it."),
                      0, kMaxDays);
   m_column->addSpacing(12);
-  m_column->addWidget(heading(tr("Put back"), 1.15, inside));
+  m_column->addWidget(makeTitle(inside, "", tr("Put back"), 1.15));
   addAction("settingsResetLayout", tr("Reset layout"), tr("Puts every dock back where it was at first."),
             &SettingsPage::resetLayoutRequested);
   addAction("settingsForgetLogs", tr("Forget recent logs"), tr("Empties the list of logs; the files stay."),
             &SettingsPage::forgetLogsRequested);
   m_column->addSpacing(12);
-  m_path = new QLabel(inside);
-  m_path->setObjectName(QStringLiteral("settingsPath"));
-  m_path->setAccessibleName(tr("Where settings are kept"));
-  m_path->setTextFormat(Qt::PlainText);
-  m_path->setWordWrap(true);
-  setInk(*m_path, Ink::Secondary);
+  m_path = makeWords(inside, "settingsPath", tr("Where settings are kept"), Ink::Secondary);
   m_path->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_column->addWidget(m_path);
   m_column->addSpacing(12);
-  auto* done = new QPushButton(tr("Done"), inside);
-  done->setObjectName(QStringLiteral("settingsDone"));
-  done->setAccessibleName(tr("Close the settings"));
+  auto* done = makeButton(inside, "settingsDone", tr("Done"), tr("Close the settings"));
   connect(done, &QPushButton::clicked, this, &SettingsPage::closeRequested);
   m_column->addWidget(done, 0, Qt::AlignLeft);
   m_column->addStretch(1);
-  fillScrolled(this, inside, QStringLiteral("settingsScroll"));
+  fillScrolled(this, inside, "settingsScroll");
   connect(m_themes, &QButtonGroup::idClicked, this,
           [this](int id) { Q_EMIT themeChosen(static_cast<Theme>(id)); });
   connect(m_densities, &QButtonGroup::idClicked, this,
@@ -133,15 +111,13 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
 
 QButtonGroup* SettingsPage::addGroup(const QString& title) {
   m_column->addSpacing(12);
-  m_column->addWidget(heading(title, 1.15, this));
+  m_column->addWidget(makeTitle(this, "", title, 1.15));
   return new QButtonGroup(this);
 }
 
 void SettingsPage::addChoice(QButtonGroup* group, int id, const char* name, const QString& text,
                              const QString& story) {
-  auto* choice = new QRadioButton(text, this);
-  choice->setObjectName(QLatin1String(name));
-  choice->setAccessibleName(text);
+  auto* choice = named(new QRadioButton(text, this), name, text);
   choice->setAccessibleDescription(story);
   group->addButton(choice, id);
   m_column->addWidget(choice);
@@ -149,9 +125,8 @@ void SettingsPage::addChoice(QButtonGroup* group, int id, const char* name, cons
 }
 
 QLabel* SettingsPage::makeStory(const QString& story) {
-  auto* label = new QLabel(story, this);
-  label->setWordWrap(true);
-  setInk(*label, Ink::Secondary);
+  QLabel* label = makeWords(this, "", {}, Ink::Secondary);
+  label->setText(story);
   return label;
 }
 
@@ -163,33 +138,23 @@ QLabel* SettingsPage::addStory(const QString& story) {
 
 QSpinBox* SettingsPage::addNumber(QSpinBox* box, const char* name, const QString& text, const QString& story,
                                   int least, int most) {
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(text);
+  named(box, name, text);
   box->setAccessibleDescription(story);
   box->setRange(least, most);
   box->setKeyboardTracking(false);
   auto* label = new QLabel(text, this);
   label->setBuddy(box);
-  auto* row = new QHBoxLayout;
-  row->addWidget(label);
-  row->addWidget(box);
-  row->addStretch(1);
-  m_column->addLayout(row);
+  m_column->addLayout(inRow({label, box, LayoutPart::rest()}));
   addStory(story);
   return box;
 }
 
 void SettingsPage::addAction(const char* name, const QString& text, const QString& story,
                              void (SettingsPage::*intent)()) {
-  auto* row = new QHBoxLayout;
-  auto* made = new QPushButton(text, this);
-  made->setObjectName(QLatin1String(name));
-  made->setAccessibleName(text);
+  auto* made = makeButton(this, name, text);
   made->setAccessibleDescription(story);
   connect(made, &QPushButton::clicked, this, intent);
-  row->addWidget(made);
-  row->addWidget(makeStory(story), 1);
-  m_column->addLayout(row);
+  m_column->addLayout(inRow({made, {makeStory(story), 1}}));
 }
 
 void SettingsPage::setTheme(Theme theme) { m_themes->button(static_cast<int>(theme))->setChecked(true); }

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/common/simulator_panel.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStackedLayout>
-#include <QVBoxLayout>
 
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/common/glyph_label.h"
-#include "panel/common/label_text.h"
-#include "panel/common/secondary_font.h"
 #include "panel/common/tick_box.h"
 #include "text/device_text.h"
 
@@ -97,88 +92,60 @@ constexpr EnumTable<SimulatedFault, FaultText> kFaults{{
 SimulatorPanel::SimulatorPanel(QWidget* parent)
     : QWidget(parent),
       m_pages(new QStackedLayout(this)),
-      m_empty(new QLabel(tr("No simulated truck is running."), this)) {
-  setObjectName(QStringLiteral("simulatorPanel"));
-  setAccessibleName(tr("Simulated truck"));
-  m_empty->setObjectName(QStringLiteral("noSimulator"));
-  m_empty->setAccessibleName(tr("Why there is nothing to set"));
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
-  m_empty->setMargin(24);
-  setInk(*m_empty, Ink::Secondary);
+      m_empty(makeMessage(this, "noSimulator", tr("Why there is nothing to set"))) {
+  named(this, "simulatorPanel", tr("Simulated truck"));
+  m_empty->setText(tr("No simulated truck is running."));
+  m_empty->setAutoFillBackground(false);
   m_pages->addWidget(m_empty);
   m_pages->addWidget(makeControls());
   setFocusProxy(m_devices);
 }
 
-QPushButton* SimulatorPanel::makeButton(const char* name, const QString& text, QVBoxLayout* layout) {
-  auto* button = new QPushButton(text, this);
-  button->setObjectName(QString::fromLatin1(name));
-  button->setAccessibleName(text);
+QPushButton* SimulatorPanel::makeAction(const char* name, const QString& text,
+                                        decltype(SimulatorIntent::what) what) {
+  QPushButton* button = makeButton(this, name, text);
   button->setMinimumHeight(kGloveTarget);
-  button->setAutoDefault(false);
-  if (layout != nullptr) layout->addWidget(button);
+  connect(button, &QPushButton::clicked, this, [this, what] { intent(what); });
   return button;
 }
 
 QWidget* SimulatorPanel::makeControls() {
   auto* page = new QWidget(this);
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(8, 8, 8, 8);
-  layout->setSpacing(8);
-  m_remark = new QLabel(tr("What is set here goes wrong on the simulated truck alone."), page);
-  m_remark->setWordWrap(true);
+  m_remark = makeWords(page, "", {}, Ink::Secondary);
+  m_remark->setText(tr("What is set here goes wrong on the simulated truck alone."));
   m_remark->setFont(secondaryFont(font()));
-  setInk(*m_remark, Ink::Secondary);
-  m_devices = new QComboBox(page);
-  m_devices->setObjectName(QStringLiteral("simulatorDevices"));
-  m_devices->setAccessibleName(tr("Simulated device"));
+  m_devices = named(new QComboBox(page), "simulatorDevices", tr("Simulated device"));
   m_devices->setMinimumHeight(kGloveTarget);
   m_devices->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_devices->setMinimumContentsLength(12);
-  m_sign = new GlyphLabel(page);
-  m_state = new QLabel(page);
-  m_state->setObjectName(QStringLiteral("simulatorState"));
-  m_state->setAccessibleName(tr("State of the simulated device"));
-  m_state->setWordWrap(true);
-  m_powerOff = makeButton("simulatorPowerOff", tr("Power off"), nullptr);
-  m_powerOn = makeButton("simulatorPowerOn", tr("Power on"), nullptr);
-  m_reset = makeButton("simulatorReset", tr("Reset"), nullptr);
-
-  auto* state = new QHBoxLayout;
-  state->addWidget(m_sign);
-  state->addWidget(m_state, 1);
-  auto* buttons = new QHBoxLayout;
-  for (QPushButton* button : {m_powerOff, m_powerOn, m_reset}) buttons->addWidget(button);
-  layout->addWidget(m_remark);
-  layout->addWidget(m_devices);
-  layout->addLayout(state);
-  layout->addLayout(buttons);
-  layout->addWidget(makeFaults(), 1);
-  m_allWell = makeButton("simulatorAllWell", tr("All is well again"), layout);
-
   connect(m_devices, &QComboBox::currentIndexChanged, this, &SimulatorPanel::showDevice);
-  connect(m_powerOff, &QPushButton::clicked, this, [this] { intent(SimulatorButton::PowerOff); });
-  connect(m_powerOn, &QPushButton::clicked, this, [this] { intent(SimulatorButton::PowerOn); });
-  connect(m_reset, &QPushButton::clicked, this, [this] { intent(SimulatorButton::Reset); });
-  connect(m_allWell, &QPushButton::clicked, this, [this] { intent(SimulatorAllWell{}); });
+  m_sign = new GlyphLabel(page);
+  m_state = makeWords(page, "simulatorState", tr("State of the simulated device"));
+  m_powerOff = makeAction("simulatorPowerOff", tr("Power off"), SimulatorButton::PowerOff);
+  m_powerOn = makeAction("simulatorPowerOn", tr("Power on"), SimulatorButton::PowerOn);
+  m_reset = makeAction("simulatorReset", tr("Reset"), SimulatorButton::Reset);
+  QWidget* faults = makeFaults();
+  m_allWell = makeAction("simulatorAllWell", tr("All is well again"), SimulatorAllWell{});
+  inColumn(page, {8, 8, 8, 8}, 8,
+           {m_remark,
+            m_devices,
+            inRow({m_sign, {m_state, 1}}),
+            inRow({m_powerOff, m_powerOn, m_reset}),
+            {faults, 1},
+            m_allWell});
   return page;
 }
 
 QWidget* SimulatorPanel::makeFaults() {
   auto* list = new QWidget;
-  auto* layout = new QVBoxLayout(list);
-  layout->setContentsMargins(8, 8, 8, 8);
-  layout->setSpacing(0);
+  auto* layout = inColumn(list, {8, 8, 8, 8}, 0, {});
   QString group;
   for (const SimulatedFault fault : kAllOf<SimulatedFault>) {
     for (const Group& g : kGroups) {
       if (g.first != fault) continue;
       group = tr(g.title);
       auto* title = new QLabel(group, list);
-      QFont bold = title->font();
-      bold.setWeight(QFont::DemiBold);
-      title->setFont(bold);
+      title->setFont(strongFont(title->font()));
       title->setContentsMargins(0, fault == SimulatedFault{} ? 0 : 12, 0, 4);
       layout->addWidget(title);
     }
@@ -193,9 +160,7 @@ QWidget* SimulatorPanel::makeFaults() {
     m_faults[fault] = box;
   }
   layout->addStretch(1);
-  m_scroll = new QScrollArea(this);
-  m_scroll->setObjectName(QStringLiteral("simulatorFaults"));
-  m_scroll->setAccessibleName(tr("What goes wrong"));
+  m_scroll = named(new QScrollArea(this), "simulatorFaults", tr("What goes wrong"));
   m_scroll->setWidgetResizable(true);
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_scroll->setWidget(list);

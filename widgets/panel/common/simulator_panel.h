@@ -15,7 +15,6 @@ class QLabel;
 class QPushButton;
 class QScrollArea;
 class QStackedLayout;
-class QVBoxLayout;
 
 namespace deckpipe {
 
@@ -39,7 +38,7 @@ class SimulatorPanel : public QWidget {
  private:
   QWidget* makeControls();
   QWidget* makeFaults();
-  QPushButton* makeButton(const char* name, const QString& text, QVBoxLayout* layout);
+  QPushButton* makeAction(const char* name, const QString& text, decltype(SimulatorIntent::what) what);
   const SimulatedDevice* device() const;
   void intent(decltype(SimulatorIntent::what) what);
   static QString faultText(SimulatedFault fault);

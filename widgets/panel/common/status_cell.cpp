@@ -2,13 +2,13 @@
 #include "panel/common/status_cell.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QToolTip>
 
 #include "paint/app_style.h"
 #include "paint/plain_tip.h"
+#include "panel/common/build.h"
 #include "panel/common/elided_label.h"
 #include "panel/common/glyph_label.h"
 
@@ -19,13 +19,8 @@ StatusCell::StatusCell(const char* name, const QString& label, QWidget* parent)
   setObjectName(QLatin1String(name) + QStringLiteral("Cell"));
   setAccessibleName(label);
   setFocusPolicy(Qt::TabFocus);
-  m_words->setObjectName(QLatin1String(name));
-  m_words->setAccessibleName(label);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(6, 4, 6, 4);
-  row->setSpacing(6);
-  row->addWidget(m_sign);
-  row->addWidget(m_words, 1);
+  named(m_words, name, label);
+  inRow(this, {6, 4, 6, 4}, 6, {m_sign, {m_words, 1}});
   m_sign->hide();
 }
 

@@ -3,7 +3,7 @@
 
 #include "model/device_rows.h"
 #include "paint/app_style.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 

@@ -2,60 +2,37 @@
 #include "panel/connect/adapter_row.h"
 
 #include <QClipboard>
-#include <QFontDatabase>
 #include <QGridLayout>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/common/glyph_label.h"
-#include "panel/common/label_text.h"
 
 namespace deckpipe {
 
 AdapterRow::AdapterRow(QWidget* parent)
     : QWidget(parent),
       m_sign(new GlyphLabel(this)),
-      m_title(new QLabel(this)),
-      m_maker(new QLabel(this)),
-      m_state(new QLabel(this)),
-      m_problem(new QLabel(this)),
-      m_command(new QLabel(this)),
-      m_copy(new QPushButton(tr("Copy"), this)),
-      m_connect(new QPushButton(tr("Connect"), this)) {
+      m_title(named(new QLabel(this), "adapterTitle", tr("Interface"))),
+      m_maker(makeWords(this, "adapterMaker", tr("Adapter"), Ink::Secondary)),
+      m_state(makeWords(this, "adapterState", tr("State"))),
+      m_problem(makeWords(this, "adapterProblem", tr("What to do first"), Ink::Secondary)),
+      m_command(makeCommand(this, "adapterCommand", tr("Command for a terminal"))),
+      m_copy(makeButton(this, "adapterCopy", tr("Copy"), tr("Copy the command"))),
+      m_connect(makeButton(this, "adapterConnect", tr("Connect"))) {
   setObjectName(QStringLiteral("adapterRow"));
-  const auto name = [](QWidget* widget, const char* objectName, const QString& accessibleName) {
-    widget->setObjectName(QLatin1String(objectName));
-    widget->setAccessibleName(accessibleName);
-  };
-  name(m_title, "adapterTitle", tr("Interface"));
-  name(m_maker, "adapterMaker", tr("Adapter"));
-  name(m_state, "adapterState", tr("State"));
-  name(m_problem, "adapterProblem", tr("What to do first"));
-  name(m_command, "adapterCommand", tr("Command for a terminal"));
-  name(m_copy, "adapterCopy", tr("Copy the command"));
-  name(m_connect, "adapterConnect", tr("Connect"));
-  QFont strong = m_title->font();
-  strong.setWeight(QFont::DemiBold);
-  m_title->setFont(strong);
-  for (QLabel* label : {m_title, m_maker, m_state, m_problem, m_command}) label->setTextFormat(Qt::PlainText);
-  for (QLabel* label : {m_maker, m_state, m_problem, m_command}) label->setWordWrap(true);
-  for (QLabel* label : {m_maker, m_problem}) setInk(*label, Ink::Secondary);
-  m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  m_command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  m_title->setFont(strongFont(m_title->font()));
+  m_title->setTextFormat(Qt::PlainText);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(12, 8, 12, 8);
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(2);
   grid->setColumnStretch(1, 1);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(12);
-  head->addWidget(m_title);
-  head->addWidget(m_maker, 1);
   grid->addWidget(m_sign, 0, 0, 2, 1, Qt::AlignVCenter);
-  grid->addLayout(head, 0, 1);
+  grid->addLayout(inRow(12, {m_title, {m_maker, 1}}), 0, 1);
   grid->addWidget(m_state, 1, 1);
   grid->addWidget(m_connect, 0, 2, 2, 1, Qt::AlignVCenter);
   grid->addWidget(m_problem, 2, 1, 1, 2);

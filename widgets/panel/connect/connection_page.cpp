@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/connect/connection_page.h"
 
-#include <QComboBox>
 #include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QVBoxLayout>
 
 #include "paint/app_style.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 #include "panel/connect/adapter_row.h"
 
 namespace deckpipe {
@@ -19,71 +15,28 @@ namespace {
 constexpr int kBitRates[] = {10'000, 20'000, 50'000, 100'000, 125'000, 250'000, 500'000, 800'000, 1'000'000};
 constexpr int kOtherWidth = 400;
 
-QLabel* title(const QString& text, const char* name, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setObjectName(QLatin1String(name));
-  label->setAccessibleName(text);
-  QFont large = label->font();
-  large.setPointSizeF(large.pointSizeF() * 1.5);
-  large.setWeight(QFont::DemiBold);
-  label->setFont(large);
-  return label;
-}
-
-QLabel* words(const char* name, const QString& accessibleName, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QLatin1String(name));
-  label->setAccessibleName(accessibleName);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  setInk(*label, Ink::Secondary);
-  return label;
-}
-
-QPushButton* button(const QString& text, const char* name, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(QLatin1String(name));
-  made->setAccessibleName(text);
-  made->setMinimumHeight(44);
-  return made;
+QPushButton* largeButton(QWidget* parent, const char* name, const QString& text) {
+  QPushButton* button = makeButton(parent, name, text);
+  button->setMinimumHeight(44);
+  return button;
 }
 
 }  // namespace
 
 ConnectionPage::ConnectionPage(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("startPage"));
-  setAccessibleName(tr("Connect"));
+  named(this, "startPage", tr("Connect"));
   auto* inside = new QWidget;
-  auto* row = new QHBoxLayout(inside);
-  row->setContentsMargins(24, 16, 24, 16);
-  row->setSpacing(32);
-  row->addWidget(makeBusSide(), 1);
-  row->addWidget(makeOtherSide());
-  auto* scroll = new QScrollArea(this);
-  scroll->setObjectName(QStringLiteral("startScroll"));
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(inside);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  inRow(inside, {24, 16, 24, 16}, 32, {{makeBusSide(), 1}, makeOtherSide()});
+  fillScrolled(this, inside, "startScroll");
   setOffers({});
   setRecentLogs({});
 }
 
 QWidget* ConnectionPage::makeBusSide() {
   auto* side = new QWidget(this);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  column->addWidget(title(tr("Connect to a bus"), "busTitle", side));
-  auto* rate = new QHBoxLayout;
   auto* label = new QLabel(tr("&Bit rate:"), side);
   label->setObjectName(QStringLiteral("bitRateLabel"));
-  m_bitRate = new QComboBox(side);
-  m_bitRate->setObjectName(QStringLiteral("bitRate"));
-  m_bitRate->setAccessibleName(tr("Bit rate of the bus"));
+  m_bitRate = named(new QComboBox(side), "bitRate", tr("Bit rate of the bus"));
   m_bitRate->addItem(tr("J1939, the monitors' own bus – 250 kbit/s"), 250'000);
   m_bitRate->addItem(tr("CANopen behind the 6051 gateway – 125 kbit/s"), 125'000);
   m_bitRate->addItem(tr("As the interface is set (SocketCAN)"), 0);
@@ -91,51 +44,40 @@ QWidget* ConnectionPage::makeBusSide() {
   for (const int bits : kBitRates) m_bitRate->addItem(tr("%1 kbit/s").arg(bits / 1000), bits);
   label->setBuddy(m_bitRate);
   connect(m_bitRate, &QComboBox::activated, this, [this] { Q_EMIT bitRateChosen(bitRate()); });
-  rate->addWidget(label);
-  rate->addWidget(m_bitRate);
-  rate->addStretch(1);
-  column->addLayout(rate);
-  m_rows = new QVBoxLayout;
-  m_rows->setSpacing(8);
-  column->addLayout(m_rows);
+  m_rows = inColumn(8, {});
   m_none = new AdapterRow(side);
   m_none->setObjectName(QStringLiteral("noAdapters"));
-  column->addWidget(m_none);
-  m_missing = words("missing", tr("What cannot be used here"), side);
-  column->addWidget(m_missing);
-  column->addStretch(1);
+  m_missing = makeWords(side, "missing", tr("What cannot be used here"), Ink::Secondary);
+  inColumn(side, {}, 8,
+           {makeTitle(side, "busTitle", tr("Connect to a bus")),
+            inRow({label, m_bitRate, LayoutPart::rest()}), m_rows, m_none, m_missing, LayoutPart::rest()});
   return side;
 }
 
 QWidget* ConnectionPage::makeOtherSide() {
   auto* side = new QWidget(this);
   side->setFixedWidth(kOtherWidth);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  column->addWidget(title(tr("Without a bus"), "demoTitle", side));
-  auto* demo = button(tr("Start the simulated truck"), "startDemo", side);
+  auto* demo = largeButton(side, "startDemo", tr("Start the simulated truck"));
   connect(demo, &QPushButton::clicked, this, &ConnectionPage::demoRequested);
-  column->addWidget(demo);
-  column->addSpacing(16);
-  column->addWidget(title(tr("Logs"), "logTitle", side));
-  auto* open = button(tr("Open a log…"), "openLog", side);
+  auto* open = largeButton(side, "openLog", tr("Open a log…"));
   connect(open, &QPushButton::clicked, this, &ConnectionPage::browseRequested);
-  column->addWidget(open);
-  m_noLogs = words("noRecentLogs", tr("Recent logs"), side);
+  m_noLogs = makeWords(side, "noRecentLogs", tr("Recent logs"), Ink::Secondary);
   m_noLogs->setText(tr("Or drop a file on this window. Logs that were opened are listed here."));
-  column->addWidget(m_noLogs);
-  m_recent = new QVBoxLayout;
-  m_recent->setSpacing(4);
-  column->addLayout(m_recent);
-  m_forget = new QPushButton(tr("Forget these logs"), side);
-  m_forget->setObjectName(QStringLiteral("forgetLogs"));
-  m_forget->setAccessibleName(m_forget->text());
+  m_recent = inColumn(4, {});
+  m_forget = makeButton(side, "forgetLogs", tr("Forget these logs"));
   m_forget->setToolTip(tr("Empties this list; the files stay"));
   m_forget->setFlat(true);
   connect(m_forget, &QPushButton::clicked, this, &ConnectionPage::forgetRequested);
-  column->addWidget(m_forget, 0, Qt::AlignLeft);
-  column->addStretch(1);
+  inColumn(side, {}, 8,
+           {makeTitle(side, "demoTitle", tr("Without a bus")),
+            demo,
+            LayoutPart::gap(16),
+            makeTitle(side, "logTitle", tr("Logs")),
+            open,
+            m_noLogs,
+            m_recent,
+            {m_forget, 0, Qt::AlignLeft},
+            LayoutPart::rest()});
   return side;
 }
 
@@ -199,9 +141,9 @@ void ConnectionPage::setRecentLogs(const std::vector<RecentLog>& logs) {
   for (const RecentLog& log : logs) {
     const QString name = QFileInfo(log.path).fileName();
     const QString shown = log.isGone ? tr("%1 – gone").arg(name) : name;
-    auto* made = new QPushButton(fontMetrics().elidedText(shown, Qt::ElideMiddle, kOtherWidth - 40), this);
-    made->setObjectName(QStringLiteral("recentLog"));
-    made->setAccessibleName(tr("Open %1").arg(name));
+    auto* made =
+        named(new QPushButton(fontMetrics().elidedText(shown, Qt::ElideMiddle, kOtherWidth - 40), this),
+              "recentLog", tr("Open %1").arg(name));
     made->setToolTip(log.isGone ? tr("%1\nis no longer there").arg(log.path) : log.path);
     made->setEnabled(!log.isGone);
     connect(made, &QPushButton::clicked, this, [this, path = log.path] { Q_EMIT logRequested(path); });

@@ -1,71 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/connect/recordings_page.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QVBoxLayout>
+#include "panel/common/build.h"
 
 namespace deckpipe {
 
 RecordingsPage::RecordingsPage(QWidget* parent)
     : QWidget(parent),
-      m_intro(new QLabel(this)),
-      m_list(new QListWidget(this)),
-      m_outcome(new QLabel(this)),
-      m_open(new QPushButton(tr("Open"), this)),
-      m_save(new QPushButton(tr("Save a copy as…"), this)),
-      m_delete(new QPushButton(tr("Delete…"), this)) {
-  setObjectName(QStringLiteral("recordingsPage"));
-  setAccessibleName(tr("Recordings"));
-  auto* title = new QLabel(tr("Recordings"), this);
-  QFont large = title->font();
-  large.setPointSizeF(large.pointSizeF() * 1.5);
-  large.setWeight(QFont::DemiBold);
-  title->setFont(large);
-  for (QLabel* label : {m_intro, m_outcome}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-  }
-  m_intro->setObjectName(QStringLiteral("recordingsIntro"));
-  m_outcome->setObjectName(QStringLiteral("recordingsOutcome"));
-  m_list->setObjectName(QStringLiteral("recordingsList"));
-  m_list->setAccessibleName(tr("Recordings"));
+      m_intro(makeWords(this, "recordingsIntro", {})),
+      m_list(named(new QListWidget(this), "recordingsList", tr("Recordings"))),
+      m_outcome(makeWords(this, "recordingsOutcome", {})),
+      m_open(makeButton(this, "recordingOpen", tr("Open"))),
+      m_save(makeButton(this, "recordingSave", tr("Save a copy as…"))),
+      m_delete(makeButton(this, "recordingDelete", tr("Delete…"))) {
+  named(this, "recordingsPage", tr("Recordings"));
   m_list->setSpacing(2);
   m_list->setUniformItemSizes(true);
-  m_open->setObjectName(QStringLiteral("recordingOpen"));
-  m_save->setObjectName(QStringLiteral("recordingSave"));
-  m_delete->setObjectName(QStringLiteral("recordingDelete"));
-  auto* done = new QPushButton(tr("Done"), this);
-  done->setObjectName(QStringLiteral("recordingsDone"));
-  done->setAccessibleName(tr("Close this page"));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  for (QPushButton* button : {m_open, m_save, m_delete}) buttons->addWidget(button);
-  buttons->addStretch(1);
-  buttons->addWidget(done);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(24, 16, 24, 16);
-  column->setSpacing(8);
-  column->addWidget(title);
-  column->addWidget(m_intro);
-  column->addWidget(m_list, 1);
-  column->addWidget(m_outcome);
-  column->addLayout(buttons);
+  auto* done = makeButton(this, "recordingsDone", tr("Done"), tr("Close this page"));
+  inColumn(this, {24, 16, 24, 16}, 8,
+           {makeTitle(this, "recordingsTitle", tr("Recordings")),
+            m_intro,
+            {m_list, 1},
+            m_outcome,
+            inRow(8, {m_open, m_save, m_delete, LayoutPart::rest(), done})});
 
   connect(m_list, &QListWidget::currentRowChanged, this, &RecordingsPage::showButtons);
   connect(m_list, &QListWidget::itemActivated, m_open, &QPushButton::click);
-  connect(m_open, &QPushButton::clicked, this, [this] {
-    if (const RecordingRow* row = chosen()) Q_EMIT openRequested(row->path);
-  });
-  connect(m_save, &QPushButton::clicked, this, [this] {
-    if (const RecordingRow* row = chosen()) Q_EMIT saveRequested(row->path);
-  });
-  connect(m_delete, &QPushButton::clicked, this, [this] {
-    if (const RecordingRow* row = chosen()) Q_EMIT deleteRequested(row->path);
-  });
+  const auto askFor = [this](QPushButton* button, void (RecordingsPage::*request)(const QString& path)) {
+    connect(button, &QPushButton::clicked, this, [this, request] {
+      if (const RecordingRow* row = chosen()) (this->*request)(row->path);
+    });
+  };
+  askFor(m_open, &RecordingsPage::openRequested);
+  askFor(m_save, &RecordingsPage::saveRequested);
+  askFor(m_delete, &RecordingsPage::deleteRequested);
   connect(done, &QPushButton::clicked, this, &RecordingsPage::closeRequested);
   setReading();
   setOutcome({});

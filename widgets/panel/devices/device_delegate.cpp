@@ -12,8 +12,8 @@
 #include "model/device_order.h"
 #include "paint/app_style.h"
 #include "paint/figures.h"
+#include "panel/common/build.h"
 #include "panel/common/health_look.h"
-#include "panel/common/secondary_font.h"
 
 namespace deckpipe {
 namespace {
@@ -45,8 +45,7 @@ QWidget* DeviceDelegate::createEditor(QWidget* parent, const QStyleOptionViewIte
                                       const QModelIndex& index) const {
   auto* editor = new QLineEdit(parent);
   const QString pin = keyText(index.data(DeviceModel::KeyRole).value<DeviceKey>());
-  editor->setObjectName(QStringLiteral("labelEditor"));
-  editor->setAccessibleName(tr("Label of %1").arg(pin));
+  named(editor, "labelEditor", tr("Label of %1").arg(pin));
   editor->setPlaceholderText(pin);
   editor->setMaxLength(DeviceLabels::kLongest);
   return editor;

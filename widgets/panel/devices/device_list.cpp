@@ -14,7 +14,7 @@
 #include "model/device_model.h"
 #include "model/device_order.h"
 #include "paint/app_style.h"
-#include "panel/common/secondary_font.h"
+#include "panel/common/build.h"
 #include "panel/devices/device_delegate.h"
 
 namespace deckpipe {
@@ -41,8 +41,7 @@ class DeviceHeader : public QHeaderView {
 };
 
 DeviceHeader::DeviceHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
-  setObjectName(QStringLiteral("deviceListHeader"));
-  setAccessibleName(DeviceList::tr("Sort the devices by"));
+  named(this, "deviceListHeader", DeviceList::tr("Sort the devices by"));
   setSectionsMovable(false);
   setStretchLastSection(false);
   setSortIndicatorClearable(true);
@@ -96,20 +95,11 @@ void DeviceHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
 
 DeviceList::DeviceList(QWidget* parent)
     : QTreeView(parent), m_delegate(new DeviceDelegate(this)), m_header(new DeviceHeader(this)) {
-  setObjectName(QStringLiteral("deviceList"));
-  setAccessibleName(tr("Devices"));
+  named(this, "deviceList", tr("Devices"));
   setItemDelegate(m_delegate);
-  setRootIsDecorated(false);
-  setItemsExpandable(false);
-  setIndentation(0);
-  setUniformRowHeights(false);
-  setSelectionBehavior(SelectRows);
-  setSelectionMode(SingleSelection);
-  setEditTriggers(NoEditTriggers);
+  makeFlat(*this);
   setAllColumnsShowFocus(false);  // drawRow() frames the row
   setVerticalScrollMode(ScrollPerPixel);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setFrameShape(NoFrame);
   setHeader(m_header);
   // setHeader() takes these back where the view does not sort by itself; DeviceListPanel sorts through the proxy.
   m_header->setSectionsClickable(true);

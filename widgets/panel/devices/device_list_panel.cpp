@@ -7,18 +7,15 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QShortcut>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 #include "model/device_model.h"
 #include "model/device_order.h"
-#include "paint/app_style.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 #include "panel/common/untracked_label.h"
 #include "panel/devices/device_list.h"
 
@@ -29,47 +26,27 @@ DeviceListPanel::DeviceListPanel(QWidget* parent)
       m_model(new DeviceModel(this)),
       m_order(new DeviceOrder(this)),
       m_list(new DeviceList(this)),
-      m_filter(new QLineEdit(this)),
-      m_empty(new QLabel(this)),
+      m_filter(named(new QLineEdit(this), "deviceFilter", tr("Filter the devices"))),
+      m_empty(makeMessage(this, "noDevices", tr("Why no device is listed"))),
       m_untracked(new UntrackedLabel(QStringLiteral("untrackedDevices"), this)),
       m_pages(new QStackedWidget(this)) {
-  setObjectName(QStringLiteral("devicePanel"));
-  setAccessibleName(tr("Devices on the bus"));
+  named(this, "devicePanel", tr("Devices on the bus"));
   m_order->setSourceModel(m_model);
   m_list->setModel(m_order);
-  m_empty->setObjectName(QStringLiteral("noDevices"));
-  m_empty->setAccessibleName(tr("Why no device is listed"));
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
-  m_empty->setMargin(24);
-  m_empty->setAutoFillBackground(true);
-  m_empty->setBackgroundRole(QPalette::Base);
-  setInk(*m_empty, Ink::Secondary);
   m_pages->setObjectName(QStringLiteral("devicePages"));
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_list);
   m_empty->setText(m_model->emptyText());
-  m_filter->setObjectName(QStringLiteral("deviceFilter"));
-  m_filter->setAccessibleName(tr("Filter the devices"));
   m_filter->setPlaceholderText(tr("Filter devices (Ctrl+F)"));
   m_filter->setToolTip(tr("Every word is looked for in label, PIN, type, group, address and health."));
   m_filter->setClearButtonEnabled(true);
-  for (QAbstractButton* clear : m_filter->findChildren<QAbstractButton*>()) {
-    clear->setObjectName(QStringLiteral("deviceFilterClear"));
-    clear->setAccessibleName(tr("Show all devices"));
-  }
+  for (QAbstractButton* clear : m_filter->findChildren<QAbstractButton*>())
+    named(clear, "deviceFilterClear", tr("Show all devices"));
   m_filter->setMinimumHeight(32);
   m_filter->installEventFilter(this);
   setFocusProxy(m_list);
-  auto* line = new QHBoxLayout;
-  line->setContentsMargins(8, 4, 8, 4);
-  line->addWidget(m_filter);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addLayout(line);
-  layout->addWidget(m_pages, 1);
-  layout->addWidget(m_untracked);
+  auto* line = inRow(nullptr, {8, 4, 8, 4}, -1, {m_filter});
+  inColumn(this, {0, 0, 0, 0}, 0, {line, {m_pages, 1}, m_untracked});
 
   connect(m_filter, &QLineEdit::textChanged, this, [this](const QString& text) {
     {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/events/event_filter_bar.h"
 
-#include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -11,6 +9,7 @@
 
 #include "model/event_filter.h"
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -23,9 +22,7 @@ constexpr int kAroundWords = 36, kChoices = 560;
 EventFilterBar::EventFilterBar(EventModel* events, EventFilter* filter, QWidget* parent)
     : QWidget(parent), m_events(events), m_filter(filter) {
   setObjectName(QStringLiteral("eventFilterBar"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(4, 2, 4, 2);
-  row->setSpacing(2);
+  auto* row = inRow(this, {4, 2, 4, 2}, 2, {});
   for (const EventGroup group : kAllOf<EventGroup>) {
     auto* button = new QToolButton(this);
     const QString name = eventGroupText(group);
@@ -40,21 +37,15 @@ EventFilterBar::EventFilterBar(EventModel* events, EventFilter* filter, QWidget*
     row->addWidget(button);
   }
   row->addSpacing(6);
-  m_device = new QComboBox(this);
-  m_device->setObjectName(QStringLiteral("eventDevice"));
-  m_device->setAccessibleName(tr("Device whose events are listed"));
+  m_device = named(new QComboBox(this), "eventDevice", tr("Device whose events are listed"));
   m_device->addItem(tr("All devices"));
   m_device->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_device->setMinimumContentsLength(14);
   row->addWidget(m_device);
-  m_weight = new QComboBox(this);
-  m_weight->setObjectName(QStringLiteral("eventWeight"));
-  m_weight->setAccessibleName(tr("How grave the events are that are listed"));
+  m_weight = named(new QComboBox(this), "eventWeight", tr("How grave the events are that are listed"));
   m_weight->addItems({tr("All"), tr("Warnings and faults"), tr("Faults alone")});
   row->addWidget(m_weight);
-  m_words = new QLineEdit(this);
-  m_words->setObjectName(QStringLiteral("eventWords"));
-  m_words->setAccessibleName(tr("Words in the events that are listed"));
+  m_words = named(new QLineEdit(this), "eventWords", tr("Words in the events that are listed"));
   m_words->setPlaceholderText(tr("Words"));
   m_words->setClearButtonEnabled(true);
   m_words->setMinimumWidth(80);

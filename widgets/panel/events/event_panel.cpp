@@ -2,13 +2,11 @@
 #include "panel/events/event_panel.h"
 
 #include <QHeaderView>
-#include <QLabel>
 #include <QPainter>
 #include <QScrollBar>
 #include <QStackedLayout>
 #include <QStyledItemDelegate>
 #include <QTreeView>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -20,8 +18,8 @@
 #include "paint/event_mark.h"
 #include "paint/figures.h"
 #include "paint/severity_look.h"
+#include "panel/common/build.h"
 #include "panel/common/flat_header.h"
-#include "panel/common/label_text.h"
 #include "panel/events/event_filter_bar.h"
 
 namespace deckpipe {
@@ -92,46 +90,26 @@ EventPanel::EventPanel(QWidget* parent)
       m_filter(new EventFilter(m_model, this)),
       m_bar(new EventFilterBar(m_model, m_filter, this)),
       m_delegate(new EventDelegate(this)),
-      m_list(new QTreeView(this)),
+      m_list(named(new QTreeView(this), "eventList", tr("Events"))),
       m_header(new FlatHeader(m_list)),
-      m_empty(new QLabel(tr("Nothing happened so far."), this)),
+      m_empty(makeMessage(this, "noEvents", tr("Why no event is listed"), 16)),
       m_cut(new QLabel(tr("More happened: only the first events are listed."), this)),
       m_pages(new QStackedLayout) {
-  setObjectName(QStringLiteral("eventPanel"));
-  setAccessibleName(tr("Events"));
-  m_list->setObjectName(QStringLiteral("eventList"));
-  m_list->setAccessibleName(tr("Events"));
+  named(this, "eventPanel", tr("Events"));
   m_list->setToolTip(tr("A click puts the cursor there"));
   m_list->setHeader(m_header);
   m_list->setModel(m_filter);
   m_list->setItemDelegate(m_delegate);
-  m_list->setRootIsDecorated(false);
-  m_list->setItemsExpandable(false);
-  m_list->setIndentation(0);
+  makeFlat(*m_list);
   m_list->setUniformRowHeights(true);
-  m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_list->setFrameShape(QFrame::NoFrame);
   m_header->setObjectName(QStringLiteral("eventHeader"));
   m_header->setSectionResizeMode(QHeaderView::Interactive);
   m_header->setStretchLastSection(true);
-  m_empty->setObjectName(QStringLiteral("noEvents"));
-  m_empty->setAccessibleName(tr("Why no event is listed"));
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
-  m_empty->setMargin(16);
-  m_empty->setAutoFillBackground(true);
-  m_empty->setBackgroundRole(QPalette::Base);
-  setInk(*m_empty, Ink::Secondary);
+  m_empty->setText(tr("Nothing happened so far."));
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_list);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(m_bar);
-  column->addLayout(m_pages, 1);
-  column->addWidget(m_cut);
+  inColumn(this, {0, 0, 0, 0}, 0, {m_bar, {m_pages, 1}, m_cut});
   m_cut->setObjectName(QStringLiteral("eventsCut"));
   m_cut->setMargin(4);
   m_cut->hide();

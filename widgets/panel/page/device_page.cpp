@@ -2,16 +2,13 @@
 #include "panel/page/device_page.h"
 
 #include <QEvent>
-#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "model/page_sources.h"
-#include "paint/app_style.h"
 #include "paint/dial.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 #include "panel/page/fact_list.h"
 #include "panel/page/full_dial.h"
 #include "panel/page/lamp_grid.h"
@@ -35,28 +32,16 @@ bool standsBeside(const PageLampGroup& group) {
 DevicePage::DevicePage(QWidget* parent)
     : QWidget(parent),
       m_header(new PageHeader(this)),
-      m_message(new QLabel(this)),
-      m_scroll(new QScrollArea(this)),
+      m_message(makeMessage(this, "pageMessage", {})),
       m_content(new PageContent),
+      m_scroll(makeScroll(this, "pageScroll", m_content)),
       m_dial(new Dial(m_content)),
       m_sticks{new StickBox(QStringLiteral("stick"), m_content),
                new StickBox(QStringLiteral("grip"), m_content)},
       m_stops(new StopsGrid(m_content)) {
-  setObjectName(QStringLiteral("monitorPage"));
-  setAccessibleName(tr("Device page"));
-  m_message->setObjectName(QStringLiteral("pageMessage"));
-  m_message->setAlignment(Qt::AlignCenter);
-  m_message->setWordWrap(true);
-  m_message->setMargin(24);
-  m_message->setAutoFillBackground(true);
-  m_message->setBackgroundRole(QPalette::Base);
-  setInk(*m_message, Ink::Secondary);
-  m_scroll->setObjectName(QStringLiteral("pageScroll"));
+  named(this, "monitorPage", tr("Device page"));
   m_scroll->setAccessibleName(tr("Values of the device"));
-  m_scroll->setWidgetResizable(true);
-  m_scroll->setFrameShape(QFrame::NoFrame);
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_scroll->setWidget(m_content);
   m_scroll->viewport()->installEventFilter(this);
   m_scroll->installEventFilter(this);
   m_dial->installEventFilter(this);
@@ -65,12 +50,7 @@ DevicePage::DevicePage(QWidget* parent)
   connect(m_header, &PageHeader::fullRequested, this, &DevicePage::toggleFull);
   connect(m_header, &PageHeader::traceRequested, this, &DevicePage::traceRequested);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_header);
-  layout->addWidget(m_message, 1);
-  layout->addWidget(m_scroll, 1);
+  inColumn(this, {0, 0, 0, 0}, 0, {m_header, {m_message, 1}, {m_scroll, 1}});
   showValues();
 }
 

@@ -67,11 +67,11 @@ class DevicePage : public QWidget {
 
   PageHeader* m_header;
   QLabel* m_message;  // instead of a page
+  PageContent* m_content;
   QScrollArea* m_scroll;
   QWidget* m_stage = nullptr;
   DeviceKey m_explained;
   QPointer<FullDial> m_full;  // the window owns it, and may end before this page does
-  PageContent* m_content;
   Dial* m_dial;
   std::vector<StickBox*> m_sticks;  // a joystick's stick and its grip
   StopsGrid* m_stops;

@@ -8,8 +8,8 @@
 #include "model/page_sources.h"
 #include "paint/app_style.h"
 #include "paint/severity_look.h"
+#include "panel/common/build.h"
 #include "panel/common/glyph_label.h"
-#include "panel/common/label_text.h"
 #include "panel/common/section_title.h"
 #include "text/time_text.h"
 

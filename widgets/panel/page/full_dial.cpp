@@ -3,38 +3,26 @@
 
 #include <QEvent>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QVBoxLayout>
 
-#include "paint/app_style.h"
 #include "paint/dial.h"
+#include "panel/common/build.h"
 #include "panel/page/page_header.h"
 
 namespace deckpipe {
 
 FullDial::FullDial(QWidget* window)
-    : QWidget(window), m_header(new PageHeader(this)), m_dial(new Dial(this)), m_message(new QLabel(this)) {
-  setObjectName(QStringLiteral("fullDial"));
-  setAccessibleName(tr("Dial over the whole window"));
+    : QWidget(window),
+      m_header(new PageHeader(this)),
+      m_dial(new Dial(this)),
+      m_message(makeMessage(this, "fullMessage", {})) {
+  named(this, "fullDial", tr("Dial over the whole window"));
   setAutoFillBackground(true);
   setFocusPolicy(Qt::StrongFocus);
   m_header->setFullOffered(true);
   m_header->setFull(true);
-  m_message->setObjectName(QStringLiteral("fullMessage"));
-  m_message->setAlignment(Qt::AlignCenter);
-  m_message->setWordWrap(true);
-  m_message->setMargin(24);
-  m_message->setAutoFillBackground(true);
-  m_message->setBackgroundRole(QPalette::Base);
-  setInk(*m_message, Ink::Secondary);
   m_message->setText(tr("Not heard up to this place of the log."));
   m_message->hide();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_header);
-  layout->addWidget(m_dial, 1);
-  layout->addWidget(m_message, 1);
+  inColumn(this, {0, 0, 0, 0}, 0, {m_header, {m_dial, 1}, {m_message, 1}});
   connect(m_header, &PageHeader::fullRequested, this, &FullDial::closed);
   setGeometry(window->rect());
   window->installEventFilter(this);

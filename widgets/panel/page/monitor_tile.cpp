@@ -10,8 +10,8 @@
 #include "paint/app_style.h"
 #include "paint/dial.h"
 #include "paint/glyph.h"
+#include "panel/common/build.h"
 #include "panel/common/health_look.h"
-#include "panel/common/secondary_font.h"
 #include "text/time_text.h"
 
 namespace deckpipe {
@@ -22,10 +22,6 @@ constexpr int kFrame = 3;  // of the focus
 constexpr double kTileSign = 14;
 constexpr double kTileGap = 8;
 
-QFont strongFont(QFont font) {
-  font.setWeight(QFont::DemiBold);
-  return font;
-}
 int lineHeight(const QFont& font) { return static_cast<int>(std::ceil(QFontMetricsF(font).height())) + 4; }
 
 }  // namespace

@@ -2,14 +2,11 @@
 #include "panel/page/overview_panel.h"
 
 #include <QKeyEvent>
-#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QVBoxLayout>
 #include <algorithm>
 
-#include "paint/app_style.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 #include "panel/common/untracked_label.h"
 #include "panel/page/monitor_tile.h"
 #include "panel/page/overview_grid.h"
@@ -18,33 +15,18 @@ namespace deckpipe {
 
 OverviewPanel::OverviewPanel(QWidget* parent)
     : QWidget(parent),
-      m_empty(new QLabel(this)),
+      m_empty(makeMessage(this, "noMonitors", {})),
       m_untracked(new UntrackedLabel(QStringLiteral("untrackedMonitors"), this)),
-      m_scroll(new QScrollArea(this)),
+      m_scroll(named(new QScrollArea(this), "overviewScroll", tr("Monitors"))),
       m_content(new QWidget) {
-  setObjectName(QStringLiteral("overviewPanel"));
-  setAccessibleName(tr("All monitors"));
-  m_empty->setObjectName(QStringLiteral("noMonitors"));
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
-  m_empty->setMargin(24);
-  m_empty->setAutoFillBackground(true);
-  m_empty->setBackgroundRole(QPalette::Base);
-  setInk(*m_empty, Ink::Secondary);
+  named(this, "overviewPanel", tr("All monitors"));
   m_content->setObjectName(QStringLiteral("overviewContent"));
-  m_scroll->setObjectName(QStringLiteral("overviewScroll"));
-  m_scroll->setAccessibleName(tr("Monitors"));
   m_scroll->setFrameShape(QFrame::NoFrame);
   m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_scroll->setFocusPolicy(Qt::NoFocus);  // the tiles have it
   m_scroll->setWidget(m_content);
   m_scroll->installEventFilter(this);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_empty, 1);
-  layout->addWidget(m_scroll, 1);
-  layout->addWidget(m_untracked);
+  inColumn(this, {0, 0, 0, 0}, 0, {{m_empty, 1}, {m_scroll, 1}, m_untracked});
   refresh();
 }
 

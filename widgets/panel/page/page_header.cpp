@@ -5,30 +5,21 @@
 #include <QEvent>
 #include <QFontInfo>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/common/glyph_label.h"
 #include "panel/common/health_look.h"
-#include "panel/common/label_text.h"
-#include "panel/common/secondary_font.h"
 #include "text/time_text.h"
 
 namespace deckpipe {
 namespace {
 
 constexpr int kRoomForTrace = 640;
-
-QLabel* makeLabel(QWidget* parent, const char* name, const QString& spoken) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QString::fromLatin1(name));
-  label->setAccessibleName(spoken);
-  return label;
-}
 
 }  // namespace
 
@@ -89,14 +80,14 @@ void FullButton::paintEvent(QPaintEvent*) {
 
 PageHeader::PageHeader(QWidget* parent)
     : QWidget(parent),
-      m_title(makeLabel(this, "pageTitle", tr("Device"))),
-      m_type(makeLabel(this, "pageType", tr("Type"))),
-      m_place(makeLabel(this, "pageAddress", tr("Address"))),
-      m_age(makeLabel(this, "pageAge", tr("Last heard"))),
+      m_title(named(new QLabel(this), "pageTitle", tr("Device"))),
+      m_type(named(new QLabel(this), "pageType", tr("Type"))),
+      m_place(named(new QLabel(this), "pageAddress", tr("Address"))),
+      m_age(named(new QLabel(this), "pageAge", tr("Last heard"))),
       m_sign(new GlyphLabel(this)),
-      m_word(makeLabel(this, "pageHealth", tr("Health"))),
-      m_reason(makeLabel(this, "pageReason", tr("Reason of the health"))),
-      m_trace(new QToolButton(this)),
+      m_word(named(new QLabel(this), "pageHealth", tr("Health"))),
+      m_reason(named(new QLabel(this), "pageReason", tr("Reason of the health"))),
+      m_trace(named(new QToolButton(this), "traceButton", tr("Only this device in the trace"))),
       m_full(new FullButton(this)) {
   setObjectName(QStringLiteral("pageHeader"));
   QFont strong = font();
@@ -104,9 +95,7 @@ PageHeader::PageHeader(QWidget* parent)
   strong.setWeight(QFont::DemiBold);
   m_title->setFont(strong);
   m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  QFont word = font();
-  word.setWeight(QFont::DemiBold);
-  m_word->setFont(word);
+  m_word->setFont(strongFont(font()));
   int widest = 0;
   for (const HealthCause cause : kAllOf<HealthCause>)
     widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(cause)));
@@ -117,36 +106,22 @@ PageHeader::PageHeader(QWidget* parent)
   m_age->setMinimumWidth(
       m_age->fontMetrics().horizontalAdvance(tr("heard %1 ago").arg(QStringLiteral("< 99 min"))));
 
-  auto* names = new QHBoxLayout;
-  names->setSpacing(16);
-  names->addWidget(m_title);
-  names->addWidget(m_type, 1, Qt::AlignBottom);
-  auto* health = new QHBoxLayout;
-  health->setSpacing(8);
-  health->addWidget(m_sign);
-  health->addWidget(m_word);
-  auto* places = new QHBoxLayout;
-  places->setSpacing(16);
-  places->addWidget(m_place);
-  places->addWidget(m_age);
-  places->addWidget(m_reason, 1);
   m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  m_reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  m_type->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  for (QLabel* label : {m_type, m_reason}) label->installEventFilter(this);
+  for (QLabel* label : {m_type, m_reason}) {
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    label->installEventFilter(this);
+  }
 
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(16, 8, 16, 8);
   grid->setHorizontalSpacing(16);
   grid->setVerticalSpacing(4);
-  grid->addLayout(names, 0, 0);
-  grid->addLayout(health, 0, 1);
-  grid->addLayout(places, 1, 0, 1, 2);
+  grid->addLayout(inRow(16, {m_title, {m_type, 1, Qt::AlignBottom}}), 0, 0);
+  grid->addLayout(inRow(8, {m_sign, m_word}), 0, 1);
+  grid->addLayout(inRow(16, {m_place, m_age, {m_reason, 1}}), 1, 0, 1, 2);
   grid->addWidget(m_trace, 0, 2, 2, 1);
   grid->addWidget(m_full, 0, 3, 2, 1);
-  m_trace->setObjectName(QStringLiteral("traceButton"));
   m_trace->setText(tr("Its frames"));
-  m_trace->setAccessibleName(tr("Only this device in the trace"));
   m_trace->setToolTip(tr("Only this device in the trace (Ctrl+T)"));
   m_trace->hide();
   connect(m_trace, &QAbstractButton::clicked, this, &PageHeader::traceRequested);

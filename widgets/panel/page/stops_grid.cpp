@@ -2,10 +2,10 @@
 #include "panel/page/stops_grid.h"
 
 #include <QGridLayout>
-#include <QLabel>
 
 #include "model/page_sources.h"
 #include "paint/status_lamp.h"
+#include "panel/common/build.h"
 #include "panel/common/section_title.h"
 #include "panel/page/lamp_grid.h"
 
@@ -13,8 +13,7 @@ namespace deckpipe {
 
 StopsGrid::StopsGrid(QWidget* parent)
     : QWidget(parent), m_title(new SectionTitle(this)), m_grid(new QGridLayout(this)) {
-  setObjectName(QStringLiteral("stops"));
-  setAccessibleName(tr("Hard stops"));
+  named(this, "stops", tr("Hard stops"));
   setToolTip(pageSourceText(QStringLiteral("stops")));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_title->setTitle(tr("Hard stops"));

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/pipe/file_send_bar.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "panel/common/build.h"
 #include "panel/common/elided_label.h"
-#include "panel/common/label_text.h"
 #include "text/plural.h"
 #include "text/service_text.h"
 #include "text/time_text.h"
@@ -67,34 +65,15 @@ QString timeLeftText(const PipeStatus& pipe, Instant now) {
 
 FileSendBar::FileSendBar(QWidget* parent)
     : QWidget(parent),
-      m_name(new ElidedLabel(this, Qt::ElideMiddle)),
-      m_progress(new QProgressBar(this)),
-      m_figures(new ElidedLabel(this)),
-      m_pause(new QPushButton(tr("Pause"), this)),
-      m_cancel(new QPushButton(tr("Cancel file"), this)) {
-  setObjectName(QStringLiteral("fileSendBar"));
-  setAccessibleName(tr("Sending a file"));
-  m_name->setObjectName(QStringLiteral("fileName"));
-  m_name->setAccessibleName(tr("File that is sent"));
+      m_name(named(new ElidedLabel(this, Qt::ElideMiddle), "fileName", tr("File that is sent"))),
+      m_progress(named(new QProgressBar(this), "fileProgress", tr("How much of the file was acknowledged"))),
+      m_figures(named(new ElidedLabel(this), "fileFigures", tr("Rate, time left and acks"))),
+      m_pause(makeButton(this, "filePause", tr("Pause"))),
+      m_cancel(makeButton(this, "fileCancel", tr("Cancel file"))) {
+  named(this, "fileSendBar", tr("Sending a file"));
   m_name->setMaximumWidth(kNameLetters * fontMetrics().averageCharWidth());
-  m_progress->setObjectName(QStringLiteral("fileProgress"));
-  m_progress->setAccessibleName(tr("How much of the file was acknowledged"));
   m_progress->setRange(0, 1000);
-  m_figures->setObjectName(QStringLiteral("fileFigures"));
-  m_figures->setAccessibleName(tr("Rate, time left and acks"));
-  m_pause->setObjectName(QStringLiteral("filePause"));
-  m_cancel->setObjectName(QStringLiteral("fileCancel"));
-  for (QPushButton* button : {m_pause, m_cancel}) {
-    button->setAccessibleName(button->text());
-    button->setAutoDefault(false);
-  }
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_name);
-  layout->addWidget(m_progress, 1);
-  layout->addWidget(m_figures);
-  layout->addWidget(m_pause);
-  layout->addWidget(m_cancel);
+  inRow(this, {m_name, {m_progress, 1}, m_figures, m_pause, m_cancel});
   connect(m_pause, &QPushButton::clicked, this, [this] { Q_EMIT pauseRequested(!m_isPaused); });
   connect(m_cancel, &QPushButton::clicked, this, &FileSendBar::cancelRequested);
   hide();

@@ -2,14 +2,13 @@
 #include "panel/pipe/pipe_input.h"
 
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
 #include <algorithm>
 #include <limits>
 
-#include "panel/common/calm_combo.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -53,33 +52,19 @@ QString wideCharacter(const QString& text) {
 
 PipeInput::PipeInput(QWidget* parent)
     : QWidget(parent),
-      m_mode(new CalmCombo(this)),
-      m_input(new QLineEdit(this)),
-      m_lineEnd(new CalmCombo(this)),
-      m_send(new QPushButton(tr("Send"), this)) {
-  m_mode->setObjectName(QStringLiteral("pipeMode"));
-  m_mode->setAccessibleName(tr("How typing is sent"));
+      m_mode(named(new CalmCombo(this), "pipeMode", tr("How typing is sent"))),
+      m_input(named(new QLineEdit(this), "pipeInput", tr("Characters to send"))),
+      m_lineEnd(named(new CalmCombo(this), "pipeLineEnd", tr("Line end"))),
+      m_send(makeButton(this, "pipeSend", tr("Send"))) {
   m_mode->addItems({tr("Lines"), tr("Every key")});
   m_mode->setToolTip(
       tr("Lines: what is typed goes with Enter. Every key: each goes at once; Ctrl+[ sends ESC."));
-  m_input->setObjectName(QStringLiteral("pipeInput"));
-  m_input->setAccessibleName(tr("Characters to send"));
   m_input->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   m_input->setMaxLength(std::numeric_limits<int>::max());  // what is too much is refused whole, with words
   m_input->installEventFilter(this);
-  m_lineEnd->setObjectName(QStringLiteral("pipeLineEnd"));
-  m_lineEnd->setAccessibleName(tr("Line end"));
   m_lineEnd->addItems({tr("CR LF"), tr("CR"), tr("LF"), tr("No line end")});
-  m_send->setObjectName(QStringLiteral("pipeSend"));
-  m_send->setAccessibleName(m_send->text());
-  m_send->setAutoDefault(false);
   setFocusProxy(m_input);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_mode);
-  row->addWidget(m_input, 1);
-  row->addWidget(m_lineEnd);
-  row->addWidget(m_send);
+  inRow(this, {m_mode, {m_input, 1}, m_lineEnd, m_send});
   connect(m_input, &QLineEdit::returnPressed, this, &PipeInput::sendLine);
   connect(m_input, &QLineEdit::textEdited, this, &PipeInput::sendRest);
   connect(m_input, &QLineEdit::textChanged, this, &PipeInput::showCount);

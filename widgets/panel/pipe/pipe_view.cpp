@@ -4,19 +4,18 @@
 #include <QCheckBox>
 #include <QFileDialog>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QScrollBar>
-#include <QVBoxLayout>
 
 #include <utility>
 
 #include "model/field_text.h"
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -26,9 +25,9 @@ constexpr int kMaxBlocks = 20'000;
 
 }  // namespace
 
-PipeView::PipeView(QWidget* parent) : QWidget(parent), m_text(new QPlainTextEdit(this)) {
-  m_text->setObjectName(QStringLiteral("pipeText"));
-  m_text->setAccessibleName(tr("What went through the data pipe"));
+PipeView::PipeView(QWidget* parent)
+    : QWidget(parent),
+      m_text(named(new QPlainTextEdit(this), "pipeText", tr("What went through the data pipe"))) {
   m_text->setReadOnly(true);
   m_text->setMinimumHeight(kMinText);
   m_text->setUndoRedoEnabled(false);
@@ -43,11 +42,7 @@ PipeView::PipeView(QWidget* parent) : QWidget(parent), m_text(new QPlainTextEdit
   connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int most) {
     if (m_isFollowing) bar->setValue(most);
   });
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(m_text, 1);
-  layout->addWidget(makeTools());
+  inColumn(this, {0, 0, 0, 0}, 6, {{m_text, 1}, makeTools()});
 }
 
 QWidget* PipeView::makeTools() {
@@ -63,30 +58,14 @@ QWidget* PipeView::makeTools() {
     box->setAccessibleName(box->text());
     connect(box, &QCheckBox::toggled, this, &PipeView::rebuild);
   }
-  m_search = new QLineEdit(m_tools);
-  m_search->setObjectName(QStringLiteral("pipeSearch"));
-  m_search->setAccessibleName(tr("Search the transcript"));
+  m_search = named(new QLineEdit(m_tools), "pipeSearch", tr("Search the transcript"));
   m_search->setPlaceholderText(tr("Search"));
   m_search->setClearButtonEnabled(true);
   m_search->setMaximumWidth(240);
   m_search->installEventFilter(this);
-  const auto makeButton = [this](const char* name, const QString& text) {
-    auto* button = new QPushButton(text, m_tools);
-    button->setObjectName(QLatin1String(name));
-    button->setAccessibleName(text);
-    button->setAutoDefault(false);
-    return button;
-  };
-  m_saveText = makeButton("pipeSave", tr("Save transcript…"));
-  m_saveLedger = makeButton("pipeSaveLedger", tr("Save ack times…"));
-  auto* row = new QHBoxLayout(m_tools);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_echo);
-  row->addWidget(m_hex);
-  row->addWidget(m_search, 1);
-  row->addStretch(1);
-  row->addWidget(m_saveText);
-  row->addWidget(m_saveLedger);
+  m_saveText = makeButton(m_tools, "pipeSave", tr("Save transcript…"));
+  m_saveLedger = makeButton(m_tools, "pipeSaveLedger", tr("Save ack times…"));
+  inRow(m_tools, {m_echo, m_hex, {m_search, 1}, LayoutPart::rest(), m_saveText, m_saveLedger});
   connect(m_search, &QLineEdit::textEdited, this, [this] {
     m_text->moveCursor(QTextCursor::End);
     find(true);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "panel/common/build.h"
 #include "panel/common/danger_dialog.h"
 #include "panel/pipe/pipe_input.h"
 
@@ -34,8 +35,7 @@ std::shared_ptr<const std::string> shared(const QByteArray& content) {
 
 SendFileButton::SendFileButton(const PipeInput& input, QWidget* parent)
     : QPushButton(tr("Send file…"), parent), m_input(input) {
-  setObjectName(QStringLiteral("pipeSendFile"));
-  setAccessibleName(text());
+  named(this, "pipeSendFile", text());
   setAutoDefault(false);
   connect(this, &QPushButton::clicked, this, &SendFileButton::choose);
 }

@@ -2,16 +2,12 @@
 #include "panel/pipe/terminal_panel.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/common/elided_label.h"
-#include "panel/common/label_text.h"
-#include "panel/common/secondary_font.h"
 #include "panel/common/send_hint.h"
 #include "panel/pipe/file_send_bar.h"
 #include "panel/pipe/pipe_input.h"
@@ -34,16 +30,8 @@ TerminalPanel::TerminalPanel(QWidget* parent)
       m_file(new FileSendBar(this)),
       m_input(new PipeInput(this)),
       m_sendFile(new SendFileButton(*m_input, this)) {
-  setObjectName(QStringLiteral("terminalPanel"));
-  setAccessibleName(tr("Data pipe terminal"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 6, 8, 6);
-  layout->setSpacing(6);
-  layout->addLayout(makeTop());
-  layout->addWidget(m_hint);
-  layout->addWidget(m_text, 1);
-  layout->addWidget(m_file);
-  layout->addLayout(makeBottom());
+  named(this, "terminalPanel", tr("Data pipe terminal"));
+  inColumn(this, {8, 6, 8, 6}, 6, {makeTop(), m_hint, {m_text, 1}, m_file, makeBottom()});
   setFocusProxy(m_input);
 
   connect(m_hint, &SendHint::unlockRequested, this, &TerminalPanel::unlockRequested);
@@ -65,64 +53,34 @@ TerminalPanel::TerminalPanel(QWidget* parent)
   showState();
 }
 
-QPushButton* TerminalPanel::makeButton(const char* name, const QString& text) {
-  auto* button = new QPushButton(text, this);
-  button->setObjectName(QString::fromLatin1(name));
-  button->setAccessibleName(text);
-  button->setAutoDefault(false);
-  return button;
-}
-
 // Whom it talks to, and beside it the manual's caution, or what to decide.
 QLayout* TerminalPanel::makeTop() {
-  m_title = new ElidedLabel(this, Qt::ElideMiddle);
-  m_title->setObjectName(QStringLiteral("pipeDevice"));
-  m_title->setAccessibleName(tr("Device at the other end"));
-  QFont bold = m_title->font();
-  bold.setBold(true);
-  m_title->setFont(bold);
-  m_caution =
-      new QLabel(tr("The manual calls the data pipe “simplistic”, “not appropriate for control-related "
-                    "messaging” and “not available for integrator use”."),
-                 this);
-  m_caution->setObjectName(QStringLiteral("pipeCaution"));
-  m_caution->setAccessibleName(m_caution->text());
-  m_caution->setWordWrap(true);
-  m_caution->setFont(secondaryFont(font()));
-  setInk(*m_caution, Ink::Secondary);
-  auto* row = new QHBoxLayout;
+  m_title = named(new ElidedLabel(this, Qt::ElideMiddle), "pipeDevice", tr("Device at the other end"));
+  m_title->setFont(boldFont(m_title->font()));
   m_title->setMaximumWidth(kTitleLetters * fontMetrics().averageCharWidth());
-  row->setSpacing(16);
-  row->addWidget(m_title);
-  row->addWidget(m_caution, 1);
-  row->addWidget(makeStallBar(), 1);
-  return row;
+  const QString caution =
+      tr("The manual calls the data pipe “simplistic”, “not appropriate for control-related "
+         "messaging” and “not available for integrator use”.");
+  m_caution = makeWords(this, "pipeCaution", caution, Ink::Secondary);
+  m_caution->setText(caution);
+  m_caution->setFont(secondaryFont(font()));
+  return inRow(16, {m_title, {m_caution, 1}, {makeStallBar(), 1}});
 }
 
 QWidget* TerminalPanel::makeStallBar() {
   m_stallBar = new QWidget(this);
   m_stallBar->setObjectName(QStringLiteral("pipeStall"));
-  m_stall = new QLabel(m_stallBar);
-  m_stall->setObjectName(QStringLiteral("pipeStallText"));
-  m_stall->setAccessibleName(tr("Why sending stopped"));
-  m_stall->setWordWrap(true);
-  setInk(*m_stall, Ink::Fault);
-  auto* row = new QHBoxLayout(m_stallBar);
-  row->setContentsMargins(0, 0, 0, 0);
+  m_stall = makeWords(m_stallBar, "pipeStallText", tr("Why sending stopped"), Ink::Fault);
   m_forTheRest = new QCheckBox(m_stallBar);
   m_forTheRest->setObjectName(QStringLiteral("pipeForTheRest"));
   m_forTheRest->setToolTip(tr("Resend or Skip at every further missing ack of this file or text, "
                               "up to %1 in a row")
                                .arg(kMaxMissingAcks));
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2);
-  words->addWidget(m_stall);
-  words->addWidget(m_forTheRest);
-  row->addLayout(words, 1);
+  auto* row = inRow(m_stallBar, {{inColumn(2, {m_stall, m_forTheRest}), 1}});
   connect(m_forTheRest, &QCheckBox::toggled, this, &TerminalPanel::showState);
   const auto add = [&](const char* name, const QString& text, const QString& tip,
                        intent::PipeAction::What what) {
-    QPushButton* button = makeButton(name, text);
+    QPushButton* button = makeButton(m_stallBar, name, text);
     button->setToolTip(tip);
     row->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, what] { decide(what); });
@@ -138,15 +96,11 @@ QWidget* TerminalPanel::makeStallBar() {
 }
 
 QLayout* TerminalPanel::makeBottom() {
-  m_more = makeButton("pipeMore", tr("More"));
+  m_more = makeButton(this, "pipeMore", tr("More"));
   m_more->setCheckable(true);
   m_more->setToolTip(tr("What is shown, search, and saving"));
   connect(m_more, &QPushButton::toggled, m_text, &PipeView::showTools);
-  auto* row = new QHBoxLayout;
-  row->addWidget(m_input, 1);
-  row->addWidget(m_sendFile);
-  row->addWidget(m_more);
-  return row;
+  return inRow({{m_input, 1}, m_sendFile, m_more});
 }
 
 void TerminalPanel::setView(const PanelView& view) {

@@ -46,7 +46,6 @@ class TerminalPanel : public QWidget {
   QLayout* makeTop();
   QWidget* makeStallBar();
   QLayout* makeBottom();
-  QPushButton* makeButton(const char* name, const QString& text);
   void showState();
   void showStall(const PipeStatus& pipe);
   QString stallWords(const PipeStatus& pipe) const;

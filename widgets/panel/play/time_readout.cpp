@@ -10,6 +10,7 @@
 
 #include "paint/app_style.h"
 #include "paint/figures.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 
@@ -35,8 +36,7 @@ std::optional<std::int64_t> stampAt(const LogView& view) {
 }
 
 TimeReadout::TimeReadout(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("timeReadout"));
-  setAccessibleName(tr("Time of the cursor"));
+  named(this, "timeReadout", tr("Time of the cursor"));
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   setView({});
 }

@@ -3,8 +3,6 @@
 
 #include <QAbstractItemView>
 #include <QApplication>
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
@@ -16,6 +14,7 @@
 #include "paint/app_style.h"
 #include "paint/event_mark.h"
 #include "paint/timeline.h"
+#include "panel/common/build.h"
 #include "panel/play/time_readout.h"
 #include "panel/play/transport_button.h"
 #include "text/plural.h"
@@ -29,12 +28,9 @@ constexpr int kPixelsABin = 3;
 }  // namespace
 
 TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("transportBar"));
-  setAccessibleName(tr("Timeline"));
+  named(this, "transportBar", tr("Timeline"));
   const auto button = [this](TransportButton::Sign sign, const char* name, const QString& label) {
-    auto* made = new TransportButton(sign, this);
-    made->setObjectName(QString::fromLatin1(name));
-    made->setAccessibleName(label);
+    auto* made = named(new TransportButton(sign, this), name, label);
     made->setToolTip(label);
     return made;
   };
@@ -47,26 +43,22 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
   m_end->setWidestText(metrics.horizontalAdvance(atEnd) > metrics.horizontalAdvance(toEnd) ? atEnd : toEnd);
   m_readout = new TimeReadout(this);
   m_timeline = new Timeline(this);
-  m_speed = new QComboBox(this);
-  m_speed->setObjectName(QStringLiteral("speed"));
-  m_speed->setAccessibleName(tr("Speed of replay"));
+  m_speed = named(new QComboBox(this), "speed", tr("Speed of replay"));
   m_speed->setToolTip(tr("Speed of replay"));
   m_speed->setMinimumHeight(40);
   for (const double speed : kSpeeds) m_speed->addItem(tr("%1×").arg(QLocale().toString(speed)), speed);
   setFocusProxy(m_timeline);
 
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(4);
-  row->addWidget(m_back);
-  row->addWidget(m_play);
-  row->addWidget(m_forward);
-  row->addSpacing(4);
-  row->addWidget(m_readout);
-  row->addWidget(m_timeline, 1);
-  row->addSpacing(4);
-  row->addWidget(m_speed);
-  row->addWidget(m_end);
+  inRow(this, {8, 4, 8, 4}, 4,
+        {m_back,
+         m_play,
+         m_forward,
+         LayoutPart::gap(4),
+         m_readout,
+         {m_timeline, 1},
+         LayoutPart::gap(4),
+         m_speed,
+         m_end});
 
   connect(m_back, &QAbstractButton::clicked, this,
           [this] { step(-1, (QApplication::keyboardModifiers() & Qt::ShiftModifier) != 0); });

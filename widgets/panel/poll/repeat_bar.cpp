@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/poll/repeat_bar.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 
 #include "model/device_rows.h"
 #include "paint/app_style.h"
-#include "panel/common/label_text.h"
-#include "panel/common/secondary_font.h"
+#include "panel/common/build.h"
 #include "text/time_text.h"
 
 namespace deckpipe {
@@ -18,23 +15,13 @@ constexpr qsizetype kMaxLines = 4;
 
 }  // namespace
 
-RepeatBar::RepeatBar(QWidget* parent) : QWidget(parent), m_text(new QLabel(this)) {
+RepeatBar::RepeatBar(QWidget* parent)
+    : QWidget(parent), m_text(makeWords(this, "repeatText", tr("Polls that are repeated"), Ink::Secondary)) {
   setObjectName(QStringLiteral("repeatBar"));
-  m_text->setObjectName(QStringLiteral("repeatText"));
-  m_text->setAccessibleName(tr("Polls that are repeated"));
-  m_text->setWordWrap(true);
-  m_text->setTextFormat(Qt::PlainText);
   m_text->setFont(secondaryFont(font()));
-  setInk(*m_text, Ink::Secondary);
-  auto* end = new QPushButton(tr("End all"), this);
-  end->setObjectName(QStringLiteral("repeatEnd"));
-  end->setAccessibleName(tr("End all repeated polls"));
+  auto* end = makeButton(this, "repeatEnd", tr("End all"), tr("End all repeated polls"));
   end->setToolTip(end->accessibleName());
-  end->setAutoDefault(false);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_text, 1);
-  row->addWidget(end);
+  inRow(this, {{m_text, 1}, end});
   connect(end, &QPushButton::clicked, this, &RepeatBar::endRequested);
   hide();
 }

@@ -2,14 +2,12 @@
 #include "panel/poll/request_card.h"
 
 #include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
 
 #include "paint/app_style.h"
 #include "paint/severity_look.h"
+#include "panel/common/build.h"
 #include "panel/common/glyph_label.h"
-#include "panel/common/label_text.h"
-#include "panel/common/secondary_font.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
@@ -22,29 +20,19 @@ constexpr int kButtonWidth = 96;
 RequestCard::RequestCard(Request request, QWidget* parent)
     : QWidget(parent),
       m_request(request),
-      m_answer(new QLabel(this)),
+      m_answer(makeWords(this, "askAnswer", tr("Last answer: %1").arg(requestText(request)))),
       m_sign(new GlyphLabel(this)),
-      m_state(new QLabel(this)),
+      m_state(makeWords(this, "askState", tr("State: %1").arg(requestText(request)))),
       m_button(new QPushButton(isCommand(request) ? tr("%1…").arg(requestText(request)) : tr("Ask"), this)) {
   const QString name = requestText(request);
   setObjectName(QStringLiteral("askCard%1").arg(static_cast<int>(request)));
   setAccessibleName(name);
   auto* title = new QLabel(name, this);
-  QFont bold = title->font();
-  bold.setBold(true);
-  title->setFont(bold);
-  m_answer->setObjectName(QStringLiteral("askAnswer"));
-  m_answer->setAccessibleName(tr("Last answer: %1").arg(name));
-  m_answer->setWordWrap(true);
+  title->setFont(boldFont(title->font()));
   m_answer->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_state->setObjectName(QStringLiteral("askState"));
-  m_state->setAccessibleName(tr("State: %1").arg(name));
-  m_state->setWordWrap(true);
   m_state->setFont(secondaryFont(font()));
-  m_button->setObjectName(QStringLiteral("askButton"));
-  m_button->setAccessibleName(isCommand(request) ? m_button->text() : tr("Ask: %1").arg(name));
+  named(m_button, "askButton", isCommand(request) ? m_button->text() : tr("Ask: %1").arg(name));
   m_button->setMinimumWidth(kButtonWidth);
-  m_button->setAutoDefault(false);
   connect(m_button, &QPushButton::clicked, this, &RequestCard::pressed);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);

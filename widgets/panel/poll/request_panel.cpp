@@ -2,28 +2,21 @@
 #include "panel/poll/request_panel.h"
 
 #include <QAbstractItemView>
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QStandardItemModel>
 #include <QTreeView>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "model/answer_history.h"
 #include "model/device_health.h"
 #include "model/device_rows.h"
-#include "paint/app_style.h"
-#include "panel/common/calm_combo.h"
+#include "panel/common/build.h"
 #include "panel/common/danger_dialog.h"
 #include "panel/common/flat_header.h"
-#include "panel/common/label_text.h"
-#include "panel/common/secondary_font.h"
 #include "panel/common/send_hint.h"
 #include "panel/poll/repeat_bar.h"
 #include "panel/poll/request_card.h"
@@ -57,26 +50,13 @@ bool namesFault(const Device& device) {
   return device.faults().isKnown() && (faults.map != 0 || faults.pcodeError.value_or(0) != 0);
 }
 
-QPushButton* makeButton(const char* name, const QString& text, QWidget* parent) {
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(QString::fromLatin1(name));
-  button->setAccessibleName(text);
-  button->setAutoDefault(false);
-  return button;
-}
-
 }  // namespace
 
 RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new AnswerHistory(this)) {
-  setObjectName(QStringLiteral("requestPanel"));
-  setAccessibleName(tr("Ask the device"));
-  m_title = new QLabel(this);
-  m_title->setObjectName(QStringLiteral("requestDevice"));
-  m_title->setAccessibleName(tr("Device that is asked"));
+  named(this, "requestPanel", tr("Ask the device"));
+  m_title = named(new QLabel(this), "requestDevice", tr("Device that is asked"));
   m_title->setWordWrap(true);
-  QFont bold = m_title->font();
-  bold.setBold(true);
-  m_title->setFont(bold);
+  m_title->setFont(boldFont(m_title->font()));
 
   m_hint = new SendHint(QStringLiteral("request"), this);
   connect(m_hint, &SendHint::unlockRequested, this, &RequestPanel::unlockRequested);
@@ -88,23 +68,19 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
   m_historyView = new QTreeView(this);
   m_historyHeader = new FlatHeader(m_historyView);
   m_historyHeader->setObjectName(QStringLiteral("answerHeader"));
-  m_historyView->setObjectName(QStringLiteral("answerHistory"));
-  m_historyView->setAccessibleName(tr("Earlier answers"));
+  named(m_historyView, "answerHistory", tr("Earlier answers"));
   m_historyView->setToolTip(tr("A double click shows the frame"));
   m_historyView->setHeader(m_historyHeader);
   m_historyView->setModel(m_history);
-  m_historyView->setRootIsDecorated(false);
-  m_historyView->setItemsExpandable(false);
+  makeFlat(*m_historyView);  // a tool tip has what is cut off
   m_historyView->setUniformRowHeights(true);
   m_historyView->setAlternatingRowColors(true);
-  m_historyView->setFrameShape(QFrame::NoFrame);
   m_historyHeader->setStretchLastSection(true);
   m_historyHeader->resizeSection(AnswerHistory::When,
                                  fontMetrics().horizontalAdvance(QStringLiteral("000:00:00.000")) + 16);
   m_historyHeader->resizeSection(AnswerHistory::What,
                                  fontMetrics().horizontalAdvance(requestText(Request::Config)) + 24);
   m_historyView->setMinimumHeight(kHistoryHeight);
-  m_historyView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // a tool tip has what is cut off
 
   auto* split = new QSplitter(Qt::Vertical, this);
   split->setChildrenCollapsible(false);
@@ -112,13 +88,7 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
   split->addWidget(m_historyView);
   split->setStretchFactor(0, 3);
   split->setStretchFactor(1, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 8, 8, 0);
-  layout->setSpacing(6);
-  layout->addWidget(m_title);
-  layout->addWidget(m_hint);
-  layout->addWidget(m_repeats);
-  layout->addWidget(split, 1);
+  inColumn(this, {8, 8, 8, 0}, 6, {m_title, m_hint, m_repeats, {split, 1}});
 
   connect(m_historyView, &QTreeView::activated, this, [this](const QModelIndex& index) {
     Q_EMIT frameRequested(index.data(AnswerHistory::FrameRole).toULongLong());
@@ -127,37 +97,21 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
 
 QWidget* RequestPanel::makeRequests() {
   auto* content = new QWidget(this);
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
-  m_askAll = makeButton("askAll", tr("Ask it all"), content);
+  m_askAll = makeButton(content, "askAll", tr("Ask it all"));
   m_askAll->setToolTip(tr("Every poll that this device takes, once"));
-  m_askEveryone = makeButton("askEveryone", tr("Ask every device"), content);
+  m_askEveryone = makeButton(content, "askEveryone", tr("Ask every device"));
   m_askEveryone->setToolTip(
       tr("Every poll of every device, once or as often as chosen above, within a small share of the bus"));
-  m_repeat = new CalmCombo(content);
-  m_repeat->setObjectName(QStringLiteral("askRepeat"));
-  m_repeat->setAccessibleName(tr("Repeat the polls of this device"));
+  m_repeat = named(new CalmCombo(content), "askRepeat", tr("Repeat the polls of this device"));
   for (const Duration period : kPeriods)
     m_repeat->addItem(period == 0s ? tr("Ask once") : tr("Every %1").arg(periodText(period)));
-  m_cancel = makeButton("askCancel", tr("Give up"), content);
+  m_cancel = makeButton(content, "askCancel", tr("Give up"));
   m_cancel->setToolTip(tr("Ends what is asked of this device and not yet answered"));
-  auto* first = new QHBoxLayout;
-  first->addWidget(m_askAll, 1);
-  first->addWidget(m_repeat, 1);
-  auto* second = new QHBoxLayout;
-  second->addWidget(m_askEveryone, 1);
-  second->addWidget(m_cancel, 1);
-  column->addLayout(first);
-  column->addLayout(second);
-  m_none = new QLabel(tr("Choose an Akron device to ask it."), content);
-  m_none->setObjectName(QStringLiteral("requestNone"));
-  m_none->setAccessibleName(tr("Why there is nothing to ask"));
-  m_none->setWordWrap(true);
-  setInk(*m_none, Ink::Secondary);
-  m_none->setAlignment(Qt::AlignCenter);
-  m_none->setMargin(16);
-  column->addWidget(m_none);
+  m_none = makeMessage(content, "requestNone", tr("Why there is nothing to ask"), 16);
+  m_none->setAutoFillBackground(false);
+  auto* column =
+      inColumn(content, {}, 2,
+               {inRow({{m_askAll, 1}, {m_repeat, 1}}), inRow({{m_askEveryone, 1}, {m_cancel, 1}}), m_none});
   for (const Request request : kAllOf<Request>) {
     m_cards[request] = new RequestCard(request, content);
     column->addWidget(m_cards[request]);
@@ -175,12 +129,8 @@ QWidget* RequestPanel::makeRequests() {
   connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT intended(intent::Cancel{m_view.device}); });
   connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
 
-  auto* area = new QScrollArea(this);
-  area->setObjectName(QStringLiteral("askArea"));
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidgetResizable(true);
+  QScrollArea* area = makeScroll(this, "askArea", content);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(content);
   return area;
 }
 

@@ -3,8 +3,6 @@
 
 #include <QBoxLayout>
 #include <QEvent>
-#include <QFontDatabase>
-#include <QFontInfo>
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
@@ -14,6 +12,7 @@
 #include "model/decode_model.h"
 #include "paint/app_style.h"
 #include "paint/payload_bits.h"
+#include "panel/common/build.h"
 #include "panel/common/flat_header.h"
 
 namespace deckpipe {
@@ -26,8 +25,7 @@ DecodeRow::Line lineOf(const QModelIndex& index) {
 QFont fontOf(const QFont& base, const QModelIndex& index) {
   QFont font = base;
   if (index.column() == DecodeModel::Raw) {
-    font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    font.setPixelSize(QFontInfo(base).pixelSize());
+    font = figureFont(base);
   } else if (index.column() == DecodeModel::Value && lineOf(index) == DecodeRow::Line::Title) {
     font.setBold(true);
   }
@@ -89,26 +87,15 @@ void DecodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
 }
 
 DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("decodePanel"));
-  setAccessibleName(tr("Frame in detail"));
+  named(this, "decodePanel", tr("Frame in detail"));
   m_payload = new PayloadBits(this);
   m_delegate = new DecodeDelegate(this);
-  m_list = new QTableView(this);
-  m_list->setObjectName(QStringLiteral("decodeFields"));
-  m_list->setAccessibleName(tr("Fields of the frame"));
+  m_list = named(new QTableView(this), "decodeFields", tr("Fields of the frame"));
   m_list->setWhatsThis(tr("The frame field by field, with the raw bits of each and where they stand."));
   m_list->setItemDelegate(m_delegate);
-  m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
-  m_list->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  m_list->setTabKeyNavigation(false);
-  m_list->setShowGrid(false);
+  makeFlat(*m_list);
   m_list->viewport()->installEventFilter(this);
   m_list->setMouseTracking(true);
-  m_list->setFrameShape(QFrame::NoFrame);
-  m_list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
-  m_list->verticalHeader()->hide();
   m_list->verticalHeader()->setDefaultSectionSize(kRow);
   m_list->verticalHeader()->setMinimumSectionSize(kRow);
   m_header = new FlatHeader(m_list);
@@ -118,10 +105,7 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
   m_layout = new QBoxLayout(QBoxLayout::LeftToRight, this);  // the less height
   m_layout->setContentsMargins(0, 0, 0, 0);
   m_layout->setSpacing(0);
-  auto* around = new QVBoxLayout;
-  around->setContentsMargins(8, 8, 8, 8);
-  around->addWidget(m_payload);
-  around->addStretch();
+  auto* around = inColumn(nullptr, {8, 8, 8, 8}, -1, {m_payload, LayoutPart::rest()});
   m_layout->addLayout(around);
   m_layout->addWidget(m_list, 1);
   m_model = new DecodeModel(this);

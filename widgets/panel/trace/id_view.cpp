@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/trace/id_view.h"
 
-#include <QFontDatabase>
-#include <QFontInfo>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QSortFilterProxyModel>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/common/flat_header.h"
 
 namespace deckpipe {
@@ -30,12 +29,6 @@ constexpr std::pair<IdModel::Column, const char*> kWidest[] = {
     {IdModel::Age, "00 min 00"},
     {IdModel::Data, "00 00 00 00 00 00 00 00"},
 };
-
-QFont figureFont(const QFont& base) {
-  QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  font.setPixelSize(QFontInfo(base).pixelSize());
-  return font;
-}
 
 bool isFigures(int column) {
   return column == IdModel::Identifier || column == IdModel::Count || column == IdModel::Period ||
@@ -92,8 +85,7 @@ class IdDelegate : public QStyledItemDelegate {
 
 IdView::IdView(QWidget* parent)
     : QTableView(parent), m_rows(new IdModel(this)), m_sorted(new QSortFilterProxyModel(this)) {
-  setObjectName(QStringLiteral("traceById"));
-  setAccessibleName(tr("Traffic by identifier"));
+  named(this, "traceById", tr("Traffic by identifier"));
   setWhatsThis(tr(
       "One row for each identifier up to the cursor: how many frames, how regular, and the last of them; "
       "bytes that changed are bold and underlined. With a filter only what passes it is counted. Enter or a "
@@ -103,19 +95,9 @@ IdView::IdView(QWidget* parent)
   m_sorted->setSortCaseSensitivity(Qt::CaseInsensitive);
   setModel(m_sorted);
   setItemDelegate(new IdDelegate(this));
-  setSelectionBehavior(SelectRows);
-  setSelectionMode(SingleSelection);
-  setEditTriggers(NoEditTriggers);
-  setTabKeyNavigation(false);
-  setShowGrid(false);
-  setFrameShape(NoFrame);
-  setHorizontalScrollMode(ScrollPerPixel);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
-  verticalHeader()->hide();
+  makeFlat(*this);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  m_header = new FlatHeader(this);
-  m_header->setObjectName(QStringLiteral("traceByIdHeader"));
-  m_header->setAccessibleName(tr("Columns of the traffic by identifier"));
+  m_header = named(new FlatHeader(this), "traceByIdHeader", tr("Columns of the traffic by identifier"));
   setHorizontalHeader(m_header);
   m_header->setSectionsClickable(true);
   setSortingEnabled(true);

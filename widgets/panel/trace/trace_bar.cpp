@@ -2,9 +2,6 @@
 #include "panel/trace/trace_bar.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -13,7 +10,7 @@
 
 #include "model/filter_keys.h"
 #include "paint/app_style.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 #include "panel/trace/trace_filter_edit.h"
 
 namespace deckpipe {
@@ -28,9 +25,7 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   setInk(*m_count, Ink::Secondary);
   m_count->setMinimumWidth(fontMetrics().horizontalAdvance(
       tr("%1 of %2").arg(QLocale().toString(10'000'000), QLocale().toString(10'000'000))));
-  m_time = new QComboBox(this);
-  m_time->setObjectName(QStringLiteral("traceTime"));
-  m_time->setAccessibleName(tr("How the Time column says time"));
+  m_time = named(new QComboBox(this), "traceTime", tr("How the Time column says time"));
   m_time->setToolTip(m_time->accessibleName());
   m_time->addItems(
       {tr("Time of the log"), tr("Since the begin"), tr("Since the row before"), tr("Local time")});
@@ -41,9 +36,7 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   m_follow->setAccessibleName(tr("Follow the end of the log"));
   m_follow->setToolTip(m_follow->accessibleName());
   connect(m_follow, &QAbstractButton::toggled, this, &TraceBar::followToggled);
-  m_order = new QTabBar(this);
-  m_order->setObjectName(QStringLiteral("traceOrder"));
-  m_order->setAccessibleName(tr("Rows of the trace"));
+  m_order = named(new QTabBar(this), "traceOrder", tr("Rows of the trace"));
   m_order->setExpanding(false);
   m_order->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   m_order->setDrawBase(false);
@@ -56,15 +49,7 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
       widget->setVisible(order == InOrder);
     Q_EMIT orderChosen(order);
   });
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(8);
-  row->addWidget(m_order);
-  row->addWidget(m_filter, 1);
-  row->addWidget(m_help);
-  row->addWidget(m_count);
-  row->addWidget(m_time);
-  row->addWidget(m_follow);
+  inRow(this, {8, 4, 8, 4}, 8, {m_order, {m_filter, 1}, m_help, m_count, m_time, m_follow});
 }
 
 void TraceBar::makeHelp() {

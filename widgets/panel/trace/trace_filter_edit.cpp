@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "model/filter_keys.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -19,8 +20,7 @@ constexpr int kWordRole = Qt::UserRole;
 
 TraceFilterEdit::TraceFilterEdit(QWidget* parent)
     : QLineEdit(parent), m_words(new QStandardItemModel(this)), m_completer(new QCompleter(m_words, this)) {
-  setObjectName(QStringLiteral("traceFilter"));
-  setAccessibleName(tr("Filter of the trace"));
+  named(this, "traceFilter", tr("Filter of the trace"));
   setPlaceholderText(tr("Filter, for instance  soft limits and sa=80"));
   setWhatsThis(filterHelp());
   setClearButtonEnabled(true);

@@ -3,17 +3,16 @@
 
 #include <QDataStream>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLocale>
 #include <QPainter>
 #include <QShortcut>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 #include <utility>
 
 #include "model/cell_filters.h"
 #include "model/field_text.h"
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 #include "panel/trace/id_view.h"
 #include "panel/trace/trace_bar.h"
 #include "panel/trace/trace_filter_edit.h"
@@ -29,8 +28,7 @@ constexpr int kStateVersion = 2;
 }  // namespace
 
 TracePanel::TracePanel(QWidget* parent) : QWidget(parent), m_model(new TraceModel(this)) {
-  setObjectName(QStringLiteral("tracePanel"));
-  setAccessibleName(tr("Trace"));
+  named(this, "tracePanel", tr("Trace"));
   m_view = new TraceView(this);
   m_view->setModel(m_model);
   m_view->setFrameShape(QFrame::NoFrame);
@@ -95,27 +93,17 @@ void TracePanel::makeShortcuts() {
 }
 
 void TracePanel::layOut() {
-  m_error = new QLabel(this);
-  m_error->setObjectName(QStringLiteral("traceFilterError"));
-  m_error->setAccessibleName(tr("What is wrong with the filter"));
-  m_error->setTextFormat(Qt::PlainText);
-  m_error->setWordWrap(true);
+  m_error = makeWords(this, "traceFilterError", tr("What is wrong with the filter"), Ink::Fault);
   m_error->setFrameShape(QFrame::Box);
   m_error->setMargin(6);
   m_error->setAutoFillBackground(true);
   m_error->setBackgroundRole(QPalette::Base);
-  setInk(*m_error, Ink::Fault);
   m_error->setAttribute(Qt::WA_TransparentForMouseEvents);
   m_error->hide();
   m_pages = new QStackedWidget(this);
   m_pages->addWidget(m_view);
   m_pages->addWidget(m_ids);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->setSpacing(0);
-  all->addWidget(m_bar);
-  all->addWidget(m_pages, 1);
-  all->addWidget(m_search);
+  inColumn(this, {0, 0, 0, 0}, 0, {m_bar, {m_pages, 1}, m_search});
 }
 
 TraceSearchBar* TracePanel::makeSearch() {

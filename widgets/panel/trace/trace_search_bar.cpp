@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/trace/trace_search_bar.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
 
 #include "paint/app_style.h"
-#include "panel/common/label_text.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -18,40 +16,21 @@ constexpr int kTickMs = 100;
 }  // namespace
 
 TraceSearchBar::TraceSearchBar(Where where, QWidget* parent) : QWidget(parent), m_where(std::move(where)) {
-  setObjectName(QStringLiteral("traceSearchBar"));
-  setAccessibleName(tr("Search in the trace"));
-  m_edit = new QLineEdit(this);
-  m_edit->setObjectName(QStringLiteral("traceSearch"));
-  m_edit->setAccessibleName(tr("Search for"));
+  named(this, "traceSearchBar", tr("Search in the trace"));
+  m_edit = named(new QLineEdit(this), "traceSearch", tr("Search for"));
   m_edit->setPlaceholderText(tr("Find: text of a row, or an expression such as rotation_deg>30"));
   m_edit->setWhatsThis(tr(
       "Finds the next frame whose row shows this text, or that passes an expression of the filter language. "
       "F3 goes on, Shift+F3 back; Escape gives a search up and then closes this line."));
   m_edit->setClearButtonEnabled(true);
-  const auto button = [this](const char* name, const QString& text, const QString& tip) {
-    auto* made = new QToolButton(this);
-    made->setObjectName(QString::fromLatin1(name));
-    made->setText(text);
-    made->setToolTip(tip);
-    made->setAccessibleName(tip);
-    return made;
-  };
-  m_previous = button("traceSearchPrevious", tr("Previous"), tr("Previous match (Shift+F3)"));
-  m_next = button("traceSearchNext", tr("Next"), tr("Next match (F3)"));
-  m_close = button("traceSearchClose", tr("Close"), tr("Close the search (Esc)"));
+  m_previous = makeToolButton(this, "traceSearchPrevious", tr("Previous"), tr("Previous match (Shift+F3)"));
+  m_next = makeToolButton(this, "traceSearchNext", tr("Next"), tr("Next match (F3)"));
+  m_close = makeToolButton(this, "traceSearchClose", tr("Close"), tr("Close the search (Esc)"));
   m_said = new QLabel(this);
   m_said->setObjectName(QStringLiteral("traceSearchSaid"));
   m_said->setTextFormat(Qt::PlainText);
   m_said->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Found, on from the begin of the log")) + 8);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(4);
-  row->addWidget(m_edit, 1);
-  row->addWidget(m_previous);
-  row->addWidget(m_next);
-  row->addSpacing(8);
-  row->addWidget(m_said);
-  row->addWidget(m_close);
+  inRow(this, {8, 4, 8, 4}, 4, {{m_edit, 1}, m_previous, m_next, LayoutPart::gap(8), m_said, m_close});
   m_tick.setInterval(kTickMs);
   connect(&m_tick, &QTimer::timeout, this, &TraceSearchBar::sayProgress);
   connect(m_edit, &QLineEdit::textChanged, this, [this] { find(false, true); });

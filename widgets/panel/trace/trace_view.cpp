@@ -13,6 +13,7 @@
 
 #include "log/candump.h"
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 namespace {
@@ -68,17 +69,14 @@ class TraceScrollBar : public QScrollBar {
 
 TraceView::TraceView(QWidget* parent)
     : QAbstractScrollArea(parent), m_bar(new TraceScrollBar(Qt::Vertical, this)), m_fonts(font()) {
-  setObjectName(QStringLiteral("traceView"));
-  setAccessibleName(tr("Trace"));
+  named(this, "traceView", tr("Trace"));
   setFocusPolicy(Qt::StrongFocus);
   setVerticalScrollBar(m_bar);
   // Always there: a bar that comes and goes moves everything.
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   viewport()->setObjectName(QStringLiteral("traceRows"));
   viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
-  m_header = new FlatHeader(this);
-  m_header->setObjectName(QStringLiteral("traceHeader"));
-  m_header->setAccessibleName(tr("Columns of the trace"));
+  m_header = named(new FlatHeader(this), "traceHeader", tr("Columns of the trace"));
   m_header->setMinimumSectionSize(24);
   m_header->setGutter(TracePainter::kGutter);
   m_header->setFocusPolicy(Qt::NoFocus);
