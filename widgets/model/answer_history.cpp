@@ -18,7 +18,8 @@ Classified asAkron(MessageId message) { return {.family = Family::Akron, .messag
 
 }  // namespace
 
-AnswerHistory::AnswerHistory(QObject* parent) : QAbstractTableModel(parent) {}
+AnswerHistory::AnswerHistory(QObject* parent)
+    : TableModel({{tr("Time")}, {tr("Asked")}, {tr("Answer")}, {tr("Changed")}}, parent) {}
 
 void AnswerHistory::setView(const LogView& view, const DeviceKey& device) {
   const auto exchanges = view.document != nullptr ? view.document->exchanges.list() : nullptr;
@@ -115,34 +116,16 @@ QString AnswerHistory::latestText(Request request) const {
   return last->answer;
 }
 
-int AnswerHistory::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int AnswerHistory::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
-
-QVariant AnswerHistory::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-  const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+QVariant AnswerHistory::cell(int at, int column, int role) const {
+  const Row& row = m_rows[static_cast<std::size_t>(at)];
   if (role == FrameRole) return static_cast<qulonglong>(row.frame);
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
-  switch (index.column()) {
+  switch (column) {
     case When: return m_view.hasTimes() ? elapsedText(row.time - m_view.begin) : QString(QChar(0x2013));
     case What: return requestText(row.request);
     case Answer: return row.answer;
     case Changed:
       return row.isFirst ? tr("first answer") : row.changed.isEmpty() ? tr("unchanged") : row.changed;
-    default: return {};
-  }
-}
-
-QVariant AnswerHistory::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  switch (section) {
-    case When: return tr("Time");
-    case What: return tr("Asked");
-    case Answer: return tr("Answer");
-    case Changed: return tr("Changed");
     default: return {};
   }
 }

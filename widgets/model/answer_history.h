@@ -4,17 +4,17 @@
 // every tick; new rows are appended, another device or an earlier cursor starts anew.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <optional>
 #include <vector>
 
 #include "control/request.h"
+#include "model/table_model.h"
 #include "protocol/lists.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
 
-class AnswerHistory : public QAbstractTableModel {
+class AnswerHistory : public TableModel {
   Q_OBJECT
 
  public:
@@ -42,12 +42,9 @@ class AnswerHistory : public QAbstractTableModel {
   // The last answer in words; of one that takes two messages both, a line each.
   QString latestText(Request request) const;
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
  private:
+  std::size_t count() const override { return m_rows.size(); }
+  QVariant cell(int row, int column, int role) const override;
   Row read(const Exchange& exchange);
   bool isLatest(const Row& row) const;
   // So many rows, but for the latest of each message; what could not be dropped is given back.

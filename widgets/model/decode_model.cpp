@@ -8,7 +8,14 @@
 
 namespace deckpipe {
 
-DecodeModel::DecodeModel(QObject* parent) : QAbstractTableModel(parent) {}
+DecodeModel::DecodeModel(QObject* parent)
+    : TableModel(
+          {{tr("Field")},
+           {tr("Value")},
+           {tr("Raw")},
+           {tr("Where"), tr("Byte and bit as the manuals count: bytes from 1, bits 8 to 1; ID: bits of the "
+                            "identifier")}},
+          parent) {}
 
 void DecodeModel::setView(const LogView& view) {
   if (m_log != view.document) {
@@ -41,8 +48,7 @@ void DecodeModel::read() {
   m_what = what;
   if (sameRows) {
     m_rows = std::move(rows);
-    if (!m_rows.empty())
-      Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(m_rows.size()) - 1, ColumnCount - 1));
+    sayChanged(Name, Place);
   } else {
     beginResetModel();
     m_rows = std::move(rows);
@@ -62,18 +68,11 @@ int DecodeModel::rowOfBit(BitSet64 bit) const {
   return best;
 }
 
-int DecodeModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int DecodeModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
-
-QVariant DecodeModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-  const DecodeRow& row = m_rows[static_cast<std::size_t>(index.row())];
+QVariant DecodeModel::cell(int at, int column, int role) const {
+  const DecodeRow& row = m_rows[static_cast<std::size_t>(at)];
   switch (role) {
     case Qt::DisplayRole:
-      switch (index.column()) {
+      switch (column) {
         case Name: return row.name;
         case Value: return row.value;
         case Raw: return row.raw;
@@ -81,28 +80,11 @@ QVariant DecodeModel::data(const QModelIndex& index, int role) const {
         default: return {};
       }
     case Qt::ToolTipRole: return row.tip.isEmpty() ? QVariant() : row.tip;
-    case Qt::AccessibleTextRole:
-      return index.column() == Name ? tr("%1: %2").arg(row.name, row.value) : QVariant();
+    case Qt::AccessibleTextRole: return column == Name ? tr("%1: %2").arg(row.name, row.value) : QVariant();
     case KindRole: return static_cast<int>(row.kind);
     case BitsRole: return QVariant::fromValue<quint64>(row.bits);
     case SignBitsRole: return QVariant::fromValue<quint64>(row.signBits);
     case QuietRole: return row.isQuiet;
-    default: return {};
-  }
-}
-
-QVariant DecodeModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return QAbstractTableModel::headerData(section, orientation, role);
-  if (role == Qt::ToolTipRole && section == Place)
-    return tr("Byte and bit as the manuals count: bytes from 1, bits 8 to 1; ID: bits of the identifier");
-  if (role == Qt::TextAlignmentRole)
-    return QVariant::fromValue(Qt::Alignment(Qt::AlignLeft | Qt::AlignVCenter));
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case Name: return tr("Field");
-    case Value: return tr("Value");
-    case Raw: return tr("Raw");
-    case Place: return tr("Where");
     default: return {};
   }
 }

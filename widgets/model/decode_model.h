@@ -5,17 +5,17 @@
 // may be built later than the frame is looked at.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "model/decode_rows.h"
+#include "model/table_model.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
 
-class DecodeModel : public QAbstractTableModel {
+class DecodeModel : public TableModel {
   Q_OBJECT
 
  public:
@@ -39,16 +39,13 @@ class DecodeModel : public QAbstractTableModel {
   // The row that says most exactly what a bit of the payload means; -1 where none does.
   int rowOfBit(BitSet64 bit) const;
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
  Q_SIGNALS:
   // Another frame, or another reading of it. The rows have changed by then.
   void frameChanged();
 
  private:
+  std::size_t count() const override { return m_rows.size(); }
+  QVariant cell(int row, int column, int role) const override;
   void read();
 
   std::shared_ptr<const LogDocument> m_log;

@@ -35,7 +35,18 @@ int findRow(const std::vector<DeviceRow>& rows, const DeviceKey& key, std::size_
 
 }  // namespace
 
-DeviceModel::DeviceModel(QObject* parent) : QAbstractTableModel(parent) {
+DeviceModel::DeviceModel(QObject* parent)
+    : TableModel(
+          {{tr("Device"),
+            tr("Your own label or the PIN; where it is heard if it has not said its PIN. F2 edits the "
+               "label.")},
+           {tr("Type")},
+           {tr("Addr.", "address, in hexadecimal"), tr("J1939 address or CANopen node, hexadecimal"), true},
+           {tr("Age"), tr("Time since it was last heard, at the cursor"), true},
+           {tr("Health"), tr("What it reported, and what stopped coming; its page says all of it")},
+           {tr("Rate", "frames a second"), tr("Frames in the last whole second before the cursor"), true},
+           {tr("Frames"), tr("Frames it sent, up to the cursor"), true}},
+          parent) {
   setObjectName(QStringLiteral("deviceModel"));
 }
 
@@ -80,7 +91,7 @@ void DeviceModel::setView(const LogView& view) {
 void DeviceModel::setLabels(const DeviceLabels& labels) {
   if (labels == m_labels) return;
   m_labels = labels;
-  if (!m_rows.empty()) Q_EMIT dataChanged(index(0, DeviceColumn), index(rowCount() - 1, DeviceColumn));
+  sayChanged(DeviceColumn, DeviceColumn);
 }
 
 void DeviceModel::removeGone(const std::vector<DeviceRow>& next) {
@@ -140,12 +151,6 @@ QString DeviceModel::emptyText() const {
                            .arg(heard, QLocale().toString(static_cast<qulonglong>(errors)));
 }
 
-int DeviceModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : toInt(m_rows.size());
-}
-
-int DeviceModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
-
 QString DeviceModel::textOf(const DeviceRow& row, int column) const {
   switch (column) {
     case DeviceColumn: {
@@ -187,27 +192,22 @@ QVariant DeviceModel::sortKey(const DeviceRow& row, int column) const {
   }
 }
 
-QVariant DeviceModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-  const DeviceRow& row = m_rows[static_cast<std::size_t>(index.row())];
+QVariant DeviceModel::cell(int at, int column, int role) const {
+  const DeviceRow& row = m_rows[static_cast<std::size_t>(at)];
   switch (role) {
-    case Qt::DisplayRole: return textOf(row, index.column());
-    case Qt::EditRole: return index.column() == DeviceColumn ? m_labels.of(row.key) : QVariant();
+    case Qt::DisplayRole: return textOf(row, column);
+    case Qt::EditRole: return column == DeviceColumn ? m_labels.of(row.key) : QVariant();
     case Qt::AccessibleTextRole:
-      if (index.column() == DeviceColumn)
+      if (column == DeviceColumn)
         return tr("%1, %2, %3").arg(nameText(row, m_labels), typeText(row), groupText(row.group));
-      if (index.column() == AddressColumn)
+      if (column == AddressColumn)
         return row.hasLostAddress() ? tr("address lost")
                                     : tr("address %1 hex").arg(textOf(row, AddressColumn));
-      if (index.column() == HealthColumn)
+      if (column == HealthColumn)
         return (QStringList{healthWord(row.health)} + healthSentences(row.health, m_view.cursor.time))
             .join(QLatin1Char(' '));
-      return textOf(row, index.column());
+      return textOf(row, column);
     case Qt::ToolTipRole: return detailsText(m_view, row.key, m_labels);
-    case Qt::TextAlignmentRole: {
-      const bool isNumber = index.column() >= AddressColumn && index.column() != HealthColumn;
-      return QVariant::fromValue(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
-    }
     case KeyRole: return QVariant::fromValue(row.key);
     case GroupRole: return static_cast<int>(row.group);
     case GroupTextRole: return groupText(row.group);
@@ -218,47 +218,13 @@ QVariant DeviceModel::data(const QModelIndex& index, int role) const {
           .join(QLatin1Char(' '));
     case HealthRole: return static_cast<int>(row.health.severity());
     case HealthWordsRole: return healthWords(row.health);
-    case SortRole: return sortKey(row, index.column());
+    case SortRole: return sortKey(row, column);
     default: return {};
   }
 }
 
-QVariant DeviceModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::DisplayRole) {
-    switch (section) {
-      case DeviceColumn: return tr("Device");
-      case TypeColumn: return tr("Type");
-      case AddressColumn: return tr("Addr.", "address, in hexadecimal");
-      case AgeColumn: return tr("Age");
-      case HealthColumn: return tr("Health");
-      case RateColumn: return tr("Rate", "frames a second");
-      case FramesColumn: return tr("Frames");
-      default: return {};
-    }
-  }
-  if (role == Qt::ToolTipRole) {
-    switch (section) {
-      case DeviceColumn:
-        return tr(
-            "Your own label or the PIN; where it is heard if it has not said its PIN. F2 edits the label.");
-      case AddressColumn: return tr("J1939 address or CANopen node, hexadecimal");
-      case AgeColumn: return tr("Time since it was last heard, at the cursor");
-      case HealthColumn: return tr("What it reported, and what stopped coming; its page says all of it");
-      case RateColumn: return tr("Frames in the last whole second before the cursor");
-      case FramesColumn: return tr("Frames it sent, up to the cursor");
-      default: return {};
-    }
-  }
-  if (role == Qt::TextAlignmentRole) {
-    const bool isNumber = section >= AddressColumn && section != HealthColumn;
-    return QVariant::fromValue(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
-  }
-  return {};
-}
-
 Qt::ItemFlags DeviceModel::flags(const QModelIndex& index) const {
-  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  const Qt::ItemFlags flags = TableModel::flags(index);
   const bool hasPin = keyAt(index.row()).kind == DeviceKey::Kind::Pin;
   return index.column() == DeviceColumn && hasPin ? flags | Qt::ItemIsEditable : flags;
 }

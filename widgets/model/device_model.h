@@ -6,15 +6,15 @@
 // Rows stand in order of first appearance; groups and sorting are a proxy's job (GroupRole, SortRole).
 #pragma once
 
-#include <QAbstractTableModel>
 #include <vector>
 
 #include "model/device_rows.h"
+#include "model/table_model.h"
 #include "state/log_view.h"
 
 namespace deckpipe {
 
-class DeviceModel : public QAbstractTableModel {
+class DeviceModel : public TableModel {
   Q_OBJECT
 
  public:
@@ -49,10 +49,6 @@ class DeviceModel : public QAbstractTableModel {
   // What a table without rows says instead: what is missing, and what was heard all the same.
   QString emptyText() const;
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
   // The first column of what has a PIN: its label.
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
@@ -64,6 +60,8 @@ class DeviceModel : public QAbstractTableModel {
   void keyChanged(const deckpipe::DeviceKey& before, const deckpipe::DeviceKey& after);
 
  private:
+  std::size_t count() const override { return m_rows.size(); }
+  QVariant cell(int row, int column, int role) const override;
   QString textOf(const DeviceRow& row, int column) const;
   QString detailOf(const DeviceRow& row) const;
   QVariant sortKey(const DeviceRow& row, int column) const;

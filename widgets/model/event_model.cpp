@@ -21,7 +21,12 @@ bool isOfOneQuestion(const DeviceKey& device, Request request, const Note& ended
 
 }  // namespace
 
-EventModel::EventModel(QObject* parent) : QAbstractTableModel(parent) {}
+EventModel::EventModel(QObject* parent)
+    : TableModel({{tr("Time"), tr("Since the log's begin"), true},
+                  {tr("Bus")},
+                  {tr("Device")},
+                  {tr("What happened")}},
+                 parent) {}
 
 void EventModel::setView(const LogView& view) {
   const unsigned generation = view.document == nullptr ? 0 : view.document->events.generation();
@@ -43,7 +48,7 @@ void EventModel::setView(const LogView& view) {
 void EventModel::setLabels(const DeviceLabels& labels) {
   if (labels == m_labels) return;
   m_labels = labels;
-  if (!m_rows.empty()) Q_EMIT dataChanged(index(0, Who), index(rowCount() - 1, Who));
+  sayChanged(Who, Who);
 }
 
 // A question that has ended is told by its end. An end like the last one of that question is one more of it.
@@ -122,12 +127,6 @@ int EventModel::rowAtCursor() const {
   return static_cast<int>(past - m_rows.begin()) - 1;
 }
 
-int EventModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int EventModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
-
 QString EventModel::busText(const Row& row) const {
   const FrameStore& frames = m_view.document->frames;
   const auto channel =
@@ -173,42 +172,24 @@ QString EventModel::whenText(int row) const {
   return m_view.hasTimes() ? elapsedText(time(row) - m_view.begin) : QString(QChar(0x2013));
 }
 
-QVariant EventModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-  const int row = index.row();
+QVariant EventModel::cell(int row, int column, int role) const {
   switch (role) {
     case Qt::DisplayRole:
-      switch (index.column()) {
+      switch (column) {
         case When: return whenText(row);
         case Bus: return busText(at(row));
         case Who: return deviceText(row);
         case What: return text(row);
         default: return {};
       }
-    case Qt::ToolTipRole: return index.column() == What ? text(row) : QVariant();
+    case Qt::ToolTipRole: return column == What ? text(row) : QVariant();
     case Qt::AccessibleTextRole:
-      if (index.column() != When) return {};
+      if (column != When) return {};
       return tr("%1: %2, %3, %4")
           .arg(whenText(row), eventWeightText(weight(row)), deviceText(row), text(row));
     case TimeRole: return QVariant::fromValue<qint64>(time(row).ns);
     case WeightRole: return static_cast<int>(weight(row));
     case GroupRole: return static_cast<int>(group(row));
-    default: return {};
-  }
-}
-
-QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return QAbstractTableModel::headerData(section, orientation, role);
-  if (role == Qt::TextAlignmentRole)
-    return QVariant::fromValue(Qt::Alignment(section == When ? Qt::AlignRight : Qt::AlignLeft) |
-                               Qt::AlignVCenter);
-  if (role == Qt::ToolTipRole && section == When) return tr("Since the log's begin");
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case When: return tr("Time");
-    case Bus: return tr("Bus");
-    case Who: return tr("Device");
-    case What: return tr("What happened");
     default: return {};
   }
 }

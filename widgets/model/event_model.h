@@ -4,15 +4,15 @@
 // question and its answer are one row, and so are answers that repeat themselves.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <memory>
 #include <vector>
 
 #include "model/event_text.h"
+#include "model/table_model.h"
 
 namespace deckpipe {
 
-class EventModel : public QAbstractTableModel {
+class EventModel : public TableModel {
   Q_OBJECT
 
  public:
@@ -47,12 +47,9 @@ class EventModel : public QAbstractTableModel {
   QString nameOf(const DeviceKey& key) const { return deviceNameText(key, m_labels); }
   const DeviceLabels& labels() const { return m_labels; }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
  private:
+  std::size_t count() const override { return m_rows.size(); }
+  QVariant cell(int row, int column, int role) const override;
   struct Row {
     Instant time;
     std::uint64_t frame = 0;

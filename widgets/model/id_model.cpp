@@ -21,14 +21,28 @@ QString milliseconds(std::optional<Duration> duration) {
       QLocale().toString(static_cast<double>(duration->count()) / 1e6, 'f', *duration < 10s ? 1 : 0));
 }
 
-bool isToRight(int column) {
-  return column == IdModel::Count || column == IdModel::Period || column == IdModel::Jitter ||
-         column == IdModel::Age;
+TableColumn countColumn(bool isFiltered) {
+  return {IdModel::tr("Count"),
+          isFiltered ? IdModel::tr("Frames since the log's begin that pass the filter")
+                     : IdModel::tr("Frames since the log's begin"),
+          true};
 }
 
 }  // namespace
 
-IdModel::IdModel(QObject* parent) : QAbstractTableModel(parent), m_table(std::make_shared<const IdTable>()) {}
+IdModel::IdModel(QObject* parent)
+    : TableModel({{tr("Channel")},
+                  {tr("ID")},
+                  {tr("From→To")},
+                  {tr("Name")},
+                  countColumn(false),
+                  {tr("Period"), tr("Mean time between frames, since the last long pause"), true},
+                  {tr("Jitter"), tr("The worst that a period was beside the mean"), true},
+                  {tr("Age"), tr("Time from the last frame to the cursor"), true},
+                  {tr("Data"), tr("The last data; bytes that changed are bold and underlined")},
+                  {tr("Decoded")}},
+                 parent),
+      m_table(std::make_shared<const IdTable>()) {}
 
 IdModel::~IdModel() = default;
 
@@ -37,7 +51,7 @@ void IdModel::setFilter(const TraceFilter& filter) {
   m_filter = filter;
   begin();
   endResetModel();
-  Q_EMIT headerDataChanged(Qt::Horizontal, Count, Count);
+  setColumn(Count, countColumn(!m_filter.isEmpty()));
 }
 
 void IdModel::begin() {
@@ -74,12 +88,6 @@ void IdModel::setView(const LogView& view) {
   if (before > 0 && (isNew || isLater))
     Q_EMIT dataChanged(index(0, Count), index(static_cast<int>(before) - 1, Decoded));
 }
-
-int IdModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_table->rows().size());
-}
-
-int IdModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
 const IdModel::Words& IdModel::words(int row) const {
   Words& words = m_words[static_cast<std::size_t>(row)];
@@ -148,72 +156,35 @@ QVariant IdModel::sortKey(int at, int column) const {
   }
 }
 
-QVariant IdModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-  const IdRow& row = m_table->rows()[static_cast<std::size_t>(index.row())];
+QVariant IdModel::cell(int at, int column, int role) const {
+  const IdRow& row = m_table->rows()[static_cast<std::size_t>(at)];
   switch (role) {
-    case Qt::DisplayRole: return text(index.row(), index.column());
+    case Qt::DisplayRole: return text(at, column);
     case Qt::ToolTipRole:
-      if (index.column() == Name || index.column() == Decoded) return words(index.row()).detail;
+      if (column == Name || column == Decoded) return words(at).detail;
       return {};
-    case Qt::WhatsThisRole: return words(index.row()).detail;
+    case Qt::WhatsThisRole: return words(at).detail;
     case Qt::AccessibleTextRole:
-      if (index.column() == 0) return sentence(index.row());
-      if (index.column() == Data && changedBytes(row) != 0) {
+      if (column == 0) return sentence(at);
+      if (column == Data && changedBytes(row) != 0) {
         QStringList bytes;
         for (int i = 0; i < 8; ++i) {
           if ((changedBytes(row) >> i & 1u) != 0) bytes += QString::number(i + 1);
         }
-        return tr("%1; changed: byte %2").arg(text(index.row(), Data), bytes.join(QStringLiteral(", ")));
+        return tr("%1; changed: byte %2").arg(text(at, Data), bytes.join(QStringLiteral(", ")));
       }
-      return text(index.row(), index.column());
-    case Qt::TextAlignmentRole:
-      return QVariant::fromValue(
-          Qt::Alignment((isToRight(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+      return text(at, column);
     case FrameRole: return QVariant::fromValue<quint64>(row.lastFrame);
-    case SortRole: return sortKey(index.row(), index.column());
+    case SortRole: return sortKey(at, column);
     case ChangedRole: return changedBytes(row);
     case FilterRole: {
       const Frame& frame = m_view.document->frames[row.lastFrame];
       if (frame.isError()) return QStringLiteral("err");
       QString expression =
-          QStringLiteral("ch=\"%1\" and id=%2").arg(text(index.row(), ChannelName), identifierText(frame));
+          QStringLiteral("ch=\"%1\" and id=%2").arg(text(at, ChannelName), identifierText(frame));
       if ((row.key >> 40) != 0) expression += QStringLiteral(" and type=") + hexText(row.key >> 40 & 0xFF, 2);
       return expression;
     }
-    default: return {};
-  }
-}
-
-QVariant IdModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return QAbstractTableModel::headerData(section, orientation, role);
-  if (role == Qt::TextAlignmentRole)
-    return QVariant::fromValue(
-        Qt::Alignment((isToRight(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-  if (role == Qt::ToolTipRole) {
-    switch (section) {
-      case Count:
-        return m_filter.isEmpty() ? tr("Frames since the log's begin")
-                                  : tr("Frames since the log's begin that pass the filter");
-      case Period: return tr("Mean time between frames, since the last long pause");
-      case Jitter: return tr("The worst that a period was beside the mean");
-      case Age: return tr("Time from the last frame to the cursor");
-      case Data: return tr("The last data; bytes that changed are bold and underlined");
-      default: return {};
-    }
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case ChannelName: return tr("Channel");
-    case Identifier: return tr("ID");
-    case Ends: return tr("From→To");
-    case Name: return tr("Name");
-    case Count: return tr("Count");
-    case Period: return tr("Period");
-    case Jitter: return tr("Jitter");
-    case Age: return tr("Age");
-    case Data: return tr("Data");
-    case Decoded: return tr("Decoded");
     default: return {};
   }
 }

@@ -4,11 +4,11 @@
 // from a worker (id_table_walker.h). Words are made for the rows that are looked at, once a frame.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <memory>
 #include <vector>
 
 #include "model/id_table.h"
+#include "model/table_model.h"
 #include "model/trace_filter.h"
 #include "state/log_view.h"
 
@@ -16,7 +16,7 @@ namespace deckpipe {
 
 class IdTableWalker;
 
-class IdModel : public QAbstractTableModel {
+class IdModel : public TableModel {
   Q_OBJECT
 
  public:
@@ -41,12 +41,9 @@ class IdModel : public QAbstractTableModel {
   std::uint64_t lookedAt() const { return m_table->frames(); }
   std::uint64_t passed() const { return m_table->passed(); }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
  private:
+  std::size_t count() const override { return m_table->rows().size(); }
+  QVariant cell(int row, int column, int role) const override;
   struct Words {
     std::uint64_t frame = 0;
     bool isMade = false;

@@ -13,8 +13,38 @@
 #include "text/time_text.h"
 
 namespace deckpipe {
+namespace {
 
-TraceModel::TraceModel(QObject* parent) : QAbstractTableModel(parent) {}
+TableColumn timeColumn(TraceModel::TimeMode mode) {
+  switch (mode) {
+    case TraceModel::TimeMode::SinceBegin:
+      return {TraceModel::tr("Since begin"), TraceModel::tr("Log time since the log's begin, in seconds"),
+              true};
+    case TraceModel::TimeMode::SinceRowBefore:
+      return {TraceModel::tr("Since row"), TraceModel::tr("Log time since the row before, in seconds"), true};
+    case TraceModel::TimeMode::Clock:
+      return {TraceModel::tr("Local time"), TraceModel::tr("Local time of what the adapter or the log says"),
+              true};
+    case TraceModel::TimeMode::Absolute: break;
+  }
+  return {TraceModel::tr("Time"), TraceModel::tr("What the adapter or the log says, in seconds"), true};
+}
+
+}  // namespace
+
+TraceModel::TraceModel(QObject* parent)
+    : TableModel({timeColumn(TimeMode::Absolute),
+                  {tr("Δ"), tr("Log time since the row before, in seconds"), true},
+                  {tr("Channel")},
+                  {tr("Dir"), tr("Rx received, Tx sent")},
+                  {tr("ID")},
+                  {tr("PGN"), tr("Parameter group of a 29-bit identifier, in hex")},
+                  {tr("From→To"), tr("Source and destination address, or CANopen node, in hex")},
+                  {tr("Len"), tr("Data bytes"), true},
+                  {tr("Data")},
+                  {tr("Name")},
+                  {tr("Decoded")}},
+                 parent) {}
 
 TraceModel::~TraceModel() = default;
 
@@ -39,8 +69,7 @@ void TraceModel::setView(const LogView& view) {
     countPassed();
     take(m_first, read(m_first, windowEnd()));
     if (passedBefore != m_passed) sayMarksChanged(passedBefore);
-    if (isAddedNews && !m_rows.empty())
-      Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(m_rows.size()) - 1, ColumnCount - 1));
+    if (isAddedNews) sayChanged(0, ColumnCount - 1);
   }
   Q_EMIT viewChanged();
 }
@@ -113,8 +142,8 @@ std::vector<std::uint64_t> TraceModel::framesOf(std::uint64_t firstRow, std::siz
 void TraceModel::setTimeMode(TimeMode mode) {
   if (mode == m_timeMode) return;
   m_timeMode = mode;
-  Q_EMIT headerDataChanged(Qt::Horizontal, Time, Time);
-  if (!m_rows.empty()) Q_EMIT dataChanged(index(0, Time), index(rowCount() - 1, Time));
+  setColumn(Time, timeColumn(mode));
+  sayChanged(Time, Time);
 }
 
 void TraceModel::countPassed() {
@@ -251,12 +280,6 @@ QString TraceModel::marksText(Marks marks) {
   return words.join(QStringLiteral(", "));
 }
 
-int TraceModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int TraceModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
-
 QString TraceModel::timeText(const TraceRow& row) const {
   switch (m_timeMode) {
     case TimeMode::Absolute: break;
@@ -320,66 +343,18 @@ QString TraceModel::sentence(const TraceRow& row) const {
   return parts.join(QStringLiteral(", "));
 }
 
-QVariant TraceModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-  const TraceRow& row = m_rows[static_cast<std::size_t>(index.row())];
+QVariant TraceModel::cell(int at, int column, int role) const {
+  const TraceRow& row = m_rows[static_cast<std::size_t>(at)];
   switch (role) {
-    case Qt::DisplayRole: return text(row, index.column());
+    case Qt::DisplayRole: return text(row, column);
     case Qt::ToolTipRole: {
-      const QString tip = toolTip(row, index.column());
+      const QString tip = toolTip(row, column);
       return tip.isEmpty() ? QVariant() : tip;
     }
     case Qt::WhatsThisRole: return detailText(row);
-    case Qt::AccessibleTextRole: return index.column() == 0 ? sentence(row) : text(row, index.column());
-    case Qt::TextAlignmentRole: {
-      const bool toRight = index.column() == Time || index.column() == Delta || index.column() == Length;
-      return QVariant::fromValue(
-          Qt::Alignment((toRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-    }
+    case Qt::AccessibleTextRole: return column == 0 ? sentence(row) : text(row, column);
     case FrameRole: return QVariant::fromValue<quint64>(row.index);
     case MarksRole: return static_cast<unsigned>(marks(row).toInt());
-    default: return {};
-  }
-}
-
-QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return QAbstractTableModel::headerData(section, orientation, role);
-  if (role == Qt::TextAlignmentRole) {
-    const bool toRight = section == Time || section == Delta || section == Length;
-    return QVariant::fromValue(Qt::Alignment((toRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-  }
-  if (role == Qt::ToolTipRole) {
-    switch (section) {
-      case Time:
-        return m_timeMode == TimeMode::Absolute     ? tr("What the adapter or the log says, in seconds")
-               : m_timeMode == TimeMode::Clock      ? tr("Local time of what the adapter or the log says")
-               : m_timeMode == TimeMode::SinceBegin ? tr("Log time since the log's begin, in seconds")
-                                                    : tr("Log time since the row before, in seconds");
-      case Delta: return tr("Log time since the row before, in seconds");
-      case Direction: return tr("Rx received, Tx sent");
-      case Pgn: return tr("Parameter group of a 29-bit identifier, in hex");
-      case Ends: return tr("Source and destination address, or CANopen node, in hex");
-      case Length: return tr("Data bytes");
-      default: return {};
-    }
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case Time:
-      return m_timeMode == TimeMode::Absolute     ? tr("Time")
-             : m_timeMode == TimeMode::Clock      ? tr("Local time")
-             : m_timeMode == TimeMode::SinceBegin ? tr("Since begin")
-                                                  : tr("Since row");
-    case Delta: return tr("Δ");
-    case ChannelName: return tr("Channel");
-    case Direction: return tr("Dir");
-    case Identifier: return tr("ID");
-    case Pgn: return tr("PGN");
-    case Ends: return tr("From→To");
-    case Length: return tr("Len");
-    case Data: return tr("Data");
-    case Name: return tr("Name");
-    case Decoded: return tr("Decoded");
     default: return {};
   }
 }

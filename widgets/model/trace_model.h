@@ -12,13 +12,13 @@
 //   3. The number of rows changes at most once a call, however many frames came.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "model/table_model.h"
 #include "model/trace_filter.h"
 #include "model/trace_rows.h"
 #include "state/log_view.h"
@@ -27,7 +27,7 @@ namespace deckpipe {
 
 class FilterWorker;
 
-class TraceModel : public QAbstractTableModel {
+class TraceModel : public TableModel {
   Q_OBJECT
 
  public:
@@ -98,11 +98,6 @@ class TraceModel : public QAbstractTableModel {
   Marks marks(const TraceRow& row) const;
   static QString marksText(Marks marks);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-
  Q_SIGNALS:
   // After every setView(): the log, its length or its cursor may have changed.
   void viewChanged();
@@ -110,6 +105,8 @@ class TraceModel : public QAbstractTableModel {
   void filterChanged();
 
  private:
+  std::size_t count() const override { return m_rows.size(); }
+  QVariant cell(int row, int column, int role) const override;
   QString text(const TraceRow& row, int column) const;
   QString timeText(const TraceRow& row) const;
   QString toolTip(const TraceRow& row, int column) const;

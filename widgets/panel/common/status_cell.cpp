@@ -74,16 +74,6 @@ void StatusCell::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange && !m_widest.isEmpty()) setWidestText(m_widest);
 }
 
-void StatusCell::focusInEvent(QFocusEvent* event) {
-  QWidget::focusInEvent(event);
-  update();
-}
-
-void StatusCell::focusOutEvent(QFocusEvent* event) {
-  QWidget::focusOutEvent(event);
-  update();
-}
-
 void StatusCell::paintEvent(QPaintEvent*) {
   if (!hasFocus()) return;
   QPainter p(this);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/page/monitor_tile.h"
 
-#include <QEnterEvent>
 #include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QPainter>
@@ -28,6 +27,7 @@ int lineHeight(const QFont& font) { return static_cast<int>(std::ceil(QFontMetri
 
 MonitorTile::MonitorTile(QWidget* parent) : QAbstractButton(parent), m_dial(new Dial(this)) {
   setObjectName(QStringLiteral("monitorTile"));
+  setAttribute(Qt::WA_Hover);
   setFocusPolicy(Qt::StrongFocus);
   m_dial->setAttribute(Qt::WA_TransparentForMouseEvents);  // the tile takes the click
   m_dial->setObjectName(QStringLiteral("tileDial"));
@@ -80,16 +80,6 @@ void MonitorTile::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QAbstractButton::keyPressEvent(event);
-}
-
-void MonitorTile::enterEvent(QEnterEvent* event) {
-  QAbstractButton::enterEvent(event);
-  update();
-}
-
-void MonitorTile::leaveEvent(QEvent* event) {
-  QAbstractButton::leaveEvent(event);
-  update();
 }
 
 void MonitorTile::paintEvent(QPaintEvent*) {

@@ -47,6 +47,7 @@ void drawSign(QPainter& p, const QRectF& box, TransportButton::Sign sign, const 
 }  // namespace
 
 TransportButton::TransportButton(Sign sign, QWidget* parent) : QAbstractButton(parent), m_sign(sign) {
+  setAttribute(Qt::WA_Hover);
   setFocusPolicy(Qt::TabFocus);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
@@ -68,16 +69,6 @@ QSize TransportButton::sizeHint() const {
   if (m_widest.isEmpty()) return {kSide, kSide};
   return {static_cast<int>(kButtonSign) + 3 * kButtonGap + 4 + fontMetrics().horizontalAdvance(m_widest),
           kSide};
-}
-
-void TransportButton::enterEvent(QEnterEvent* event) {
-  QAbstractButton::enterEvent(event);
-  update();
-}
-
-void TransportButton::leaveEvent(QEvent* event) {
-  QAbstractButton::leaveEvent(event);
-  update();
 }
 
 void TransportButton::paintEvent(QPaintEvent*) {
