@@ -2,6 +2,8 @@
 #include "docks.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <string_view>
 
 #include "panel/common/help_panel.h"
 #include "panel/common/simulator_panel.h"
@@ -62,29 +64,48 @@ using enum DockRow::Place;
 constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea,
                kBottom = Qt::BottomDockWidgetArea;
 constexpr DockRow kRows[] = {
-    {"devicesDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Devices"), "Alt+1", kLeft, Own, true, false,
+    {kDevicesDock, QT_TRANSLATE_NOOP("deckpipe::Workspace", "Devices"), "Alt+1", kLeft, Own, true, false,
      makeDevices},
-    {"traceDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Trace"), "Alt+2", kBottom, Own, true, false,
+    {kTraceDock, QT_TRANSLATE_NOOP("deckpipe::Workspace", "Trace"), "Alt+2", kBottom, Own, true, false,
      makeTrace},
     {"eventsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Events"), "Alt+3", kBottom, Tab, true, false,
      makeEvents},
     {"terminalDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Data pipe"), "Alt+4", kBottom, Tab, true,
      false, makeTerminal},
     // It takes room only while a frame is chosen.
-    {"decodeDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Frame in detail"), "Alt+5", kBottom, Beside,
+    {kDecodeDock, QT_TRANSLATE_NOOP("deckpipe::Workspace", "Frame in detail"), "Alt+5", kBottom, Beside,
      false, false, make<DecodePanel>},
     // The page has the room until somebody wants to ask.
-    {"requestsDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Requests"), "Alt+6", kRight, Own, false, false,
+    {kRequestsDock, QT_TRANSLATE_NOOP("deckpipe::Workspace", "Requests"), "Alt+6", kRight, Own, false, false,
      makeRequests},
     {"simulatorDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Simulated truck"), "Alt+7", kRight, Tab,
      false, true, makeSimulator},
-    {"helpDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Explanation"), "Alt+8", kRight, Own, false, false,
+    {kHelpDock, QT_TRANSLATE_NOOP("deckpipe::Workspace", "Explanation"), "Alt+8", kRight, Own, false, false,
      makeApart<HelpPanel>},
 };
+
+constexpr int versionOf(std::span<const DockRow> rows) {
+  unsigned hash = 2166136261u;  // FNV-1a
+  for (const DockRow& row : rows) {
+    for (const char letter : std::string_view(row.id))
+      hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619u;
+  }
+  return static_cast<int>(hash >> 1);
+}
+
+constexpr bool isNamed(std::string_view id) {
+  return std::ranges::find(kRows, id, &DockRow::id) != std::end(kRows);
+}
+static_assert(isNamed(kDevicesDock) && isNamed(kTraceDock) && isNamed(kDecodeDock) &&
+              isNamed(kRequestsDock) && isNamed(kHelpDock));
+static_assert(std::ranges::all_of(kRows, [](const DockRow& row) {
+  return std::ranges::find(kRows, row.area, &DockRow::area)->place == Own;
+}));
 
 }  // namespace
 
 std::span<const DockRow> dockRows() { return kRows; }
+int layoutVersion() { return versionOf(kRows); }
 Panel makeDevicePage(Workspace& workspace) {
   return make<DevicePage, Wire<&DevicePage::traceRequested, &W::traceDevice>>(workspace);
 }

@@ -37,8 +37,15 @@ struct DockRow {
   Panel (*make)(Workspace& workspace);
 };
 
-// In the order of the menu.
+// Docks that the workspace names.
+inline constexpr const char *kDevicesDock = "devicesDock", *kTraceDock = "traceDock",
+                            *kDecodeDock = "decodeDock", *kRequestsDock = "requestsDock",
+                            *kHelpDock = "helpDock";
+
+// In the order of the menu. In each area a dock of its own place comes first.
 std::span<const DockRow> dockRows();
+// Another one where docks were added, renamed or taken out: an arrangement of other docks is not restored.
+int layoutVersion();
 
 // The pages in the middle.
 Panel makeDevicePage(Workspace& workspace);

@@ -21,7 +21,6 @@ class SendingActions : public QObject {
   SendingActions(Session& session, QWidget* window);
 
   QMenu* menu() const { return m_menu; }
-  QAction* lockAction() const { return m_lock; }
   void setSnapshot(const Snapshot& snapshot);
 
  public Q_SLOTS:

@@ -20,12 +20,6 @@
 #include "panel/trace/trace_panel.h"
 
 namespace deckpipe {
-namespace {
-
-// Counted up when docks are added or renamed: an arrangement of another version is not taken.
-constexpr int kLayoutVersion = 3;
-
-}  // namespace
 
 Workspace::Workspace(LabelStorage& labels, QWidget* parent)
     : QMainWindow(parent), m_labelStorage(labels), m_labels(labels.read()) {
@@ -54,12 +48,12 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
 
   // What is in the explanation itself is not explained.
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-    if (now != nullptr && now->window() == window() && !dock("helpDock").dock->isAncestorOf(now))
+    if (now != nullptr && now->window() == window() && !dock(kHelpDock).dock->isAncestorOf(now))
       m_help->explain(now);
   });
   // Only a person closes a dock; that it is hidden while there is nothing to show is no intent of theirs.
-  dock("decodeDock").dock->installEventFilter(this);
-  connect(dock("decodeDock").action, &QAction::triggered, this, [this](bool isOn) { m_decodeWanted = isOn; });
+  dock(kDecodeDock).dock->installEventFilter(this);
+  connect(dock(kDecodeDock).action, &QAction::triggered, this, [this](bool isOn) { m_decodeWanted = isOn; });
   m_view.labels = m_labels;
 }
 
@@ -118,18 +112,18 @@ void Workspace::traceDevice() {
   const QString expression = m_page->traceFilter();
   if (expression.isEmpty()) return;
   m_trace->setFilter(expression);
-  show(dock("traceDock"));
+  show(dock(kTraceDock));
 }
 
 void Workspace::showRequests() {
-  show(dock("requestsDock"));
-  focusNextPane({dock("requestsDock").dock}, false);
+  show(dock(kRequestsDock));
+  focusNextPane({dock(kRequestsDock).dock}, false);
 }
 
 void Workspace::showHelp() {
   if (m_page->full() != nullptr) m_page->toggleFull();
   m_help->explain(QApplication::focusWidget());
-  show(dock("helpDock"));
+  show(dock(kHelpDock));
 }
 
 void Workspace::setSnapshot(const Snapshot& snapshot) {
@@ -173,14 +167,14 @@ DeviceKey Workspace::firstMonitor(const LogView& log) const {
 }
 
 void Workspace::saveTo(QSettings& settings) const {
-  settings.setValue(QStringLiteral("window/docks"), saveState(kLayoutVersion));
+  settings.setValue(QStringLiteral("window/docks"), saveState(layoutVersion()));
   settings.setValue(QStringLiteral("window/frameDetail"), m_decodeWanted);
   settings.setValue(QStringLiteral("window/trace"), m_trace->saveState());
 }
 
 void Workspace::restoreFrom(const QSettings& settings) {
   m_decodeWanted = settings.value(QStringLiteral("window/frameDetail"), true).toBool();
-  if (restoreState(settings.value(QStringLiteral("window/docks")).toByteArray(), kLayoutVersion))
+  if (restoreState(settings.value(QStringLiteral("window/docks")).toByteArray(), layoutVersion()))
     m_hasShared = m_hasDetailRoom = true;
   m_trace->restoreState(settings.value(QStringLiteral("window/trace")).toByteArray());
   showFrame(m_view.frame);
@@ -209,13 +203,13 @@ void Workspace::changeEvent(QEvent* event) {
   if (event->type() != QEvent::FontChange) return;
   const double before = std::exchange(m_fontSize, font().pointSizeF());
   if (before <= 0 || !m_hasShared) return;
-  QDockWidget* devices = dock("devicesDock").dock;
+  QDockWidget* devices = dock(kDevicesDock).dock;
   if (!devices->isFloating())
     resizeDocks({devices}, {static_cast<int>(devices->width() * m_fontSize / before)}, Qt::Horizontal);
 }
 
 bool Workspace::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == dock("decodeDock").dock && event->type() == QEvent::Close) m_decodeWanted = false;
+  if (watched == dock(kDecodeDock).dock && event->type() == QEvent::Close) m_decodeWanted = false;
   return QMainWindow::eventFilter(watched, event);
 }
 

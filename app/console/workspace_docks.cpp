@@ -77,8 +77,8 @@ void Workspace::arrange() {
     }
   }
   for (const Dock& each : m_docks) each.dock->setVisible(each.row->isShownAtFirst);
-  dock("decodeDock").dock->setVisible(m_view.frame.has_value());
-  dock("traceDock").dock->raise();
+  dock(kDecodeDock).dock->setVisible(m_view.frame.has_value());
+  dock(kTraceDock).dock->raise();
   shareRoom();
 }
 
@@ -86,8 +86,8 @@ void Workspace::arrange() {
 void Workspace::shareRoom() {
   m_hasShared = isVisible();
   if (!m_hasShared) return;
-  QDockWidget *trace = dock("traceDock").dock, *detail = dock("decodeDock").dock;
-  resizeDocks({dock("devicesDock").dock}, {kDevicesLetters * fontMetrics().averageCharWidth()},
+  QDockWidget *trace = dock(kTraceDock).dock, *detail = dock(kDecodeDock).dock;
+  resizeDocks({dock(kDevicesDock).dock}, {kDevicesLetters * fontMetrics().averageCharWidth()},
               Qt::Horizontal);
   resizeDocks({trace, detail}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
   resizeDocks({trace}, {kTraceHeight}, Qt::Vertical);
@@ -101,9 +101,9 @@ void Workspace::resetLayout() {
 // The detail takes room from the trace only while there is a frame to show.
 void Workspace::showFrame(std::optional<std::uint64_t> frame) {
   m_view.frame = frame;
-  const Dock& decode = dock("decodeDock");
+  const Dock& decode = dock(kDecodeDock);
   if (!m_isShowing) decode.panel.show(m_view);
-  QDockWidget *trace = dock("traceDock").dock, *detail = decode.dock;
+  QDockWidget *trace = dock(kTraceDock).dock, *detail = decode.dock;
   const int height = trace->height();
   detail->setVisible(m_decodeWanted && frame.has_value());
   // A dock that was never seen would come as large as it likes; its sizes count once it is laid out.

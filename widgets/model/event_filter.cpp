@@ -32,10 +32,6 @@ void EventFilter::setText(const QString& text) {
   invalidateFilter();
 }
 
-bool EventFilter::isOn() const {
-  return !m_device.isNull() || m_least != Severity::Plain || !m_groups.isEmpty() || !m_text.isEmpty();
-}
-
 bool EventFilter::filterAcceptsRow(int row, const QModelIndex&) const {
   if (m_events->weight(row) < m_least) return false;
   if (!m_groups.isEmpty() && !m_groups.has(m_events->group(row))) return false;

@@ -22,7 +22,6 @@ class EventFilter : public QSortFilterProxyModel {
   void setGroups(const EnumSet<EventGroup>& groups);
   // In the name of the device or in what happened; upper and lower case are the same.
   void setText(const QString& text);
-  bool isOn() const;
 
   // The last row that has happened at `cursor`; -1 where none has.
   int rowAt(Instant cursor) const;

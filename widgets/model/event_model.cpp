@@ -121,12 +121,6 @@ void EventModel::merge() {
   if (added > 0) endInsertRows();
 }
 
-int EventModel::rowAtCursor() const {
-  const auto past = std::upper_bound(m_rows.begin(), m_rows.end(), m_view.cursor.time,
-                                     [](Instant t, const Row& row) { return t < row.time; });
-  return static_cast<int>(past - m_rows.begin()) - 1;
-}
-
 QString EventModel::busText(const Row& row) const {
   const FrameStore& frames = m_view.document->frames;
   const auto channel =

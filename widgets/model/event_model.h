@@ -29,8 +29,6 @@ class EventModel : public TableModel {
   void setLabels(const DeviceLabels& labels);
   // More happened than is listed.
   bool isCut() const { return m_view.document != nullptr && m_view.document->events.isFull(); }
-  // The last row that has happened at the cursor; -1 where none has.
-  int rowAtCursor() const;
   const LogView& view() const { return m_view; }
 
   Severity weight(int row) const;

@@ -51,7 +51,6 @@ struct FilterKeyWord {
 
 std::span<const FilterKeyWord> filterKeyWords();
 constexpr bool isFlag(FilterKey key) { return key >= FilterKey::Error; }
-constexpr bool isHex(FilterKey key) { return key <= FilterKey::Data; }
 
 // The words that a field may be compared with, "off", "on", …; empty where it has none.
 QStringList wordsOf(const Field& field);

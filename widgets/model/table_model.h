@@ -10,8 +10,8 @@ namespace deckpipe {
 
 struct TableColumn {
   QString title;
-  QString tip{};
-  bool isToRight = false;
+  QString tip{};           // what the title means; often empty
+  bool isToRight = false;  // for figures
 };
 
 class TableModel : public QAbstractTableModel {

@@ -65,7 +65,6 @@ struct TimelineGeometry {
     const double share = (x - left()) / (right() - left());
     return std::clamp(Instant{begin.ns + std::llround(share * spanNs())}, begin, end);
   }
-  Instant clamped(Instant t) const { return end < begin ? begin : std::clamp(t, begin, end); }
 
  private:
   double spanNs() const { return static_cast<double>(end.ns) - static_cast<double>(begin.ns); }

@@ -165,16 +165,6 @@ TEST(NoteWeight, IsPlainOnlyForWhatWasMeant) {
   }
 }
 
-TEST_F(ModelOfEvents, KnowsWhatHasHappenedAtTheCursor) {
-  const auto log = logOfText(kLog);
-  model.setView(viewOf(log, 2));
-  EXPECT_EQ(model.rowAtCursor(), -1);
-  model.setView(viewOf(log, 3));
-  EXPECT_EQ(model.rowAtCursor(), 0);
-  model.setView(viewOf(log));
-  EXPECT_EQ(model.rowAtCursor(), 1);
-}
-
 TEST_F(ModelOfEvents, ForgetsAnotherLog) {
   model.setView(viewOf(logOfText(kLog)));
   model.setView(viewOf(logOfText("(1.000000) can0 123#11\n")));

@@ -232,14 +232,11 @@ TEST_F(TraceViewTest, CopiesTheSelectionAsCandumpReadsIt) {
   tick(0);
   click(2);
   click(4, Qt::ShiftModifier);
-  QSignalSpy copied(&view, &TraceView::copied);
   key(Qt::Key_C, Qt::ControlModifier);
   EXPECT_EQ(QApplication::clipboard()->text().toStdString(),
             "(1700000000.310000) can1 5A4#4300500116699803\n"
             "(1700000000.500000) can0 18EFFF80#0100040371000001\n"
             "(1700000000.500400) can0 18EFFF80#83C071\n");
-  ASSERT_EQ(copied.count(), 1);
-  EXPECT_EQ(copied[0][0].value<std::uint64_t>(), 3u);
   key(Qt::Key_A, Qt::ControlModifier);
   EXPECT_EQ(view.currentFrame(), 4u);
   EXPECT_EQ(view.copyText().toStdString(), text);
@@ -248,10 +245,8 @@ TEST_F(TraceViewTest, CopiesTheSelectionAsCandumpReadsIt) {
 TEST_F(TraceViewTest, CopiesNoMoreThanAClipboardShouldHold) {
   open(TraceView::kMaxCopied + 50, 0);
   key(Qt::Key_A, Qt::ControlModifier);
-  QSignalSpy copied(&view, &TraceView::copied);
   key(Qt::Key_C, Qt::ControlModifier);
-  EXPECT_EQ(copied[0][0].value<std::uint64_t>(), TraceView::kMaxCopied);
-  EXPECT_EQ(copied[0][1].value<std::uint64_t>(), TraceView::kMaxCopied + 50);
+  EXPECT_EQ(QApplication::clipboard()->text().count(u'\n'), TraceView::kMaxCopied);
 }
 
 TEST_F(TraceViewTest, TellsTheCurrentRowToWhoCannotSeeIt) {

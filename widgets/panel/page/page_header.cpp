@@ -134,10 +134,12 @@ void PageHeader::setPage(const DevicePageValues& page) {
   setText(*m_title, page.title);
   const QString type =
       page.identity.isEmpty() ? page.type : QStringLiteral("%1 · %2").arg(page.identity, page.type);
-  m_typeText = type;
-  m_type->setToolTip(type);
-  m_type->setAccessibleDescription(type);
-  showTexts();
+  if (type != m_typeText) {
+    m_typeText = type;
+    m_type->setToolTip(type);
+    m_type->setAccessibleDescription(type);
+    showTexts();
+  }
   setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
   const bool isAgo = page.age.kind == Age::Kind::Ago;
   setText(*m_age, isAgo ? tr("heard %1 ago").arg(ageText(page.age)) : ageText(page.age));

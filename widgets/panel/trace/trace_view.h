@@ -81,8 +81,6 @@ class TraceView : public QAbstractScrollArea {
   void currentFrameChanged(std::optional<std::uint64_t> frame);
   void cursorRequested(std::uint64_t frame);
   void followingChanged(bool isFollowing);
-  // `copied` is less than `selected` where the selection was longer than kMaxCopied.
-  void copied(std::uint64_t copied, std::uint64_t selected);
   void menuRequested(std::optional<deckpipe::TraceView::Cell> cell, const QPoint& global);
 
  protected:

@@ -224,8 +224,6 @@ void TraceView::focusOutEvent(QFocusEvent* event) {
 void TraceView::copy() {
   if (!m_current) return;
   QApplication::clipboard()->setText(copyText());
-  const std::uint64_t selected = m_model->rowOf(m_selection.end) - m_model->rowOf(m_selection.first);
-  Q_EMIT copied(std::min(selected, kMaxCopied), selected);
 }
 
 // The current row, for those who hear it and for whoever asks what it means.
