@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The docks of the workspace, a row each. To add one: a panel that takes setView(const PanelView&), its row in
-// docks.cpp, and there a wire for each of its signals that the workspace acts on.
+// The docks of the workspace, a row each. To add one: a panel that takes setView(const PanelView&), its row
+// in docks.cpp, and there a wire for each of its signals that the workspace acts on.
 #pragma once
 
 #include <Qt>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the console keeps in its settings beside the layout: how the window looks, by the keys that the command line
-// knows too; the logs that were opened last; the person's own labels.
+// What the console keeps in its settings beside the layout: how the window looks, by the keys that the
+// command line knows too; the logs that were opened last; the person's own labels.
 #pragma once
 
 #include <QString>

@@ -8,8 +8,8 @@
 
 namespace deckpipe {
 
-// "candump (*.log *.txt)", one a format; for opening, all logs first where there are several; for saving, what
-// other programs read first.
+// "candump (*.log *.txt)", one a format; for opening, all logs first where there are several; for saving,
+// what other programs read first.
 QStringList filtersForOpening();
 QStringList filtersForSaving();
 QString filterOf(const LogFormat& format);

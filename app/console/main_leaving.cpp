@@ -32,14 +32,19 @@ void MainWindow::leave(std::function<void()> go) {
   if (const auto waiting = m_snapshot.services->unconfirmed; waiting > 0) lines << waitingText(waiting);
   if (const auto& marks = m_snapshot.source.unkeptMarks) lines << lostMarksText(*marks);
   if (lines.isEmpty()) return go();
-  auto* question = new QMessageBox(QMessageBox::Warning, tr("Leave this log"), lines.join(QLatin1Char('\n')),
-                                   QMessageBox::NoButton, this);
-  question->setObjectName(QStringLiteral("leaveQuestion"));
-  question->setAttribute(Qt::WA_DeleteOnClose);
-  const QPushButton* leave = question->addButton(tr("Leave"), QMessageBox::DestructiveRole);
-  question->setDefaultButton(question->addButton(tr("Stay"), QMessageBox::RejectRole));
-  connect(leave, &QPushButton::clicked, this, std::move(go));
-  question->open();
+  ask({"leaveQuestion", tr("Leave this log"), lines.join(QLatin1Char('\n')), tr("Leave"), tr("Stay")},
+      std::move(go));
+}
+
+void MainWindow::ask(const Question& question, std::function<void()> act) {
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, question.title, question.text, QMessageBox::NoButton, this);
+  box->setObjectName(QLatin1String(question.name));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  const QPushButton* verb = box->addButton(question.verb, QMessageBox::DestructiveRole);
+  box->setDefaultButton(box->addButton(question.otherwise, QMessageBox::RejectRole));
+  connect(verb, &QPushButton::clicked, this, std::move(act));
+  box->open();
 }
 
 void MainWindow::openLog(const QString& path) {
@@ -72,7 +77,8 @@ void MainWindow::closeSource() {
   });
 }
 
-// Quitting would break these off; a line each. A recording that the disk takes is kept, and is not among them.
+// Quitting would break these off; a line each. A recording that the disk takes is kept, and is not among
+// them.
 QStringList MainWindow::runningWork() const {
   QStringList work;
   const ServiceStatus& services = *m_snapshot.services;
@@ -99,17 +105,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   const QStringList work = m_mayClose ? QStringList() : runningWork();
   if (!work.isEmpty()) {
     event->ignore();
-    auto* question = new QMessageBox(QMessageBox::Warning, tr("Quit Deckpipe"), work.join(QLatin1Char('\n')),
-                                     QMessageBox::NoButton, this);
-    question->setObjectName(QStringLiteral("quitQuestion"));
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    const QPushButton* quit = question->addButton(tr("Quit"), QMessageBox::DestructiveRole);
-    question->setDefaultButton(question->addButton(tr("Stay"), QMessageBox::RejectRole));
-    connect(quit, &QPushButton::clicked, this, [this] {
-      m_mayClose = true;
-      close();
-    });
-    return question->open();
+    return ask({"quitQuestion", tr("Quit Deckpipe"), work.join(QLatin1Char('\n')), tr("Quit"), tr("Stay")},
+               [this] {
+                 m_mayClose = true;
+                 close();
+               });
   }
   saveLayout();
   QMainWindow::closeEvent(event);

@@ -2,8 +2,6 @@
 // The main window's recordings: the page, what it is asked for, and the notice at the start.
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 
 #include "log/journal_reader.h"
 #include "log_filters.h"
@@ -59,14 +57,10 @@ void MainWindow::saveRecordingByHand(const QString& path) {
 }
 
 void MainWindow::deleteRecordingByHand(const QString& path) {
-  auto* question = new QMessageBox(
-      QMessageBox::Warning, tr("Delete a recording"),
-      tr("Delete %1? It cannot be brought back.").arg(QFileInfo(path).fileName()), QMessageBox::Cancel, this);
-  question->setObjectName(QStringLiteral("deleteQuestion"));
-  question->setAttribute(Qt::WA_DeleteOnClose);
-  const QPushButton* yes = question->addButton(tr("Delete"), QMessageBox::DestructiveRole);
-  connect(yes, &QPushButton::clicked, this, [this, path] { m_recordings->remove(path); });
-  question->open();
+  ask({"deleteQuestion", tr("Delete a recording"),
+       tr("Delete %1? It cannot be brought back.").arg(QFileInfo(path).fileName()), tr("Delete"),
+       tr("Cancel")},
+      [this, path] { m_recordings->remove(path); });
 }
 
 }  // namespace deckpipe

@@ -80,6 +80,12 @@ class MainWindow : public QMainWindow {
   QList<QWidget*> panes() const;
   void saveLayout() const;
   QStringList runningWork() const;
+  // A question with a verb, and with a way to leave things as they are, which Enter takes.
+  struct Question {
+    const char* name;
+    QString title, text, verb, otherwise;
+  };
+  void ask(const Question& question, std::function<void()> act);
   static QString lostMarksText(const UnkeptMarks& marks);
   // main_leaving.cpp: the ways out of the open log. Nothing else calls these of the session.
   void openLog(const QString& path);

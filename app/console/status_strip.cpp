@@ -117,8 +117,8 @@ void StatusStrip::fit() {
 
 void StatusStrip::resizeEvent(QResizeEvent*) { fit(); }
 
-// The button is there only if there is a bus to send on. A person can always lock, and unlock at the live edge of a
-// link that is up.
+// The button is there only if there is a bus to send on. A person can always lock, and unlock at the live
+// edge of a link that is up.
 bool StatusStrip::showLockButton(const Snapshot& snapshot) {
   const bool isLocked = snapshot.services->locked;
   const QString text = isLocked ? tr("Unlock…") : tr("Lock");

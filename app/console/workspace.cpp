@@ -57,8 +57,8 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   m_view.labels = m_labels;
 }
 
-// While it is shown the view, the list of devices may choose the same device under the PIN that it has said now. The
-// panels that are shown the view after it know that.
+// While it is shown the view, the list of devices may choose the same device under the PIN that it has said
+// now. The panels that are shown the view after it know that.
 void Workspace::showView() {
   const QScopedValueRollback showing(m_isShowing, true);
   m_view.name = nameOf(m_view.device);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is seen while a log is open: the chosen device's page in the middle, everything else in docks around
-// it (docks.h). The main window gives it each snapshot and acts on what it asks for. How a person arranged the docks
-// is theirs: saved as a versioned state, and put back to the first arrangement by resetLayout().
+// it (docks.h). The main window gives it each snapshot and acts on what it asks for. How a person arranged
+// the docks is theirs: saved as a versioned state, and put back to the first arrangement by resetLayout().
 #pragma once
 
 #include <QMainWindow>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a device is (state/health.h), in words with what each cause speaks of: which fault, which axis, since when.
+// How a device is (state/health.h), in words with what each cause speaks of: which fault, which axis, since
+// when.
 #pragma once
 
 #include <QStringList>
@@ -24,10 +25,12 @@ QStringList healthSentences(const Health& health, Instant now);
 
 // What a fault answer said: "no faults", "internal fuse, error 11".
 QString faultSummary(std::uint32_t faults, unsigned errorCode);
-// Why there is no answer of what was asked or not: "no answer, asked 2 s ago", "asked, no answer yet", "refused, or
-// answered in a wrong length", "never asked". `ask` is nothing where Deckpipe has no poll for it.
+// Why there is no answer of what was asked or not: "no answer, asked 2 s ago", "asked, no answer yet",
+// "refused, or answered in a wrong length", "never asked". `ask` is nothing where Deckpipe has no poll for
+// it.
 QString noAnswerText(const Device& device, std::optional<Request> request, Instant now);
-// What came of the last asking where an earlier answer is shown; empty if that is the last one's, or is awaited.
+// What came of the last asking where an earlier answer is shown; empty if that is the last one's, or is
+// awaited.
 QString askedAgainText(const Device& device, Request request, Instant now);
 // "restarted since", "silent since", "link down since"; empty for an answer that still holds.
 QString answerAgeText(AnswerAge age);

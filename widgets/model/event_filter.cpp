@@ -8,30 +8,6 @@ EventFilter::EventFilter(EventModel* events, QObject* parent)
   setSourceModel(events);
 }
 
-void EventFilter::setDevice(const DeviceKey& device) {
-  if (device == m_device) return;
-  m_device = device;
-  invalidateFilter();
-}
-
-void EventFilter::setLeast(Severity weight) {
-  if (weight == m_least) return;
-  m_least = weight;
-  invalidateFilter();
-}
-
-void EventFilter::setGroups(const EnumSet<EventGroup>& groups) {
-  if (groups == m_groups) return;
-  m_groups = groups;
-  invalidateFilter();
-}
-
-void EventFilter::setText(const QString& text) {
-  if (text.trimmed() == m_text) return;
-  m_text = text.trimmed();
-  invalidateFilter();
-}
-
 bool EventFilter::filterAcceptsRow(int row, const QModelIndex&) const {
   if (m_events->weight(row) < m_least) return false;
   if (!m_groups.isEmpty() && !m_groups.has(m_events->group(row))) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened in a log, as an item model in order of time: events (state/events.h) together with its notes. The
-// window gives it each view; new rows come at the end, or in between where a person marked an earlier place. A
-// question and its answer are one row, and so are answers that repeat themselves.
+// What happened in a log, as an item model in order of time: events (state/events.h) together with its notes.
+// The window gives it each view; new rows come at the end, or in between where a person marked an earlier
+// place. A question and its answer are one row, and so are answers that repeat themselves.
 #pragma once
 
 #include <memory>

@@ -10,8 +10,8 @@
 
 namespace deckpipe {
 
-// "Moved from address 80 to 85"; "Disabled: it cannot move, since 0:00:05.101" where it holds for longer than it is
-// listed. `begin`: of the log. Whom it concerns says keyOf().
+// "Moved from address 80 to 85"; "Disabled: it cannot move, since 0:00:05.101" where it holds for longer than
+// it is listed. `begin`: of the log. Whom it concerns says keyOf().
 QString eventText(const Event& event, Instant begin);
 // Whom an event concerns; null where the whole bus is.
 DeviceKey keyOf(const Event& event);

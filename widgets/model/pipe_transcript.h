@@ -32,16 +32,17 @@ class PipeTranscript {
 
   const std::vector<PipePacket>& packets() const { return m_packets; }
   Instant begin() const { return m_begin; }
-  // The device's restarts before the cursor, in order, but for those before the first packet: what the device was told
-  // by then it does not know any more.
+  // The device's restarts before the cursor, in order, but for those before the first packet: what the device
+  // was told by then it does not know any more.
   std::span<const Instant> restarts() const;
   // The last of them, if nothing was sent to the device since. kNotYet: none.
   Instant restartedSinceSent() const;
 
   // Both directions, a line a packet or line of text, with times; for saving.
   QString text() const;
-  // "time_s,direction,bytes,ack_ms,repair" of every packet: the ack is empty where none came, the repair says what this
-  // console's user did about a missing ack: "skipped", "resent" of the packet that was sent again, or both.
+  // "time_s,direction,bytes,ack_ms,repair" of every packet: the ack is empty where none came, the repair says
+  // what this console's user did about a missing ack: "skipped", "resent" of the packet that was sent again,
+  // or both.
   QString ledger() const;
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A flat table whose columns are described once: what stands over them, what that means, and on which side the cells
-// stand. The models of the panels derive from it: each says how many rows it has, and what a cell is.
+// A flat table whose columns are described once: what stands over them, what that means, and on which side
+// the cells stand. The models of the panels derive from it: each says how many rows it has, and what a cell
+// is.
 #pragma once
 
 #include <QAbstractTableModel>

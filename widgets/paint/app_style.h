@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the application looks: Fusion in the colours of a theme, with targets that can be hit, at least 32 pixels at a
-// desk and 44 in the field, where hands wear gloves. The console gives one to the application, with a font to match,
-// and a new one when a person changes over: nothing else has to be told.
+// How the application looks: Fusion in the colours of a theme, with targets that can be hit, at least 32
+// pixels at a desk and 44 in the field, where hands wear gloves. The console gives one to the application,
+// with a font to match, and a new one when a person changes over: nothing else has to be told.
 //
-// A widget that paints asks coloursOf() while it paints. Words in a colour of their own get it once by setInk(), and
-// follow the style from then on. What keeps a colour otherwise, in an icon or a document, renews it on
-// QEvent::StyleChange.
+// A widget that paints asks coloursOf() while it paints. Words in a colour of their own get it once by
+// setInk(), and follow the style from then on. What keeps a colour otherwise, in an icon or a document,
+// renews it on QEvent::StyleChange.
 #pragma once
 
 #include <QFont>

@@ -15,7 +15,8 @@ class DialText {
 
  public:
   static QString title(DialAxisKind kind);
-  // Why there is no value: "Sensor error"; empty for a reading that is Ok. readingShort() fits into 75 pixels.
+  // Why there is no value: "Sensor error"; empty for a reading that is Ok. readingShort() fits into 75
+  // pixels.
   static QString reading(std::optional<PositionState> reading);
   static QString readingShort(std::optional<PositionState> reading);
   // "Right stop", "Down stop error"; empty where neither stop is on or in error.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The three themes as plain values. The application's style (app_style.h) has the colours of the theme that a person
-// chose, and gives them to every painted widget and delegate.
+// The three themes as plain values. The application's style (app_style.h) has the colours of the theme that a
+// person chose, and gives them to every painted widget and delegate.
 //
 // What a colour means is the same in all three: accent = can be touched, attend = look here, fault = fault or
 // stop, fine = good, stale = old. None of them carries its meaning alone: each has a glyph (glyph.h).

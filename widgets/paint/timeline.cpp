@@ -171,8 +171,8 @@ void Timeline::hide(EventGroup group, bool isHidden) {
   update();
 }
 
-// Above the strip, a jump of the clock as a broken line through it. Where marks of one group meet, the gravest is
-// seen; graver ones cover others.
+// Above the strip, a jump of the clock as a broken line through it. Where marks of one group meet, the
+// gravest is seen; graver ones cover others.
 void Timeline::paintMarks(QPainter& p, const Colours& c, const TimelineGeometry& g,
                           const QRectF& strip) const {
   const TimelineSpan inSight = shown();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The catalogue's names and words in the person's language. Core says keys and English names and knows no
-// translation; in catalogue_words.cpp and number_words.cpp each stands once more where lupdate finds it. The compiler
-// compares the two, so that no name can be added or changed in the catalogue without its text.
+// translation; in catalogue_words.cpp and number_words.cpp each stands once more where lupdate finds it. The
+// compiler compares the two, so that no name can be added or changed in the catalogue without its text.
 #pragma once
 
 #include <QString>
@@ -35,8 +35,8 @@ std::span<const char* const> numberNameTexts();
 std::span<const char* const> abortTexts();
 std::span<const WordText> wordTexts();
 
-// Where a meaning comes from, for tooltips and help: "Source: CAN Messaging manual, message type 01; gateway manual,
-// TPDO1". Titles are cited as they are printed. Empty for what is no message of the catalogue.
+// Where a meaning comes from, for tooltips and help: "Source: CAN Messaging manual, message type 01; gateway
+// manual, TPDO1". Titles are cited as they are printed. Empty for what is no message of the catalogue.
 QString sourceText(MessageId id);
 
 }  // namespace deckpipe

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What devices are and say: types by PIN, part numbers, styles, makers, addresses, NAMEs, axes, faults, switches. Only
-// what the sources name is named; any other number stays a number.
+// What devices are and say: types by PIN, part numbers, styles, makers, addresses, NAMEs, axes, faults,
+// switches. Only what the sources name is named; any other number stays a number.
 #pragma once
 
 #include <QString>

@@ -26,7 +26,8 @@ QString claimText(const ClaimStatus& claim);
 QString pipeEventText(PipeEvent event);
 // "no ack from the device within 1 s".
 QString stallText(const PipeStatus& pipe);
-// "Packets without an ack are skipped, so far 3", as the person said for the rest; empty where nothing was said.
+// "Packets without an ack are skipped, so far 3", as the person said for the rest; empty where nothing was
+// said.
 QString restText(const PipeStatus& pipe);
 // "Of what was typed last, 2 packets were skipped …"; empty where all of it was acknowledged.
 QString typedDoubtText(const PipeStatus& pipe);

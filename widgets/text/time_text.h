@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times in words: since the begin of a log, as figures that keep their width; and how old something is. Clocks and
-// elapsed times are cut to the decimals that they have, never rounded, here and in deckpipectl: an event has one text, and
-// no clock shows a time that has not come. The dial writes ages the same way (paint/figures.h, a room that shares nothing
-// with this one); a test of the panels holds the two together.
+// Times in words: since the begin of a log, as figures that keep their width; and how old something is.
+// Clocks and elapsed times are cut to the decimals that they have, never rounded, here and in deckpipectl: an
+// event has one text, and no clock shows a time that has not come. The dial writes ages the same way
+// (paint/figures.h, a room that shares nothing with this one); a test of the panels holds the two together.
 #pragma once
 
 #include <QString>

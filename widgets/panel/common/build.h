@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small builders for panels, so that a constructor says what stands where, and little else. `name` is an object name, for
-// tests and saved layouts; `spoken` is what a screen reader calls the widget.
+// Small builders for panels, so that a constructor says what stands where, and little else. `name` is an
+// object name, for tests and saved layouts; `spoken` is what a screen reader calls the widget.
 #pragma once
 
 #include <QBoxLayout>
@@ -43,7 +43,8 @@ QFont figureFont(const QFont& font);
 
 // Plain words that wrap.
 QLabel* makeWords(QWidget* parent, const char* name, const QString& spoken, Ink ink = Ink::Text);
-// Words in the middle of an empty place: why there is nothing, or what to do. `margin` in pixels, on each side.
+// Words in the middle of an empty place: why there is nothing, or what to do. `margin` in pixels, on each
+// side.
 QLabel* makeMessage(QWidget* parent, const char* name, const QString& spoken, int margin = 24);
 // Words in large letters over a page or a part of one.
 QLabel* makeTitle(QWidget* parent, const char* name, const QString& text, double size = 1.5);
@@ -73,8 +74,8 @@ QScrollArea* makeScroll(QWidget* parent, const char* name, QWidget* content);
 // Fills `page` with `content`, scrolled.
 void fillScrolled(QWidget* page, QWidget* content, const char* name);
 
-// What stands in a row or column: a widget or a layout with its share of the room that is left over, a gap, or nothing,
-// which takes what is left over.
+// What stands in a row or column: a widget or a layout with its share of the room that is left over, a gap,
+// or nothing, which takes what is left over.
 struct LayoutPart {
   LayoutPart(QWidget* shown, int itsShare = 0, Qt::Alignment at = {})
       : widget(shown), share(itsShare), alignment(at) {}
@@ -93,8 +94,8 @@ struct LayoutPart {
 };
 using LayoutParts = std::initializer_list<LayoutPart>;
 
-// The layout of `owner`, or without one a part of another. Without margins there are none; without a spacing it is the
-// style's, or that of the layout around. Both in pixels.
+// The layout of `owner`, or without one a part of another. Without margins there are none; without a spacing
+// it is the style's, or that of the layout around. Both in pixels.
 QHBoxLayout* inRow(QWidget* owner, const QMargins& margins, int spacing, LayoutParts parts);
 QHBoxLayout* inRow(QWidget* owner, LayoutParts parts);
 QHBoxLayout* inRow(int spacing, LayoutParts parts);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every panel is shown: the log at the cursor, the device that all of them follow, and what may begin. A panel
-// takes it by setView(const PanelView&), on every tick and whenever something else is chosen.
+// What every panel is shown: the log at the cursor, the device that all of them follow, and what may begin. A
+// panel takes it by setView(const PanelView&), on every tick and whenever something else is chosen.
 #pragma once
 
 #include <memory>

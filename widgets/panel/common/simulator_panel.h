@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The demo's own panel: breaks the devices of the simulated truck while a person watches what the console
-// makes of it. The window has it in the demo only, gives it each SimulatorStatus that the simulator publishes, and
-// passes its intents on. What is ticked is what the simulator says, so an intent that was not obeyed does not stay.
+// makes of it. The window has it in the demo only, gives it each SimulatorStatus that the simulator
+// publishes, and passes its intents on. What is ticked is what the simulator says, so an intent that was not
+// obeyed does not stay.
 #pragma once
 
 #include <QWidget>

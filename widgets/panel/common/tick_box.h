@@ -19,8 +19,6 @@ class TickBox : public QCheckBox {
  protected:
   bool hitButton(const QPoint& at) const override { return rect().contains(at); }
   void paintEvent(QPaintEvent* event) override;
-
- private:
 };
 
 }  // namespace deckpipe

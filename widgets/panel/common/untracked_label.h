@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line under a list of devices that says what was heard and is not listed, as there is too much of it. Hidden where
-// there is nothing to say.
+// The line under a list of devices that says what was heard and is not listed, as there is too much of it.
+// Hidden where there is nothing to say.
 #pragma once
 
 #include <QLabel>

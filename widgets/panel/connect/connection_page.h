@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window shows while nothing is open: the adapters with their state, the bit rate
-// to connect at, the simulated truck, and logs. The console fills in adapters and recent logs and carries out what
-// the person chooses. MainWindow handles files that are dropped.
+// to connect at, the simulated truck, and logs. The console fills in adapters and recent logs and carries out
+// what the person chooses. MainWindow handles files that are dropped.
 #pragma once
 
 #include <QWidget>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recordings that this machine keeps, the newest first: which were never saved, what was heard in each, and
-// what a person may do with one. The console reads the folder and does what is asked for.
+// The recordings that this machine keeps, the newest first: which were never saved, what was heard in each,
+// and what a person may do with one. The console reads the folder and does what is asked for.
 #pragma once
 
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paints the cells of the device table: the device over its type, under it to the right the words of its health, worst first, numbers in equal
-// cells so that a running age moves nothing. Used by DeviceList alone, which paints backgrounds and group
-// headings.
+// Paints the cells of the device table: the device over its type, under it to the right the words of its
+// health, worst first, numbers in equal cells so that a running age moves nothing. Used by DeviceList alone,
+// which paints backgrounds and group headings.
 #pragma once
 
 #include <QStyledItemDelegate>

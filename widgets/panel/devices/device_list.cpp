@@ -31,67 +31,60 @@ constexpr int kCellPad = 8;
 // arrow. Used by DeviceList alone.
 class DeviceHeader : public QHeaderView {
  public:
-  explicit DeviceHeader(QWidget* parent = nullptr);
+  explicit DeviceHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
+    named(this, "deviceListHeader", DeviceList::tr("Sort the devices by"));
+    setSectionsMovable(false);
+    setStretchLastSection(false);
+    setSortIndicatorClearable(true);
+    setSortIndicator(-1, Qt::AscendingOrder);
+    setMinimumSectionSize(32);
+    setFixedHeight(32);
+    setHighlightSections(false);
+  }
 
  protected:
-  void paintSection(QPainter* painter, const QRect& rect, int section) const override;
-  void paintEvent(QPaintEvent* event) override;
+  void paintSection(QPainter* painter, const QRect& rect, int section) const override {
+    const Colours& c = coloursOf(this);
+    QPainter& p = *painter;
+    p.save();
+    p.setRenderHint(QPainter::Antialiasing);
+    p.fillRect(rect, c.surface);
+    const QFont small = secondaryFont(font());
+    const QFontMetricsF metrics(small);
+    const QString text = model()->headerData(section, orientation()).toString();
+    const double width = metrics.horizontalAdvance(text);
+    const bool isSorted = sortIndicatorSection() == section;
+    double left = rect.left() + kSectionPad;
+    if (section == DeviceModel::HealthColumn) {
+      left = rect.center().x() + 0.5 - width / 2;  // as its cells: centred
+    } else if (section != DeviceModel::DeviceColumn) {
+      left = rect.right() + 1 - kSectionPad - width;
+    }
+    const double baseline = rect.center().y() + metrics.capHeight() / 2;
+    p.setFont(small);
+    p.setPen(isSorted ? c.accent.ink : c.textSecondary);
+    p.drawText(QPointF(left, baseline), text);
+    if (isSorted) {
+      // Under the word, where it takes no room from it.
+      const QPointF tip(left + width / 2, rect.bottom() - 3);
+      const double down = sortIndicatorOrder() == Qt::DescendingOrder ? 1 : -1;
+      p.setPen(Qt::NoPen);
+      p.setBrush(c.accent.ink);
+      p.drawPolygon(QPolygonF{tip + QPointF(-kArrow, -2 * down), tip + QPointF(kArrow, -2 * down),
+                              tip + QPointF(0, 2.5 * down)});
+    }
+    p.setPen(QPen(c.stale.fill, 1));
+    p.setRenderHint(QPainter::Antialiasing, false);
+    p.drawLine(rect.bottomLeft(), rect.bottomRight());
+    p.restore();
+  }
 
- private:
+  // What lies beside the sections, over the scroll bar.
+  void paintEvent(QPaintEvent* event) override {
+    QPainter(viewport()).fillRect(viewport()->rect(), coloursOf(this).surface);
+    QHeaderView::paintEvent(event);
+  }
 };
-
-DeviceHeader::DeviceHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
-  named(this, "deviceListHeader", DeviceList::tr("Sort the devices by"));
-  setSectionsMovable(false);
-  setStretchLastSection(false);
-  setSortIndicatorClearable(true);
-  setSortIndicator(-1, Qt::AscendingOrder);
-  setMinimumSectionSize(32);
-  setFixedHeight(32);
-  setHighlightSections(false);
-}
-
-// What lies beside the sections, over the scroll bar.
-void DeviceHeader::paintEvent(QPaintEvent* event) {
-  QPainter(viewport()).fillRect(viewport()->rect(), coloursOf(this).surface);
-  QHeaderView::paintEvent(event);
-}
-
-void DeviceHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
-  const Colours& c = coloursOf(this);
-  QPainter& p = *painter;
-  p.save();
-  p.setRenderHint(QPainter::Antialiasing);
-  p.fillRect(rect, c.surface);
-  const QFont small = secondaryFont(font());
-  const QFontMetricsF metrics(small);
-  const QString text = model()->headerData(section, orientation()).toString();
-  const double width = metrics.horizontalAdvance(text);
-  const bool isSorted = sortIndicatorSection() == section;
-  double left = rect.left() + kSectionPad;
-  if (section == DeviceModel::HealthColumn) {
-    left = rect.center().x() + 0.5 - width / 2;  // as its cells: centred
-  } else if (section != DeviceModel::DeviceColumn) {
-    left = rect.right() + 1 - kSectionPad - width;
-  }
-  const double baseline = rect.center().y() + metrics.capHeight() / 2;
-  p.setFont(small);
-  p.setPen(isSorted ? c.accent.ink : c.textSecondary);
-  p.drawText(QPointF(left, baseline), text);
-  if (isSorted) {
-    // Under the word, where it takes no room from it.
-    const QPointF tip(left + width / 2, rect.bottom() - 3);
-    const double down = sortIndicatorOrder() == Qt::DescendingOrder ? 1 : -1;
-    p.setPen(Qt::NoPen);
-    p.setBrush(c.accent.ink);
-    p.drawPolygon(QPolygonF{tip + QPointF(-kArrow, -2 * down), tip + QPointF(kArrow, -2 * down),
-                            tip + QPointF(0, 2.5 * down)});
-  }
-  p.setPen(QPen(c.stale.fill, 1));
-  p.setRenderHint(QPainter::Antialiasing, false);
-  p.drawLine(rect.bottomLeft(), rect.bottomRight());
-  p.restore();
-}
 
 DeviceList::DeviceList(QWidget* parent)
     : QTreeView(parent), m_delegate(new DeviceDelegate(this)), m_header(new DeviceHeader(this)) {
@@ -101,7 +94,8 @@ DeviceList::DeviceList(QWidget* parent)
   setAllColumnsShowFocus(false);  // drawRow() frames the row
   setVerticalScrollMode(ScrollPerPixel);
   setHeader(m_header);
-  // setHeader() takes these back where the view does not sort by itself; DeviceListPanel sorts through the proxy.
+  // setHeader() takes these back where the view does not sort by itself; DeviceListPanel sorts through the
+  // proxy.
   m_header->setSectionsClickable(true);
   m_header->setSortIndicatorShown(true);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which events are listed: a button for each group, which is the legend of the marks too, a device, a weight, words.
-// Stands above the list of EventPanel.
+// Which events are listed: a button for each group, which is the legend of the marks too, a device, a weight,
+// words. Stands above the list of EventPanel.
 #pragma once
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of what happened in a log, and which of it is listed. The window gives it each view and puts the cursor
-// where a person clicks or presses Enter, or where the next or the previous event of the list is. What lies behind
-// the cursor is lighter: it has not happened there.
+// The list of what happened in a log, and which of it is listed. The window gives it each view and puts the
+// cursor where a person clicks or presses Enter, or where the next or the previous event of the list is. What
+// lies behind the cursor is lighter: it has not happened there.
 #pragma once
 
 #include <QWidget>
@@ -28,8 +28,8 @@ class EventPanel : public QWidget {
   explicit EventPanel(QWidget* parent = nullptr);
 
   void setView(const PanelView& view);
-  // Puts the cursor at the next or the previous event of the list, or kBefore before the chosen event; with none
-  // chosen, before the last event at or before the cursor.
+  // Puts the cursor at the next or the previous event of the list, or kBefore before the chosen event; with
+  // none chosen, before the last event at or before the cursor.
   void goToNext();
   void goToPrevious();
   void goBefore();

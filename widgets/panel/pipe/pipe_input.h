@@ -3,7 +3,8 @@
 // it hands over the bytes.
 //
 //   1. The pipe takes characters of one byte. Others are refused with words, whole: nothing of them is sent.
-//   2. Lines that are pasted stay lines, each with the chosen end, whatever ended it before; the button counts them.
+//   2. Lines that are pasted stay lines, each with the chosen end, whatever ended it before; the button
+//      counts them.
 //   3. In raw mode every key is sent but Esc, which is not a terminal's here: Ctrl+[ sends ESC. What comes
 //      without keys, from an input method or pasted, is sent at once too.
 #pragma once

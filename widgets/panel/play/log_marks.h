@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the timeline shows of a log beside the cursor: how dense the span in sight is, where nothing came,
-// where a link was lost, where the clock jumped, what was noted, what happened. Held by the transport bar and brought up to
-// date with each view; everything comes from indexes, so a log of any size costs the same.
+// where a link was lost, where the clock jumped, what was noted, what happened. Held by the transport bar and
+// brought up to date with each view; everything comes from indexes, so a log of any size costs the same.
 #pragma once
 
 #include <cstdint>

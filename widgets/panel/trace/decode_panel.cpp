@@ -57,34 +57,31 @@ class DecodeDelegate : public QStyledItemDelegate {
   // -1: none.
   void setPointedRow(int row) { m_pointed = row; }
 
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const Colours& c = coloursOf(option.widget);
+    const bool isSelected = (option.state & QStyle::State_Selected) != 0;
+    const QColor ground = index.row() % 2 != 0 ? c.surfaceAlternate : c.surface;
+    painter->fillRect(option.rect, isSelected ? c.accent.fill : ground);
+    if (index.row() == m_pointed && !isSelected) {
+      // Lines above and below each cell make one frame of the row.
+      for (const int y : {option.rect.top(), option.rect.bottom() - 1})
+        painter->fillRect(option.rect.left(), y, option.rect.width(), 2, c.accent.ink);
+    }
+    const QFont font = fontOf(option.font, index);
+    const QRect area = option.rect.adjusted(FlatHeader::kPadding, 0, -FlatHeader::kPadding, 0);
+    const QString text = index.data().toString();
+    const QFontMetrics metrics(font);
+    const bool isSentence = lineOf(index) == DecodeRow::Line::Certainty;
+    painter->setFont(font);
+    painter->setPen(isSelected ? c.accent.onFill : inkFor(index, c));
+    painter->drawText(area,
+                      Qt::AlignLeft | Qt::AlignVCenter | (isSentence ? Qt::TextWordWrap : Qt::TextSingleLine),
+                      isSentence ? text : metrics.elidedText(text, Qt::ElideRight, area.width()));
+  }
 
  private:
   int m_pointed = -1;
 };
-
-void DecodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
-                           const QModelIndex& index) const {
-  const Colours& c = coloursOf(option.widget);
-  const bool isSelected = (option.state & QStyle::State_Selected) != 0;
-  const QColor ground = index.row() % 2 != 0 ? c.surfaceAlternate : c.surface;
-  painter->fillRect(option.rect, isSelected ? c.accent.fill : ground);
-  if (index.row() == m_pointed && !isSelected) {
-    // Lines above and below each cell make one frame of the row.
-    for (const int y : {option.rect.top(), option.rect.bottom() - 1})
-      painter->fillRect(option.rect.left(), y, option.rect.width(), 2, c.accent.ink);
-  }
-  const QFont font = fontOf(option.font, index);
-  const QRect area = option.rect.adjusted(FlatHeader::kPadding, 0, -FlatHeader::kPadding, 0);
-  const QString text = index.data().toString();
-  const QFontMetrics metrics(font);
-  const bool isSentence = lineOf(index) == DecodeRow::Line::Certainty;
-  painter->setFont(font);
-  painter->setPen(isSelected ? c.accent.onFill : inkFor(index, c));
-  painter->drawText(area,
-                    Qt::AlignLeft | Qt::AlignVCenter | (isSentence ? Qt::TextWordWrap : Qt::TextSingleLine),
-                    isSentence ? text : metrics.elidedText(text, Qt::ElideRight, area.width()));
-}
 
 DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
   named(this, "decodePanel", tr("Frame in detail"));

@@ -9,7 +9,8 @@
 //      cursor leaving the live edge ends it, so that what a person stopped to look at stays.
 //   3. A cursor that was in sight is kept in sight while it moves.
 //   4. What is current and selected are frames, which a filter does not change; what is scrolled are rows.
-//      When the filter changes, the frame that was looked at, or the next one that is let through, stays in place.
+//      When the filter changes, the frame that was looked at, or the next one that is let through, stays in
+//      place.
 //   5. Nothing here sends anything.
 #pragma once
 
