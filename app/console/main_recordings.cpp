@@ -14,7 +14,6 @@ namespace deckpipe {
 
 void MainWindow::connectRecordings() {
   const RecordingsPage* page = m_recordings->page();
-  connect(page, &RecordingsPage::closeRequested, this, [this] { showExtra(nullptr); });
   connect(page, &RecordingsPage::openRequested, this, [this](const QString& path) {
     openLog(path);
     const auto& notOpened = m_session.snapshot().notOpened;

@@ -76,9 +76,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
                               m_pages);
   m_about = about;
   m_pages->addWidget(about);
-  connect(about, &AboutPage::closeRequested, this, [this] { showExtra(nullptr); });
   m_recordings = new RecordingsList(m_session.recordingFolder(), this);
   m_pages->addWidget(m_recordings->page());
+  for (const ExtraPage* page : std::initializer_list<ExtraPage*>{m_settings, about, m_recordings->page()})
+    connect(page, &ExtraPage::closeRequested, this, [this] { showExtra(nullptr); });
   auto* central = new QWidget(this);
   inColumn(central, {0, 0, 0, 0}, 0, {m_status, m_notice, {m_pages, 1}, m_markBar, m_saveBar, m_transport});
   setCentralWidget(central);
@@ -123,7 +124,6 @@ void MainWindow::connectPanels() {
   });
   connect(m_settings, &SettingsPage::resetLayoutRequested, m_workspace, &Workspace::resetLayout);
   connect(m_settings, &SettingsPage::forgetLogsRequested, this, [] { forgetLogs(); });
-  connect(m_settings, &SettingsPage::closeRequested, this, [this] { showExtra(nullptr); });
   connect(m_notice, &NoticeBar::actionRequested, this, &MainWindow::follow);
   connect(m_markBar, &MarkBar::marked, &m_session, &Session::mark);
   connect(m_saveBar, &SaveBar::saved, this, [](const QString& path) { rememberLog(path); });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/common/about_page.h"
 
-#include <QKeyEvent>
 #include <QLibraryInfo>
 #include <QPushButton>
 
@@ -14,7 +13,7 @@ constexpr int kTextColumn = 720;
 
 }  // namespace
 
-AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent) {
+AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : ExtraPage(parent) {
   named(this, "aboutPage", tr("About Deckpipe"));
   auto* inside = new QWidget;
   inside->setMaximumWidth(kTextColumn);
@@ -42,19 +41,10 @@ AboutPage::AboutPage(const AboutFacts& facts, QWidget* parent) : QWidget(parent)
          "Copley are names of their owners, who have no part in this program."));
   paragraph("aboutPaths",
             tr("Settings: %1\nLogs larger than memory: %2").arg(facts.settingsPath, facts.spillFolder));
-  auto* done = makeButton(inside, "aboutDone", tr("Done"), tr("Close this page"));
-  connect(done, &QPushButton::clicked, this, &AboutPage::closeRequested);
+  QPushButton* done = makeDone("aboutDone", tr("Close this page"));
   column->addWidget(done, 0, Qt::AlignLeft);
   column->addStretch(1);
   fillScrolled(this, inside, "aboutScroll");
-}
-
-void AboutPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) {
-    Q_EMIT closeRequested();
-    return;
-  }
-  QWidget::keyPressEvent(event);
 }
 
 }  // namespace deckpipe

@@ -3,7 +3,7 @@
 // words come from. The console says the facts it knows.
 #pragma once
 
-#include <QWidget>
+#include "panel/common/build.h"
 
 namespace deckpipe {
 
@@ -13,17 +13,11 @@ struct AboutFacts {
   QString spillFolder{};  // where a log larger than memory goes
 };
 
-class AboutPage : public QWidget {
+class AboutPage : public ExtraPage {
   Q_OBJECT
 
  public:
   explicit AboutPage(const AboutFacts& facts, QWidget* parent = nullptr);
-
- Q_SIGNALS:
-  void closeRequested();
-
- protected:
-  void keyPressEvent(QKeyEvent* event) override;
 };
 
 }  // namespace deckpipe

@@ -4,6 +4,7 @@
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTableView>
@@ -109,6 +110,20 @@ QToolButton* makeToolButton(QWidget* parent, const char* name, const QString& te
   button->setText(text);
   button->setToolTip(tip);
   return button;
+}
+
+QPushButton* ExtraPage::makeDone(const char* name, const QString& spoken) {
+  auto* done = makeButton(this, name, tr("Done"), spoken);
+  connect(done, &QPushButton::clicked, this, &ExtraPage::closeRequested);
+  return done;
+}
+
+void ExtraPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    Q_EMIT closeRequested();
+  } else {
+    QWidget::keyPressEvent(event);
+  }
 }
 
 void makeFlat(QTreeView& list) {

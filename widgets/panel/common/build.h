@@ -65,6 +65,21 @@ class CalmCombo : public QComboBox {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
+// A page in the place of the work until a person closes it: by Escape, or by a button at its end.
+class ExtraPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  using QWidget::QWidget;
+
+ Q_SIGNALS:
+  void closeRequested();
+
+ protected:
+  QPushButton* makeDone(const char* name, const QString& spoken);
+  void keyPressEvent(QKeyEvent* event) override;
+};
+
 // Lists whose rows are chosen as a whole, without frame, grid and edit triggers. Delegates draw the rows.
 void makeFlat(QTreeView& list);
 void makeFlat(QTableView& table);

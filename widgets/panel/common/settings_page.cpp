@@ -2,7 +2,6 @@
 #include "panel/common/settings_page.h"
 
 #include <QButtonGroup>
-#include <QKeyEvent>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalBlocker>
@@ -40,7 +39,7 @@ class AddressBox : public QSpinBox {
 
 }  // namespace
 
-SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
+SettingsPage::SettingsPage(QWidget* parent) : ExtraPage(parent) {
   named(this, "settingsPage", tr("Settings"));
   auto* inside = new QWidget;
   inside->setMaximumWidth(kSettingsColumn);
@@ -92,8 +91,7 @@ SettingsPage::SettingsPage(QWidget* parent) : QWidget(parent) {
   m_path->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_column->addWidget(m_path);
   m_column->addSpacing(12);
-  auto* done = makeButton(inside, "settingsDone", tr("Done"), tr("Close the settings"));
-  connect(done, &QPushButton::clicked, this, &SettingsPage::closeRequested);
+  QPushButton* done = makeDone("settingsDone", tr("Close the settings"));
   m_column->addWidget(done, 0, Qt::AlignLeft);
   m_column->addStretch(1);
   fillScrolled(this, inside, "settingsScroll");
@@ -206,13 +204,5 @@ void SettingsPage::setRecordingLimits(int megabytes, int days) {
 }
 
 void SettingsPage::setPath(const QString& path) { m_path->setText(tr("Settings are kept in %1").arg(path)); }
-
-void SettingsPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) {
-    Q_EMIT closeRequested();
-    return;
-  }
-  QWidget::keyPressEvent(event);
-}
 
 }  // namespace deckpipe

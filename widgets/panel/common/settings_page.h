@@ -3,10 +3,9 @@
 // them and shows those that hold.
 #pragma once
 
-#include <QWidget>
-
 #include "paint/app_style.h"
 #include "paint/palette.h"
+#include "panel/common/build.h"
 
 class QButtonGroup;
 class QLabel;
@@ -15,7 +14,7 @@ class QVBoxLayout;
 
 namespace deckpipe {
 
-class SettingsPage : public QWidget {
+class SettingsPage : public ExtraPage {
   Q_OBJECT
 
  public:
@@ -41,10 +40,6 @@ class SettingsPage : public QWidget {
   void recordingLimitsChosen(int megabytes, int days);
   void resetLayoutRequested();
   void forgetLogsRequested();
-  void closeRequested();
-
- protected:
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QButtonGroup* addGroup(const QString& title);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/connect/recordings_page.h"
 
-#include <QKeyEvent>
 #include <QListWidget>
 #include <QPushButton>
 #include "panel/common/build.h"
@@ -9,7 +8,7 @@
 namespace deckpipe {
 
 RecordingsPage::RecordingsPage(QWidget* parent)
-    : QWidget(parent),
+    : ExtraPage(parent),
       m_intro(makeWords(this, "recordingsIntro", {})),
       m_list(named(new QListWidget(this), "recordingsList", tr("Recordings"))),
       m_outcome(makeWords(this, "recordingsOutcome", {})),
@@ -19,7 +18,7 @@ RecordingsPage::RecordingsPage(QWidget* parent)
   named(this, "recordingsPage", tr("Recordings"));
   m_list->setSpacing(2);
   m_list->setUniformItemSizes(true);
-  auto* done = makeButton(this, "recordingsDone", tr("Done"), tr("Close this page"));
+  QPushButton* done = makeDone("recordingsDone", tr("Close this page"));
   inColumn(this, {24, 16, 24, 16}, 8,
            {makeTitle(this, "recordingsTitle", tr("Recordings")),
             m_intro,
@@ -37,7 +36,6 @@ RecordingsPage::RecordingsPage(QWidget* parent)
   askFor(m_open, &RecordingsPage::openRequested);
   askFor(m_save, &RecordingsPage::saveRequested);
   askFor(m_delete, &RecordingsPage::deleteRequested);
-  connect(done, &QPushButton::clicked, this, &RecordingsPage::closeRequested);
   setReading();
   setOutcome({});
   showButtons();
@@ -81,14 +79,6 @@ void RecordingsPage::showButtons() {
   m_open->setEnabled(row != nullptr && row->isReadable);
   m_save->setEnabled(row != nullptr && row->isReadable && !row->isGrowing);
   m_delete->setEnabled(row != nullptr && !row->isGrowing);
-}
-
-void RecordingsPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) {
-    Q_EMIT closeRequested();
-    return;
-  }
-  QWidget::keyPressEvent(event);
 }
 
 }  // namespace deckpipe

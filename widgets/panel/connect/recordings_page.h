@@ -4,8 +4,9 @@
 #pragma once
 
 #include <QString>
-#include <QWidget>
 #include <vector>
+
+#include "panel/common/build.h"
 
 class QLabel;
 class QListWidget;
@@ -22,7 +23,7 @@ struct RecordingRow {
   friend bool operator==(const RecordingRow&, const RecordingRow&) = default;
 };
 
-class RecordingsPage : public QWidget {
+class RecordingsPage : public ExtraPage {
   Q_OBJECT
 
  public:
@@ -39,10 +40,6 @@ class RecordingsPage : public QWidget {
   void openRequested(const QString& path);
   void saveRequested(const QString& path);
   void deleteRequested(const QString& path);
-  void closeRequested();
-
- protected:
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   const RecordingRow* chosen() const;

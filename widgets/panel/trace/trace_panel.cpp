@@ -108,14 +108,14 @@ void TracePanel::layOut() {
 
 TraceSearchBar* TracePanel::makeSearch() {
   auto* search = new TraceSearchBar(
-      [this](bool isBackwards, bool isHereToo) {
+      [this](TraceSearchBar::Way way) {
         TraceSearch::Question question;
         question.log = m_model->view().document;
         question.frames = m_model->view().frameCount;
         question.shown = m_model->filter();
         const auto here = m_view->currentFrame();
         const std::uint64_t top = m_model->frameOf(m_view->topRow()).value_or(0);
-        question.from = !here ? top : isBackwards || isHereToo ? *here : *here + 1;
+        question.from = !here ? top : way.isBackwards || way.isHereToo ? *here : *here + 1;
         return question;
       },
       this);

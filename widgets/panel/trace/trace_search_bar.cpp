@@ -33,7 +33,7 @@ TraceSearchBar::TraceSearchBar(Where where, QWidget* parent) : QWidget(parent), 
   inRow(this, {8, 4, 8, 4}, 4, {{m_edit, 1}, m_previous, m_next, LayoutPart::gap(8), m_said, m_close});
   m_tick.setInterval(kTickMs);
   connect(&m_tick, &QTimer::timeout, this, &TraceSearchBar::sayProgress);
-  connect(m_edit, &QLineEdit::textChanged, this, [this] { find(false, true); });
+  connect(m_edit, &QLineEdit::textChanged, this, [this] { find({.isHereToo = true}); });
   connect(m_previous, &QToolButton::clicked, this, &TraceSearchBar::findPrevious);
   connect(m_next, &QToolButton::clicked, this, &TraceSearchBar::findNext);
   connect(m_close, &QToolButton::clicked, this, &TraceSearchBar::closed);
@@ -65,13 +65,13 @@ void TraceSearchBar::say(const QString& text, bool isWarning) {
 }
 
 // What is an expression is one; everything else is text, and so is what stands in quotes.
-void TraceSearchBar::find(bool isBackwards, bool isHereToo) {
+void TraceSearchBar::find(Way way) {
   const QString text = m_edit->text().trimmed();
   if (text.isEmpty()) {
     forget();
     return;
   }
-  TraceSearch::Question question = m_where(isBackwards, isHereToo);
+  TraceSearch::Question question = m_where(way);
   if (!question.log || question.frames == 0) {
     say(tr("No frames"));
     return;
@@ -81,7 +81,7 @@ void TraceSearchBar::find(bool isBackwards, bool isHereToo) {
   question.wanted = isQuoted     ? TraceFilter::containing(text.mid(1, text.size() - 2))
                     : expression ? expression.value()
                                  : TraceFilter::containing(text);
-  question.isBackwards = m_isBackwards = isBackwards;
+  question.isBackwards = m_isBackwards = way.isBackwards;
   m_search.find(std::move(question));
   m_tick.start();
   sayProgress();
@@ -108,7 +108,7 @@ void TraceSearchBar::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Escape: giveUpOrClose(); return;
     case Qt::Key_Return:
-    case Qt::Key_Enter: find((event->modifiers() & Qt::ShiftModifier) != 0, false); return;
+    case Qt::Key_Enter: find({.isBackwards = (event->modifiers() & Qt::ShiftModifier) != 0}); return;
     default: QWidget::keyPressEvent(event);
   }
 }

@@ -21,14 +21,18 @@ class TraceSearchBar : public QWidget {
   Q_OBJECT
 
  public:
+  struct Way {
+    bool isBackwards = false;
+    bool isHereToo = false;  // the frame where the search begins may be found
+  };
   // What is searched and from where, made by the panel: `wanted` and the direction are filled in here.
-  using Where = std::function<TraceSearch::Question(bool isBackwards, bool isHereToo)>;
+  using Where = std::function<TraceSearch::Question(Way way)>;
 
   explicit TraceSearchBar(Where where, QWidget* parent = nullptr);
 
   void open();
-  void findNext() { find(false, false); }
-  void findPrevious() { find(true, false); }
+  void findNext() { find({}); }
+  void findPrevious() { find({.isBackwards = true}); }
   // What Escape does, here and in the rows.
   void giveUpOrClose();
   // The log is another: what is under way is of no use.
@@ -44,7 +48,7 @@ class TraceSearchBar : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void find(bool isBackwards, bool isHereToo);
+  void find(Way way);
   void say(const QString& text, bool isWarning = false);
   void sayProgress();
 
