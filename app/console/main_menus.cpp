@@ -9,6 +9,7 @@
 #include "main_window.h"
 #include "mark_bar.h"
 #include "pane_cycle.h"
+#include "panel/common/build.h"
 #include "panel/common/settings_page.h"
 #include "panel/events/event_panel.h"
 #include "panel/trace/trace_panel.h"
@@ -17,18 +18,12 @@
 
 namespace deckpipe {
 
-QAction* MainWindow::named(QAction* action, const char* name) {
-  action->setObjectName(QLatin1String(name));
-  return action;
-}
-
 void MainWindow::makeMenus() {
   makeFileMenu();
   menuBar()->addMenu(m_sending->menu());
   m_sending->menu()->addSeparator();
-  named(m_sending->menu()->addAction(tr("Ask the chosen &device…"), QKeySequence(Qt::CTRL | Qt::Key_R),
-                                     m_workspace, &Workspace::showRequests),
-        "askDeviceAction");
+  addNamed(m_sending->menu(), "askDeviceAction", tr("Ask the chosen &device…"),
+           QKeySequence(Qt::CTRL | Qt::Key_R), m_workspace, &Workspace::showRequests);
   makeViewMenu();
   makeEventsMenu();
   makeHelpMenu();
@@ -36,95 +31,83 @@ void MainWindow::makeMenus() {
 
 void MainWindow::makeFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
-  named(menu->addAction(tr("&Open log…"), QKeySequence::Open, this, &MainWindow::openLogByHand),
-        "openLogAction");
-  m_saveAction =
-      named(menu->addAction(tr("&Save log as…"), QKeySequence::Save, this, &MainWindow::saveLogByHand),
-            "saveLogAction");
+  addNamed(menu, "openLogAction", tr("&Open log…"), QKeySequence::Open, this, &MainWindow::openLogByHand);
+  m_saveAction = addNamed(menu, "saveLogAction", tr("&Save log as…"), QKeySequence::Save, this,
+                          &MainWindow::saveLogByHand);
   TracePanel* trace = m_workspace->trace();
-  QAction* selection =
-      named(menu->addAction(tr("Save the trace's se&lection…"), trace, &TracePanel::saveSelection),
-            "saveSelectionAction");
-  QAction* shown =
-      named(menu->addAction(tr("Save all that &passes the trace's filter…"), trace, &TracePanel::saveShown),
-            "saveShownAction");
+  QAction* selection = addNamed(menu, "saveSelectionAction", tr("Save the trace's se&lection…"), trace,
+                                &TracePanel::saveSelection);
+  QAction* shown = addNamed(menu, "saveShownAction", tr("Save all that &passes the trace's filter…"), trace,
+                            &TracePanel::saveShown);
   connect(menu, &QMenu::aboutToShow, this, [this, trace, selection, shown] {
     selection->setEnabled(m_saveAction->isEnabled() && trace->hasSelection());
     shown->setEnabled(m_saveAction->isEnabled() && trace->isFiltered());
   });
-  named(menu->addAction(tr("&Recordings"), this, &MainWindow::showRecordings), "recordingsAction");
+  addNamed(menu, "recordingsAction", tr("&Recordings"), this, &MainWindow::showRecordings);
   menu->addSeparator();
-  m_markAction = named(menu->addAction(tr("&Mark this place…"), QKeySequence(Qt::CTRL | Qt::Key_M), this,
-                                       [this] { m_markBar->open(m_snapshot.view); }),
-                       "markAction");
+  m_markAction = addNamed(menu, "markAction", tr("&Mark this place…"), QKeySequence(Qt::CTRL | Qt::Key_M),
+                          this, [this] { m_markBar->open(m_snapshot.view); });
   menu->addSeparator();
-  named(menu->addAction(tr("Start the simulated &truck"), this, &MainWindow::openDemo), "demoAction");
-  named(menu->addAction(tr("&Close"), QKeySequence::Close, this, &MainWindow::closeSource), "closeAction");
+  addNamed(menu, "demoAction", tr("Start the simulated &truck"), this, &MainWindow::openDemo);
+  addNamed(menu, "closeAction", tr("&Close"), QKeySequence::Close, this, &MainWindow::closeSource);
   menu->addSeparator();
-  named(menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close), "quitAction");
+  addNamed(menu, "quitAction", tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 }
 
 void MainWindow::makeViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   m_themes = new QActionGroup(this);
   for (const NamedTheme& theme : namedThemes()) {
-    QAction* action = menu->addAction(QCoreApplication::translate("Appearance", theme.text), this,
-                                      [this, chosen = theme.theme] { setTheme(chosen); });
-    named(action, (QByteArray(theme.key) + "ThemeAction").constData());
+    QAction* action = addNamed(menu, (QByteArray(theme.key) + "ThemeAction").constData(),
+                               QCoreApplication::translate("Appearance", theme.text), this,
+                               [this, chosen = theme.theme] { setTheme(chosen); });
     action->setCheckable(true);
     action->setData(static_cast<int>(theme.theme));
     m_themes->addAction(action);
   }
   menu->addSeparator();
-  m_fieldAction = menu->addAction(tr("&Field size, for gloves"), this,
-                                  [this](bool isOn) { setDensity(isOn ? Density::Field : Density::Desk); });
-  named(m_fieldAction, "fieldDensityAction")->setCheckable(true);
+  m_fieldAction = addNamed(menu, "fieldDensityAction", tr("&Field size, for gloves"), this,
+                           [this](bool isOn) { setDensity(isOn ? Density::Field : Density::Desk); });
+  m_fieldAction->setCheckable(true);
   menu->addSeparator();
   menu->addActions(m_workspace->dockActions());
   menu->addSeparator();
-  named(
-      menu->addAction(tr("Large &dial"), QKeySequence(Qt::Key_F11), m_workspace, &Workspace::toggleFullDial),
-      "fullDialAction");
-  named(menu->addAction(tr("Only &this device in the trace"), QKeySequence(Qt::CTRL | Qt::Key_T), m_workspace,
-                        &Workspace::traceDevice),
-        "traceDeviceAction");
+  addNamed(menu, "fullDialAction", tr("Large &dial"), QKeySequence(Qt::Key_F11), m_workspace,
+           &Workspace::toggleFullDial);
+  addNamed(menu, "traceDeviceAction", tr("Only &this device in the trace"),
+           QKeySequence(Qt::CTRL | Qt::Key_T), m_workspace, &Workspace::traceDevice);
   menu->addSeparator();
-  named(menu->addAction(tr("&Next pane"), QKeySequence(Qt::Key_F6), this,
-                        [this] { focusNextPane(panes(), false); }),
-        "nextPaneAction");
-  named(menu->addAction(tr("&Previous pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), this,
-                        [this] { focusNextPane(panes(), true); }),
-        "previousPaneAction");
-  named(menu->addAction(tr("&Reset layout"), m_workspace, &Workspace::resetLayout), "resetLayoutAction");
+  addNamed(menu, "nextPaneAction", tr("&Next pane"), QKeySequence(Qt::Key_F6), this,
+           [this] { focusNextPane(panes(), false); });
+  addNamed(menu, "previousPaneAction", tr("&Previous pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), this,
+           [this] { focusNextPane(panes(), true); });
+  addNamed(menu, "resetLayoutAction", tr("&Reset layout"), m_workspace, &Workspace::resetLayout);
   menu->addSeparator();
-  named(menu->addAction(tr("S&ettings"), QKeySequence(Qt::CTRL | Qt::Key_Comma), this,
-                        [this] { showExtra(m_settings); }),
-        "settingsAction");
+  addNamed(menu, "settingsAction", tr("S&ettings"), QKeySequence(Qt::CTRL | Qt::Key_Comma), this,
+           [this] { showExtra(m_settings); });
 }
 
 void MainWindow::makeEventsMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Events"));
   EventPanel* events = m_workspace->events();
-  named(menu->addAction(tr("&Next event"), QKeySequence(Qt::Key_F8), events, &EventPanel::goToNext),
-        "nextEventAction");
-  named(menu->addAction(tr("&Previous event"), QKeySequence(Qt::SHIFT | Qt::Key_F8), events,
-                        &EventPanel::goToPrevious),
-        "previousEventAction");
-  named(menu->addAction(tr("&Five seconds before this event"), QKeySequence(Qt::Key_F9), events,
-                        &EventPanel::goBefore),
-        "beforeEventAction");
+  addNamed(menu, "nextEventAction", tr("&Next event"), QKeySequence(Qt::Key_F8), events,
+           &EventPanel::goToNext);
+  addNamed(menu, "previousEventAction", tr("&Previous event"), QKeySequence(Qt::SHIFT | Qt::Key_F8), events,
+           &EventPanel::goToPrevious);
+  addNamed(menu, "beforeEventAction", tr("&Five seconds before this event"), QKeySequence(Qt::Key_F9), events,
+           &EventPanel::goBefore);
 }
 
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  m_helpAction = named(menu->addAction(tr("&Explain what has the focus"), QKeySequence::HelpContents,
-                                       m_workspace, &Workspace::showHelp),
-                       "explainAction");
+  m_helpAction = addNamed(menu, "explainAction", tr("&Explain what has the focus"),
+                          QKeySequence::HelpContents, m_workspace, &Workspace::showHelp);
   QAction* pointed = QWhatsThis::createAction(this);  // Shift+F1, then a click
   pointed->setText(tr("Explain what is &pointed at"));
   pointed->setIcon({});
-  menu->addAction(named(pointed, "whatsThisAction"));
-  named(menu->addAction(tr("&About Deckpipe"), this, [this] { showExtra(m_about); }), "aboutAction");
+  pointed->setObjectName(QStringLiteral("whatsThisAction"));
+  menu->addAction(pointed);
+  addNamed(menu, "aboutAction", tr("&About Deckpipe"), this, [this] { showExtra(m_about); });
 }
 
 }  // namespace deckpipe

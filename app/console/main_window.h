@@ -53,7 +53,6 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  static QAction* named(QAction* action, const char* name);
   void makeMenus();
   void makeFileMenu();
   void makeViewMenu();

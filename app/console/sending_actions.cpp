@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "panel/common/build.h"
 #include "panel/common/danger_dialog.h"
 #include "protocol/address_use.h"
 #include "protocol/name.h"
@@ -28,24 +29,21 @@ std::optional<Address> keptAddress(const QSettings& settings) {
 
 SendingActions::SendingActions(Session& session, QWidget* window)
     : QObject(window), m_session(session), m_window(window), m_menu(new QMenu(tr("&Bus"), window)) {
-  m_lock = m_menu->addAction(tr("&Unlock sending…"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
-                             &SendingActions::toggleLock);
-  m_lock->setObjectName(QStringLiteral("lockAction"));
+  m_lock = addNamed(m_menu, "lockAction", tr("&Unlock sending…"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
+                    &SendingActions::toggleLock);
   m_menu->addSeparator();
-  m_names = m_menu->addAction(tr("Ask who is &there"), this, [this] { intent(intent::RequestNames{}); });
-  m_names->setObjectName(QStringLiteral("askNamesAction"));
+  m_names = addNamed(m_menu, "askNamesAction", tr("Ask who is &there"), this,
+                     [this] { intent(intent::RequestNames{}); });
   m_names->setToolTip(tr("A request for the NAME to everyone (PGN 60928)"));
-  m_everyone = m_menu->addAction(tr("&Ask every device"), this, [this] {
+  m_everyone = addNamed(m_menu, "askEveryoneAction", tr("&Ask every device"), this, [this] {
     intent(intent::SendRequests{{}, kPolls});
   });
-  m_everyone->setObjectName(QStringLiteral("askEveryoneAction"));
-  m_stop = m_menu->addAction(tr("&Give up all that is asked"), this, [this] { intent(intent::Cancel{}); });
-  m_stop->setObjectName(QStringLiteral("stopAskingAction"));
+  m_stop = addNamed(m_menu, "stopAskingAction", tr("&Give up all that is asked"), this,
+                    [this] { intent(intent::Cancel{}); });
   m_stop->setToolTip(tr("Ends every poll of every device, repeated ones too"));
-  m_endRepeats = m_menu->addAction(QString(), this, [this] {
+  m_endRepeats = addNamed(m_menu, "endRepeatsAction", QString(), this, [this] {
     intent(intent::Repeat{{}, kPolls, Duration{0}});
   });
-  m_endRepeats->setObjectName(QStringLiteral("endRepeatsAction"));
   setSnapshot({});
 }
 

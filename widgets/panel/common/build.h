@@ -7,8 +7,10 @@
 #include <QComboBox>
 #include <QFont>
 #include <QLabel>
+#include <QMenu>
 #include <QWheelEvent>
 #include <initializer_list>
+#include <utility>
 
 #include "paint/palette.h"
 
@@ -54,6 +56,13 @@ QLabel* makeCommand(QWidget* parent, const char* name, const QString& spoken);
 QPushButton* makeButton(QWidget* parent, const char* name, const QString& text, const QString& spoken = {});
 // Screen readers say the tip.
 QToolButton* makeToolButton(QWidget* parent, const char* name, const QString& text, const QString& tip);
+
+template <typename... What>
+QAction* addNamed(QMenu* menu, const char* name, What&&... what) {
+  QAction* action = menu->addAction(std::forward<What>(what)...);
+  action->setObjectName(QLatin1String(name));
+  return action;
+}
 
 // A choice that the wheel does not change: scrolling past it must not begin to poll a bus, or change what
 // goes to a device. Used in panels that send.

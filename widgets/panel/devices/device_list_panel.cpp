@@ -8,7 +8,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QMenu>
 #include <QScopedValueRollback>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -123,12 +122,11 @@ void DeviceListPanel::showMenu(const QPoint& at) {
   const QPersistentModelIndex current = m_list->currentIndex();
   if (current.isValid()) {
     const DeviceKey key = current.data(DeviceModel::KeyRole).value<DeviceKey>();
-    QAction* edit = menu->addAction(tr("Edit &label"), this, [this, current] { m_list->editLabel(current); });
-    edit->setObjectName(QStringLiteral("editLabelAction"));
+    QAction* edit = addNamed(menu, "editLabelAction", tr("Edit &label"), this,
+                             [this, current] { m_list->editLabel(current); });
     edit->setEnabled(key.kind == DeviceKey::Kind::Pin);
-    QAction* copy = menu->addAction(tr("&Copy %1").arg(keyText(key)), this,
-                                    [key] { QApplication::clipboard()->setText(keyText(key)); });
-    copy->setObjectName(QStringLiteral("copyDeviceAction"));
+    addNamed(menu, "copyDeviceAction", tr("&Copy %1").arg(keyText(key)), this,
+             [key] { QApplication::clipboard()->setText(keyText(key)); });
     menu->addSeparator();
   }
   QMenu* sorts = menu->addMenu(tr("&Sort by"));

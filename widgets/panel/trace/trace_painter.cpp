@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/trace/trace_painter.h"
 
-#include <QFontDatabase>
-#include <QFontInfo>
 #include <QPainter>
 #include <cmath>
 #include <optional>
 
 #include "paint/glyph.h"
+#include "panel/common/build.h"
 #include "panel/common/flat_header.h"
 
 namespace deckpipe {
@@ -39,9 +38,7 @@ QColor signInk(Glyph sign, const Colours& c) {
 
 }  // namespace
 
-TraceFonts::TraceFonts(const QFont& base)
-    : text(base), figures(QFontDatabase::systemFont(QFontDatabase::FixedFont)) {
-  figures.setPixelSize(QFontInfo(base).pixelSize());
+TraceFonts::TraceFonts(const QFont& base) : text(base), figures(figureFont(base)) {
   // Figures need no shaping, which takes most of the time of laying them out.
   figures.setStyleStrategy(QFont::PreferNoShaping);
   figures.setKerning(false);
