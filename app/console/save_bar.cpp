@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "panel/common/build.h"
-#include "panel/common/elided_label.h"
+#include "panel/common/labels.h"
 #include "status_text.h"
 
 namespace deckpipe {

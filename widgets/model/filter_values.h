@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/filter_node.h"
+#include "model/trace_filter.h"
 
 namespace deckpipe {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/field_text.h"
-#include "model/id_table_walker.h"
+#include "model/id_table.h"
 #include "model/message_text.h"
 #include "model/trace_cells.h"
 #include "model/trace_rows.h"

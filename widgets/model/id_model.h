@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The traffic by identifier as an item model, as it stands at the cursor: a row for each channel and
 // identifier, of PGN EF00 for each type byte as well. Fed on each tick while it is shown; the tables come
-// from a worker (id_table_walker.h). Words are made for the rows that are looked at, once a frame.
+// from a worker (id_table.h). Words are made for the rows that are looked at, once a frame.
 #pragma once
 
 #include <memory>

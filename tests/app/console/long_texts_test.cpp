@@ -10,7 +10,7 @@
 #include "app/console/window_test.h"
 #include "console/language.h"
 #include "console/status_text.h"
-#include "panel/common/elided_label.h"
+#include "panel/common/labels.h"
 #include "support/child.h"
 
 namespace deckpipe {

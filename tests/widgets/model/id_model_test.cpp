@@ -6,7 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QTest>
 
-#include "model/id_table_walker.h"
+#include "model/id_table.h"
 #include "support/frames.h"
 #include "support/logs.h"
 #include "widgets/panel/panel_samples.h"

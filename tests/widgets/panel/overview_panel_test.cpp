@@ -11,7 +11,6 @@
 
 #include "paint/dial.h"
 #include "panel/page/monitor_tile.h"
-#include "panel/page/overview_grid.h"
 #include "support/child.h"
 #include "widgets/panel/panel_scenes.h"
 

@@ -7,7 +7,7 @@
 
 #include "paint/app_style.h"
 #include "panel/common/build.h"
-#include "panel/common/elided_label.h"
+#include "panel/common/labels.h"
 
 namespace deckpipe {
 

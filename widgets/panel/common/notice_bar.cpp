@@ -8,7 +8,7 @@
 
 #include "paint/app_style.h"
 #include "panel/common/build.h"
-#include "panel/common/glyph_label.h"
+#include "panel/common/labels.h"
 
 namespace deckpipe {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "paint/app_style.h"
 #include "panel/common/build.h"
-#include "panel/common/glyph_label.h"
+#include "panel/common/labels.h"
 #include "panel/common/tick_box.h"
 #include "text/device_text.h"
 

@@ -9,8 +9,7 @@
 #include "paint/app_style.h"
 #include "paint/plain_tip.h"
 #include "panel/common/build.h"
-#include "panel/common/elided_label.h"
-#include "panel/common/glyph_label.h"
+#include "panel/common/labels.h"
 
 namespace deckpipe {
 

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "model/event_filter.h"
+#include "model/event_model.h"
 #include "paint/app_style.h"
 #include "panel/common/build.h"
 

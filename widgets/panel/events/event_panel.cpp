@@ -12,7 +12,6 @@
 #include <optional>
 #include <utility>
 
-#include "model/event_filter.h"
 #include "model/event_model.h"
 #include "paint/app_style.h"
 #include "paint/event_mark.h"

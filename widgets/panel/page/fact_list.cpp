@@ -9,7 +9,7 @@
 #include "paint/app_style.h"
 #include "paint/severity_look.h"
 #include "panel/common/build.h"
-#include "panel/common/glyph_label.h"
+#include "panel/common/labels.h"
 #include "panel/common/section_title.h"
 #include "text/time_text.h"
 

@@ -3,6 +3,8 @@
 // person asks for a monitor's page by click, Enter or Space. Arrow keys, Home and End go from tile to tile.
 #pragma once
 
+#include <QRect>
+#include <QSize>
 #include <QWidget>
 #include <vector>
 
@@ -13,6 +15,26 @@ class QLabel;
 class QScrollArea;
 
 namespace deckpipe {
+
+// How many tiles stand beside one another in the overview, and how large each is: all of them as large as fit
+// at once; where that would be too small to read, at their least size, and the panel scrolls. Pure.
+struct OverviewGrid {
+  static constexpr int kGap = 8;
+  static constexpr QSize kMin{264, 232};
+  static constexpr QSize kMax{880, 600};  // larger than this is for a page
+
+  int columns = 1;
+  QSize tile = kMin;
+
+  QRect place(int i) const {
+    const QPoint step(tile.width() + kGap, tile.height() + kGap);
+    return {QPoint(kGap + i % columns * step.x(), kGap + i / columns * step.y()), tile};
+  }
+  // Of `count` tiles with the gaps around them.
+  int height(int count) const;
+};
+
+OverviewGrid overviewGrid(int count, const QSize& room);
 
 class MonitorTile;
 class UntrackedLabel;

@@ -12,8 +12,8 @@
 
 #include "paint/app_style.h"
 #include "panel/common/build.h"
-#include "panel/common/glyph_label.h"
 #include "panel/common/health_look.h"
+#include "panel/common/labels.h"
 #include "text/time_text.h"
 
 namespace deckpipe {

@@ -6,7 +6,7 @@
 #include <QPushButton>
 
 #include "panel/common/build.h"
-#include "panel/common/elided_label.h"
+#include "panel/common/labels.h"
 #include "text/plural.h"
 #include "text/service_text.h"
 #include "text/time_text.h"

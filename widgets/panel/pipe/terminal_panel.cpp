@@ -7,7 +7,7 @@
 
 #include "paint/app_style.h"
 #include "panel/common/build.h"
-#include "panel/common/elided_label.h"
+#include "panel/common/labels.h"
 #include "panel/common/send_hint.h"
 #include "panel/pipe/file_send_bar.h"
 #include "panel/pipe/pipe_input.h"

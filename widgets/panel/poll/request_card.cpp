@@ -7,7 +7,7 @@
 #include "paint/app_style.h"
 #include "paint/severity_look.h"
 #include "panel/common/build.h"
-#include "panel/common/glyph_label.h"
+#include "panel/common/labels.h"
 #include "text/service_text.h"
 
 namespace deckpipe {
