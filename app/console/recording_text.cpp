@@ -51,7 +51,17 @@ QString recordingWords(bool isRunning, const QString& length, std::uint64_t fram
       .arg(length, frameCountText(frames));
 }
 
+QString givenUpText(const JournalFault& file) {
+  const QString path = QFile::decodeName(file.detail.c_str());
+  return file.kind == JournalFault::Kind::Removed
+             ? StatusText::tr("%1 was removed while it was recorded").arg(path)
+             : StatusText::tr("%1 was cut or changed by another program while it was recorded").arg(path);
+}
+
 QString recordingFaultText(const JournalStatus& recording) {
+  using Kind = JournalFault::Kind;
+  if (recording.fault.kind == Kind::Removed || recording.fault.kind == Kind::Changed)
+    return givenUpText(recording.fault);
   const QString why = QString::fromStdString(recording.fault.detail);
   if (recording.path.empty()) return StatusText::tr("No file can be made for this recording: %1").arg(why);
   const QString path = QFile::decodeName(recording.path.c_str());
@@ -97,6 +107,9 @@ StatusFact recordingFact(const Snapshot& snapshot) {
                      "File > Recordings lists it; File > Save log writes a copy of your own. "
                      "Pausing stops only what is shown.")
                      .arg(QFile::decodeName(source.recording->path.c_str()));
+    if (source.recording->givenUp)
+      fact.story += QLatin1Char('\n') + StatusText::tr("%1; all of it was written to this file.")
+                                            .arg(givenUpText(source.recording->givenUp));
   } else {
     fact.story = StatusText::tr(
         "What is received is kept in memory until another source is opened;\n"

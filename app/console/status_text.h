@@ -32,7 +32,8 @@ StatusFact sentFact(const Snapshot& snapshot);
 // The warning about so many frames, before their link is left.
 QString waitingText(std::uint64_t frames);
 StatusFact recordingFact(const Snapshot& snapshot);
-// Why a recording is not written at the moment.
+// What became of a file that a recording gave up, and why a recording is not written at the moment.
+QString givenUpText(const JournalFault& file);
 QString recordingFaultText(const JournalStatus& recording);
 StatusFact completenessFact(const Snapshot& snapshot);
 // Frames that came and are not in a log, by what is known of them; without text if there are none.

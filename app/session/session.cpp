@@ -103,7 +103,7 @@ void Session::endSource() {
   endBus();
   m_board.reset();
   std::optional<JournalStatus> left = m_recorders.leave(m_buses->isWriting(m_document));
-  if (left && (m_snapshot.source.simulated || left->path.empty())) left.reset();
+  if (left && (m_snapshot.source.simulated || (left->path.empty() && !left->fault))) left.reset();
   m_opening.reset();
   m_walker.reset();
   m_document.reset();

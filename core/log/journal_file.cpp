@@ -2,11 +2,13 @@
 #include "log/journal_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "log/journal_bytes.h"
 
@@ -47,6 +49,7 @@ bool lockForWriting(int file) {
   return ::fcntl(file, F_OFD_SETLK, &lock) == 0;
 }
 
+// A file that was opened with O_APPEND is written at its end, whatever the offset (Linux).
 JournalFault writeAt(int file, std::uint64_t offset, std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
@@ -58,19 +61,30 @@ JournalFault writeAt(int file, std::uint64_t offset, std::span<const std::uint8_
   return {};
 }
 
+// It is opened with O_APPEND: after another program has cut it, it stays shorter than what was written, so that
+// check() sees that later too.
 class PosixJournalFile final : public JournalFile {
  public:
   PosixJournalFile(int file, std::string path) : m_file(file), m_path(std::move(path)) {}
 
   std::string path() const override { return m_path; }
 
+  JournalFault check() override {
+    struct stat facts {};
+    if (::fstat(m_file.get(), &facts) != 0) return writeFault();
+    if (facts.st_nlink == 0) return {JournalFault::Kind::Removed, m_path};
+    followName(facts);
+    if (static_cast<std::uint64_t>(facts.st_size) != m_size) return {JournalFault::Kind::Changed, m_path};
+    return {};
+  }
+
   JournalFault append(std::uint64_t offset, std::span<const std::uint8_t> bytes) override {
-    if (m_size != offset && ::ftruncate(m_file.get(), static_cast<off_t>(offset)) != 0) return writeFault();
+    if (m_size != offset && !cutTo(offset)) return writeFault();
     m_size = offset;
     JournalFault fault = writeAt(m_file.get(), offset, bytes);
     if (!fault) {
       m_size = offset + bytes.size();
-    } else if (::ftruncate(m_file.get(), static_cast<off_t>(offset)) != 0) {
+    } else if (!cutTo(offset)) {
       m_size = offset + bytes.size();  // not known: the next call cuts it
     }
     return fault;
@@ -89,8 +103,30 @@ class PosixJournalFile final : public JournalFile {
   }
 
  private:
+  // Never makes it longer, which would hide that another program has cut it.
+  bool cutTo(std::uint64_t size) {
+    struct stat facts {};
+    if (::fstat(m_file.get(), &facts) != 0) return false;
+    return static_cast<std::uint64_t>(facts.st_size) <= size ||
+           ::ftruncate(m_file.get(), static_cast<off_t>(size)) == 0;
+  }
+  // Linux tells what the name is now.
+  void followName(const struct stat& facts) {
+    const auto isIt = [&facts](const std::string& path) {
+      struct stat named {};
+      return ::stat(path.c_str(), &named) == 0 && named.st_dev == facts.st_dev &&
+             named.st_ino == facts.st_ino;
+    };
+    if (isIt(m_path)) return;
+    std::array<char, 4'096> name{};
+    const std::string link = "/proc/self/fd/" + std::to_string(m_file.get());
+    const ssize_t length = ::readlink(link.c_str(), name.data(), name.size());
+    if (length <= 0) return;
+    if (std::string path(name.data(), static_cast<std::size_t>(length)); isIt(path)) m_path = std::move(path);
+  }
+
   const Descriptor m_file;
-  const std::string m_path;
+  std::string m_path;
   std::uint64_t m_size = 0;
   bool m_isNamed = false;
 };
@@ -101,7 +137,7 @@ MadeJournalFile createJournalFile(const std::string& path) {
   constexpr int kMaxOfOneName = 1'000;
   for (int number = 1; number <= kMaxOfOneName; ++number) {
     const std::string name = path + (number == 1 ? "" : "-" + std::to_string(number)) + ".deckpipe";
-    const int file = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    const int file = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
     if (file < 0 && errno == EEXIST) continue;
     if (file < 0) break;
     // Nobody else knows it yet. Where a file system has no locks, it is a recording all the same.

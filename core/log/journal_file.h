@@ -19,9 +19,11 @@ struct JournalFault {
     DiskFull,
     CannotWrite,
     NoAnswer,  // the disk has hung for a while
+    Removed,   // the file was removed, or another took its name
+    Changed,   // another program cut the file or wrote into it
   };
   Kind kind = Kind::None;
-  std::string detail{};  // the system's words
+  std::string detail{};  // the system's words; of Removed and Changed the file's path
 
   explicit operator bool() const { return kind != Kind::None; }
   friend bool operator==(const JournalFault&, const JournalFault&) = default;
@@ -30,12 +32,16 @@ struct JournalFault {
 class JournalFile {
  public:
   virtual ~JournalFile() = default;
+  // A file that is renamed while it is written has its new name.
   virtual std::string path() const = 0;
   // Writes at `offset`, which is at most the size, and makes that what is written the end of the file. After a
   // fault the file may be longer than `offset`; the next call with that offset makes up for it.
   virtual JournalFault append(std::uint64_t offset, std::span<const std::uint8_t> bytes) = 0;
   // Returns once all of it is on the disk.
   virtual JournalFault sync() = 0;
+  // Whether the file still has a name and is as long as what was written: Removed or Changed if not. What was
+  // written before is lost then, and nothing more may be appended. Not after a fault of the others.
+  virtual JournalFault check() = 0;
 };
 
 using MadeJournalFile = Result<std::unique_ptr<JournalFile>, JournalFault>;

@@ -8,16 +8,24 @@ namespace deckpipe {
 
 void JournalWriter::timeCame(Instant now) {
   if (m_isEnded || (m_fault && now < m_retryAt)) return;
+  const bool hadFile = m_file != nullptr;
   m_fault = write();
-  if (!m_fault && m_written.bytes != m_safe.bytes && now >= m_syncAt) {
-    m_fault = sync();
+  if (!hadFile && m_file != nullptr) m_madeAt = now;
+  if (!m_fault && m_file != nullptr && now >= m_syncAt) {
+    if (m_written.bytes != m_safe.bytes) m_fault = sync();
+    if (!m_fault) m_fault = check();
     m_syncAt = now + kSync;
   }
-  if (m_fault) m_retryAt = now + kRetry;
+  if (m_fault) m_retryAt = m_file == nullptr && m_givenUp == m_fault ? m_madeAt + kRetry : now + kRetry;
 }
 
 void JournalWriter::end() {
   if (m_isEnded) return;
+  tryEnd();
+  if (m_fault && m_fault == m_givenUp) tryEnd();
+}
+
+void JournalWriter::tryEnd() {
   m_fault = write();
   if (!m_fault && m_file != nullptr) m_fault = writeEnd();
   m_isEnded = !m_fault;
@@ -28,12 +36,17 @@ JournalFault JournalWriter::writeEnd() {
   appendEndBlock(m_buffer);
   if (JournalFault fault = m_file->append(m_written.bytes, m_buffer)) return fault;
   m_written.bytes += m_buffer.size();
-  return sync();
+  if (JournalFault fault = sync()) return fault;
+  return check();
 }
 
 JournalStatus JournalWriter::status() const {
-  return {m_file != nullptr ? m_file->path() : std::string(), m_written.frames, m_written.bytes, m_fault,
-          m_isEnded};
+  return {m_file != nullptr ? m_file->path() : std::string(),
+          m_written.frames,
+          m_written.bytes,
+          m_fault,
+          m_isEnded,
+          m_givenUp};
 }
 
 JournalFault JournalWriter::write() {
@@ -63,7 +76,7 @@ JournalFault JournalWriter::create() {
   MadeJournalFile made = m_makeFile();
   if (!made) return made.error();
   m_file = std::move(made.value());
-  m_head = m_makeHead();
+  if (!m_givenUp) m_head = m_makeHead();  // otherwise the recording began with the file before
   return {};
 }
 
@@ -106,6 +119,16 @@ void JournalWriter::collectOffsets(Place& place, std::span<const Frame> frames) 
 JournalFault JournalWriter::sync() {
   JournalFault fault = m_file->sync();
   (fault ? m_written : m_safe) = fault ? m_safe : m_written;
+  return fault;
+}
+
+// Nothing of a file that is gone or not ours any more is safe.
+JournalFault JournalWriter::check() {
+  JournalFault fault = m_file->check();
+  if (fault.kind != JournalFault::Kind::Removed && fault.kind != JournalFault::Kind::Changed) return fault;
+  m_givenUp = fault;
+  m_file.reset();
+  m_written = m_safe = {};
   return fault;
 }
 

@@ -7,6 +7,8 @@
 // 2. What was written is on the disk within a second, if timeCame() comes every 250 ms.
 // 3. A fault loses nothing: the log is in memory, and what the disk did not take is written again kRetry
 //    later, from the last block that is known to be whole. status() says so meanwhile.
+// 4. The file is looked at each second. If it was removed, or another program wrote into it, all of the log is
+//    written to a new file: at the next call, or kRetry after the file was made if that is later.
 #pragma once
 
 #include <array>
@@ -30,6 +32,8 @@ struct JournalStatus {
   std::uint64_t bytes = 0;   // written
   JournalFault fault{};      // why nothing is written at the moment
   bool isEnded = false;
+  // Why the file before this one was given up: Removed or Changed. All that was in it is in this one.
+  JournalFault givenUp{};
 
   friend bool operator==(const JournalStatus&, const JournalStatus&) = default;
 };
@@ -72,6 +76,8 @@ class JournalWriter {
   bool collect(Place& place, std::uint64_t count, std::span<const Note>& notes);
   void collectOffsets(Place& place, std::span<const Frame> frames);
   JournalFault sync();
+  JournalFault check();
+  void tryEnd();
 
   const FrameStore& m_frames;
   const NoteStore& m_notes;
@@ -85,6 +91,8 @@ class JournalWriter {
   JournalBytes m_buffer;
   std::vector<ChannelOffset> m_offsets;
   JournalFault m_fault;
+  JournalFault m_givenUp;
+  Instant m_madeAt = kNotYet;
   Instant m_retryAt = kNotYet;
   Instant m_syncAt = kNotYet;
   bool m_isEnded = false;

@@ -39,6 +39,7 @@ class MemoryFile final : public JournalFile {
     return {};
   }
   JournalFault sync() override { return {}; }
+  JournalFault check() override { return {}; }
 
  private:
   JournalBytes& m_bytes;

@@ -53,6 +53,7 @@ class FakeDisk::File final : public JournalFile {
     m_disk.synced = m_disk.bytes;
     return {};
   }
+  JournalFault check() override { return {}; }
 
  private:
   FakeDisk& m_disk;

@@ -81,6 +81,22 @@ TEST_F(InAFolder, ARecordingBeginsWithItsFirstFrameAndCanBeReadWhileItGrows) {
   EXPECT_LE(qAbs(ended.begin.secsTo(QDateTime::currentDateTime())), 3'600);
 }
 
+TEST_F(InAFolder, ARecordingWhoseFolderIsRemovedIsWrittenAnew) {
+  const auto log = std::make_shared<LogDocument>();
+  ASSERT_TRUE(append(*log, kAnnouncement));
+  Recorder recorder(log, recordingIn(folder), false);
+  ASSERT_TRUE(waitFor([&] { return recorder.status().frames == 1; }));
+  ASSERT_TRUE(QDir(folder).removeRecursively());
+  ASSERT_TRUE(waitFor([&] { return recorder.status().givenUp.kind == JournalFault::Kind::Removed; }));
+  ASSERT_TRUE(append(*log, kPosition));
+  recorder.end();
+  ASSERT_TRUE(waitFor([&] { return recorder.hasEnded(); }));
+  ASSERT_EQ(files().size(), 1);
+  const Recording anew = readRecording(folder + QLatin1Char('/') + files().first());
+  EXPECT_EQ(anew.frames, 2u);
+  EXPECT_TRUE(anew.isWhole);
+}
+
 TEST_F(InAFolder, ALogWithoutFramesLeavesNoFile) {
   const auto log = std::make_shared<LogDocument>();
   log->notes.append({.value = note::LinkUp{}});
@@ -144,6 +160,7 @@ class HangingDisk::File final : public JournalFile {
     return m_file.append(offset, bytes);
   }
   JournalFault sync() override { return m_file.sync(); }
+  JournalFault check() override { return m_file.check(); }
 
  private:
   HangingDisk& m_disk;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "support/journals.h"
@@ -178,6 +179,109 @@ TEST_F(JournalOnDisk, IsReadWhileItGrowsAndAfterItsEnd) {
   read.result = openLog(path, read.target());
   EXPECT_FALSE(read.result.value().isOpenEnded);
   EXPECT_EQ(read.notes.all(), log.notes.all());
+}
+
+// What another program, or a person, does to the file while it grows.
+struct TakenFile {
+  const char* name;
+  void (*take)(const std::string& path);
+  JournalFault::Kind fault;
+};
+class JournalTakenAway : public JournalOnDisk, public testing::WithParamInterface<TakenFile> {
+ protected:
+  void expectAllIn(const std::string& file) const {
+    Recording read;
+    read.result = openLog(file, read.target());
+    ASSERT_TRUE(read.result) << file;
+    EXPECT_TRUE(read.result.value().damage.places == 0);
+    EXPECT_EQ(told(read.frames), told(log.frames));
+    EXPECT_EQ(read.notes.all(), log.notes.all());
+  }
+  Recording log;
+  JournalWriter writer{log.frames, log.notes, maker(), test::someHead};
+};
+
+TEST_P(JournalTakenAway, IsSaidWithinASecondAndBegunAnewWithAllOfIt) {
+  log.fill(20);
+  writer.timeCame(at(0));
+  GetParam().take(path);
+  log.fill();
+  for (int ms = 250; ms <= 1'000 && !writer.status().fault; ms += 250) writer.timeCame(at(ms));
+  EXPECT_EQ(writer.status().fault, (JournalFault{GetParam().fault, path}));
+  EXPECT_EQ(writer.status().frames, 0u) << "none is in a file";
+  log.fill();
+  writer.timeCame(at(10'000));
+  EXPECT_EQ(writer.status().fault, JournalFault{});
+  EXPECT_EQ(writer.status().givenUp, (JournalFault{GetParam().fault, path}));
+  expectAllIn(writer.status().path);
+  log.fill();
+  writer.end();
+  EXPECT_TRUE(writer.status().isEnded);
+  expectAllIn(writer.status().path);
+  EXPECT_EQ(writer.status().givenUp.detail, path);
+}
+
+TEST_P(JournalTakenAway, IsBegunAnewAtItsEndToo) {
+  log.fill();
+  writer.timeCame(at(0));
+  GetParam().take(path);
+  writer.end();
+  EXPECT_TRUE(writer.status().isEnded);
+  expectAllIn(writer.status().path);
+}
+
+TEST_P(JournalTakenAway, IsNotBegunAnewMoreOftenThanADiskIsTriedAgain) {
+  log.fill();
+  int made = 0;
+  JournalWriter counted(
+      log.frames, log.notes,
+      [&] {
+        ++made;
+        return createJournalFile(folder + "/recording");
+      },
+      test::someHead);
+  for (int ms = 0; ms < 30'000; ms += 250) {
+    counted.timeCame(at(ms));
+    if (!counted.status().path.empty()) GetParam().take(counted.status().path);
+  }
+  EXPECT_EQ(made, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    By, JournalTakenAway,
+    testing::Values(
+        TakenFile{"Removal", [](const std::string& path) { std::filesystem::remove(path); },
+                  JournalFault::Kind::Removed},
+        TakenFile{"AnotherFileOfItsName",
+                  [](const std::string& path) {
+                    std::ofstream(path + ".other") << "something else";
+                    std::filesystem::rename(path + ".other", path);
+                  },
+                  JournalFault::Kind::Removed},
+        TakenFile{"Emptying", [](const std::string& path) { std::filesystem::resize_file(path, 0); },
+                  JournalFault::Kind::Changed},
+        TakenFile{"Cutting", [](const std::string& path) { std::filesystem::resize_file(path, 100); },
+                  JournalFault::Kind::Changed},
+        TakenFile{"WritingIntoIt", [](const std::string& path) { std::ofstream(path, std::ios::app) << "x"; },
+                  JournalFault::Kind::Changed}),
+    [](const auto& param) { return param.param.name; });
+
+TEST_F(JournalOnDisk, GoesOnInAFileThatIsRenamed) {
+  Recording log;
+  log.fill();
+  JournalWriter writer(log.frames, log.notes, maker(), test::someHead);
+  writer.timeCame(at(0));
+  const std::string renamed = folder + "/mine.deckpipe";
+  std::filesystem::rename(path, renamed);
+  log.fill();
+  writer.timeCame(at(1'000));
+  EXPECT_EQ(writer.status().fault, JournalFault{});
+  EXPECT_TRUE(std::filesystem::equivalent(writer.status().path, renamed)) << writer.status().path;
+  writer.end();
+  Recording read;
+  read.result = openLog(renamed, read.target());
+  EXPECT_EQ(told(read.frames), told(log.frames));
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST_F(JournalOnDisk, HasANameOfItsOwn) {
