@@ -107,11 +107,12 @@ void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   m_progress->hide();
   m_button->setText(tr("Close"));
   m_button->setAccessibleName(tr("Close this line"));
+  const std::size_t notes = m_saving->notes();
   m_text->setText(text);
   if (outcome == LogSaving::Outcome::Saved) {
     Q_EMIT saved(path);
     // Without its notes it is no substitute for the recording.
-    if (m_whole != nullptr && reason.isEmpty()) Q_EMIT savedWhole(m_whole, written);
+    if (m_whole != nullptr && reason.isEmpty()) Q_EMIT savedWhole(m_whole, written, notes);
   }
   m_whole.reset();
   if (m_waiting.empty()) return;

@@ -30,8 +30,9 @@ class SaveBar : public QWidget {
 
  Q_SIGNALS:
   void saved(const QString& path);
-  // All of a log, as far as it had so many frames then.
-  void savedWhole(const std::shared_ptr<const deckpipe::LogDocument>& document, std::uint64_t frames);
+  // All of a log, as far as it had so many frames and notes then.
+  void savedWhole(const std::shared_ptr<const deckpipe::LogDocument>& document, std::uint64_t frames,
+                  std::size_t notes);
 
  private:
   struct Wanted {

@@ -21,6 +21,7 @@ LogSaving::LogSaving(std::shared_ptr<const LogDocument> document, const QString&
                      QObject* parent)
     : QObject(parent),
       m_document(std::move(document)),
+      m_notes(m_document->notes.count()),
       m_path(path),
       m_format(formatToWrite(path.toStdString())),
       m_part(std::move(part)) {

@@ -55,6 +55,8 @@ class LogSaving : public QObject {
   QString sidecar() const {
     return m_hasSidecar.load(std::memory_order_relaxed) ? sidecarOf(m_path) : QString();
   }
+  // The log had so many notes when this began, all of which are saved with a whole log.
+  std::size_t notes() const { return m_notes; }
   double fraction() const { return m_fraction.load(std::memory_order_relaxed); }
   void cancel() { m_thread.request_stop(); }
 
@@ -69,6 +71,7 @@ class LogSaving : public QObject {
   QString writeSidecar(const std::string& text);
 
   std::shared_ptr<const LogDocument> m_document;
+  const std::size_t m_notes;
   QString m_path;
   const LogFormat& m_format;
   SavedPart m_part;

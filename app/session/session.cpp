@@ -134,10 +134,13 @@ void Session::beginDocument(std::shared_ptr<LogDocument> document) {
 
 bool Session::holdsUnwritten() const { return m_recorders.holdUnwritten(); }
 
-void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
-  if (document == m_document && frames >= document->frames.count() &&
-      std::exchange(m_snapshot.source.unkeptMarks, {}) && isRead())
-    m_marks.forget();
+void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames,
+                       std::size_t notes) {
+  if (document == m_document && frames >= document->frames.count() && notes >= document->notes.count() &&
+      std::exchange(m_snapshot.source.unkeptMarks, {})) {
+    if (isRead()) m_marks.forget();
+    Q_EMIT changed();
+  }
   if (m_recorders.setSaved(document, frames)) return;
   // A recording of earlier that is open as a file.
   const SourceStatus& source = m_snapshot.source;

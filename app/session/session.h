@@ -63,8 +63,8 @@ class Session : public QObject {
   QString recordingFolder() const { return m_recordingFolder; }
   // What a faulty disk did not take of a recording is in memory alone, and would be lost by quitting.
   bool holdsUnwritten() const;
-  // The first so many frames of a log were saved in a file of the person's own.
-  void setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames);
+  // The first so many frames and notes of a log were saved in a file of the person's own.
+  void setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames, std::size_t notes);
   // Who we are on a bus; for links opened from now on.
   void setClaim(const ClaimSettings& claim) { m_claim = claim; }
 

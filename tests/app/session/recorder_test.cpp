@@ -384,7 +384,7 @@ TEST_F(RecordedDemo, IsMarkedAsSavedAlsoOnceAnotherSourceIsOpen) {
     const std::vector<Note> notes = log->notes.all();
     return !notes.empty() && noteKey(notes.back().value) == "link_down";
   })) << "no frame comes after that";
-  session.setSaved(log, log->frames.count());
+  session.setSaved(log, log->frames.count(), log->notes.count());
   EXPECT_TRUE(waitFor([&] { return readRecording(path).isSaved; }));
 }
 

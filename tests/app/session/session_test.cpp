@@ -127,7 +127,10 @@ TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
   EXPECT_TRUE(session.snapshot().source.unkeptMarks);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_EQ(file.readAll(), QByteArray("of somebody else\n"));
-  session.setSaved(session.snapshot().view.document, 3);
+  session.setSaved(session.snapshot().view.document, 3, 0);
+  EXPECT_TRUE(session.snapshot().source.unkeptMarks) << "it was made after the saving began";
+  QSignalSpy changed(&session, &Session::changed);
+  session.setSaved(session.snapshot().view.document, 3, 1);
   EXPECT_FALSE(session.snapshot().source.unkeptMarks) << "they are in the file that was saved";
 }
 
@@ -214,7 +217,7 @@ TEST(Session, MarksARecordingAsSavedWhateverItsName) {
   session.openLog(path);
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
-  session.setSaved(session.snapshot().view.document, 1);
+  session.setSaved(session.snapshot().view.document, 1, 1);
   EXPECT_TRUE(QTest::qWaitFor([&] { return readRecording(path).isSaved; }, kPatience));
 }
 
