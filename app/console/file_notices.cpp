@@ -158,9 +158,10 @@ Notice fileNotice(const Snapshot& snapshot) {
     return {Severity::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
   if (source.unkeptMarks)
-    return {Severity::Warning,
-            NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” keeps them.")
-                .arg(unkeptMarksText(*source.unkeptMarks))};
+    return {
+        Severity::Warning,
+        NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” under another name keeps them.")
+            .arg(unkeptMarksText(*source.unkeptMarks))};
   // Before the rest, as nothing else that is said of times is true before they are added up.
   if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
     return {.tone = Severity::Warning,

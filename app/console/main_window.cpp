@@ -63,7 +63,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_workspace(new Workspace(m_labels, m_pages)),
       m_settings(new SettingsPage(m_pages)),
       m_markBar(new MarkBar(this)),
-      m_saveBar(new SaveBar(this)),
+      m_saveBar(new SaveBar(session.sidecars(), this)),
       m_transport(new TransportBar(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);

@@ -19,6 +19,11 @@ QString outcomeText(const LogSaving& saving, LogSaving::Outcome outcome, const Q
   if (outcome == LogSaving::Outcome::Cancelled) return SaveBar::tr("Cancelled: nothing was saved.");
   if (outcome == LogSaving::Outcome::IsGrowing)
     return SaveBar::tr("%1 cannot be saved: it is a recording that goes on").arg(path);
+  if (outcome == LogSaving::Outcome::SidecarUnknown)
+    return SaveBar::
+        tr("%1 is left as it is: the marks and labels beside it were not read here, or were changed since. "
+           "Save under another name to keep both")
+            .arg(path);
   if (outcome == LogSaving::Outcome::Failed) return SaveBar::tr("%1 cannot be saved: %2").arg(path, reason);
   QString text = SaveBar::tr("Saved %1 to %2").arg(frameCountText(saving.written()), path);
   if (saving.added() > 0)
@@ -35,8 +40,9 @@ QString outcomeText(const LogSaving& saving, LogSaving::Outcome outcome, const Q
 
 }  // namespace
 
-SaveBar::SaveBar(QWidget* parent)
+SaveBar::SaveBar(std::shared_ptr<KnownSidecars> sidecars, QWidget* parent)
     : QWidget(parent),
+      m_sidecars(std::move(sidecars)),
       m_text(named(new ElidedLabel(this), "saveText", tr("Saving"))),
       m_progress(named(new QProgressBar(this), "saveProgress", tr("How much is saved"))),
       m_button(new QPushButton(this)) {
@@ -77,7 +83,7 @@ void SaveBar::refuse(const QString& why) {
 void SaveBar::begin(Wanted wanted) {
   auto& [document, path, part, isWhole] = wanted;
   m_whole = isWhole ? document : nullptr;
-  m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part));
+  m_saving = std::make_unique<LogSaving>(std::move(document), path, std::move(part), m_sidecars);
   connect(m_saving.get(), &LogSaving::ended, this, &SaveBar::ended);
   const auto frames = m_saving->frames();
   const QString text = frames ? tr("Saving %1 to %2").arg(frameCountText(*frames), path)
@@ -101,13 +107,13 @@ void SaveBar::showProgress() {
 void SaveBar::ended(LogSaving::Outcome outcome, const QString& reason) {
   const QString path = m_saving->path();
   const std::uint64_t written = m_saving->written();
+  const std::size_t notes = m_saving->notes();
   const QString text = outcomeText(*m_saving, outcome, reason);
   m_tick.stop();
   m_saving.release()->deleteLater();  // it is telling us this
   m_progress->hide();
   m_button->setText(tr("Close"));
   m_button->setAccessibleName(tr("Close this line"));
-  const std::size_t notes = m_saving->notes();
   m_text->setText(text);
   if (outcome == LogSaving::Outcome::Saved) {
     Q_EMIT saved(path);

@@ -19,7 +19,7 @@ namespace deckpipe {
 class SaveBar : public QWidget {
   Q_OBJECT
  public:
-  explicit SaveBar(QWidget* parent = nullptr);
+  explicit SaveBar(std::shared_ptr<KnownSidecars> sidecars, QWidget* parent = nullptr);
   ~SaveBar() override;
 
   // At once, or behind what is being saved now.
@@ -46,6 +46,7 @@ class SaveBar : public QWidget {
   void ended(LogSaving::Outcome outcome, const QString& reason);
   void cancelOrClose();
 
+  std::shared_ptr<KnownSidecars> m_sidecars;
   std::unique_ptr<LogSaving> m_saving;
   std::deque<Wanted> m_waiting;
   std::shared_ptr<const LogDocument> m_whole;  // that is saved, if it is not a part of it

@@ -18,13 +18,13 @@ constexpr std::uint64_t kGlance = 8'192;  // frames between two looks at whether
 }  // namespace
 
 LogSaving::LogSaving(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part,
-                     QObject* parent)
-    : QObject(parent),
-      m_document(std::move(document)),
+                     std::shared_ptr<KnownSidecars> sidecars)
+    : m_document(std::move(document)),
       m_notes(m_document->notes.count()),
       m_path(path),
       m_format(formatToWrite(path.toStdString())),
-      m_part(std::move(part)) {
+      m_part(std::move(part)),
+      m_sidecars(std::move(sidecars)) {
   const std::uint64_t count = m_document->frames.count();
   m_isToEnd = m_part.end >= count;
   m_part.end = std::min(m_part.end, count);
@@ -45,13 +45,18 @@ void LogSaving::write(const std::stop_token& stop) {
   };
   // The name would go to the copy, and what is received to a file without one.
   if (isBeingWritten(QFile::encodeName(m_path).toStdString())) return end(Outcome::IsGrowing, {});
+  const QString sidecar = sidecarOf(m_path);
+  if (!m_sidecars->mayReplace(sidecar)) return end(Outcome::SidecarUnknown, {});
   QSaveFile file(m_path);
   if (!file.open(QIODevice::WriteOnly)) return end(Outcome::Failed, file.errorString());
   const auto writer = m_format.makeWriter();
   if (!writeFrames(file, *writer, stop)) return end(Outcome::Cancelled, {});
+  if (!m_sidecars->mayReplace(sidecar)) return end(Outcome::SidecarUnknown, {});
   // A failed write is remembered by the file and fails the commit.
   if (!file.commit()) return end(Outcome::Failed, file.errorString());
   const QString reason = writeSidecar(writer->beside());
+  const bool isWhole = m_isToEnd && m_part.begin == 0 && !m_part.passes;
+  if (reason.isEmpty()) m_sidecars->wrote(sidecar, isWhole ? m_document : nullptr);
   m_fraction.store(1, std::memory_order_relaxed);
   end(Outcome::Saved, reason);
 }

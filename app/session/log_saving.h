@@ -2,8 +2,9 @@
 // Writes the frames of a log, or some of them, in the format that the file name asks for (formatToWrite()) on
 // a thread of its own, while the log may go on growing: of the frames that were there at the beginning, with
 // their notes (PartWriter). The file appears whole or not at all, and after it the sidecar if it needs one
-// (sidecar.h); one that was there is replaced or removed. The window makes one for each saving, shows how far
-// it is, and destroys it; destroying it gives up what is not written.
+// (sidecar.h). One that was there is replaced or removed. If it holds what is not known here, nothing is written
+// at all (known_sidecars.h). The window makes one for each saving, shows how far it is, and destroys it; destroying
+// it gives up what is not written.
 #pragma once
 
 #include <QObject>
@@ -15,6 +16,7 @@
 #include <thread>
 
 #include "log/log_format.h"
+#include "session/known_sidecars.h"
 #include "session/mark_keeper.h"
 #include "session/part_writer.h"
 #include "state/log_view.h"
@@ -38,11 +40,12 @@ class LogSaving : public QObject {
     Saved,
     Cancelled,
     Failed,
-    IsGrowing,  // the file is a recording that some program is writing
+    IsGrowing,       // the file is a recording that some program is writing
+    SidecarUnknown,  // the sidecar beside the file is none that was read or written here: nothing is replaced
   };
 
   LogSaving(std::shared_ptr<const LogDocument> document, const QString& path, SavedPart part = {},
-            QObject* parent = nullptr);
+            std::shared_ptr<KnownSidecars> sidecars = std::make_shared<KnownSidecars>());
   ~LogSaving() override;
 
   QString path() const { return m_path; }
@@ -75,6 +78,7 @@ class LogSaving : public QObject {
   QString m_path;
   const LogFormat& m_format;
   SavedPart m_part;
+  const std::shared_ptr<KnownSidecars> m_sidecars;
   bool m_isToEnd = false;
   std::atomic<std::uint64_t> m_written = 0;
   std::atomic<std::uint64_t> m_added = 0;

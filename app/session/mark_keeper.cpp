@@ -18,8 +18,6 @@ namespace {
 
 using Why = UnkeptMarks::Why;
 
-QDateTime modifiedOf(const QString& path) { return QFileInfo(path).lastModified(); }
-
 }  // namespace
 
 QString sidecarOf(const QString& logPath) {
@@ -33,13 +31,14 @@ QString writeWholeFile(const QString& path, const std::string& text) {
   return file.commit() ? QString() : file.errorString();
 }
 
-QDateTime sidecarTime(const QString& logPath) { return modifiedOf(sidecarOf(logPath)); }
+QDateTime sidecarTime(const QString& logPath) { return sidecarModified(sidecarOf(logPath)); }
 
 struct MarkKeeper::Work {
   const QString path;                       // of the sidecar
   const std::optional<UnkeptMarks> mayNot;  // why it must not be written; nothing if it may
   QDateTime modified;      // when it was read or written; invalid if there was none. The thread's own
   const Write writeWhole;  // the thread's own
+  const std::shared_ptr<KnownSidecars> sidecars;
 
   std::mutex lock{};
   std::condition_variable ended{};
@@ -52,7 +51,7 @@ struct MarkKeeper::Work {
     while (const auto log = std::exchange(wanted, nullptr)) {
       busySince = bootTime();
       guard.unlock();
-      std::optional<UnkeptMarks> why = write(*log);
+      std::optional<UnkeptMarks> why = write(log);
       guard.lock();
       unkept = std::move(why);
     }
@@ -60,11 +59,13 @@ struct MarkKeeper::Work {
     ended.notify_all();
   }
 
-  std::optional<UnkeptMarks> write(const LogDocument& log) {
-    if (modifiedOf(path) != modified) return UnkeptMarks{Why::SidecarChanged};
-    const QString why = writeWhole(path, SidecarMaker::textOf(log.frames, log.notes));
+  std::optional<UnkeptMarks> write(const std::shared_ptr<const LogDocument>& log) {
+    if (sidecarModified(path) != modified && !sidecars->isAllOf(*log, path))
+      return UnkeptMarks{Why::SidecarChanged};
+    const QString why = writeWhole(path, SidecarMaker::textOf(log->frames, log->notes));
     if (!why.isEmpty()) return UnkeptMarks{Why::CannotWrite, why};
-    modified = modifiedOf(path);
+    sidecars->wrote(path, log);
+    modified = sidecarModified(path);
     return {};
   }
 };
@@ -92,7 +93,9 @@ void MarkKeeper::opened(const QString& path, const ReadSummary& read, const QDat
     const std::lock_guard guard(work->lock);
     return work->busySince == kNotYet;
   });
-  m_works.push_back(std::make_shared<Work>(sidecarOf(path), mayNot, sidecarTime, m_write));
+  // What was not read whole would be lost.
+  if (!mayNot) m_sidecars->read(sidecarOf(path), sidecarTime);
+  m_works.push_back(std::make_shared<Work>(sidecarOf(path), mayNot, sidecarTime, m_write, m_sidecars));
 }
 
 void MarkKeeper::keep(std::shared_ptr<const LogDocument> log) {

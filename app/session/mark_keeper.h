@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "session/known_sidecars.h"
 #include "session/snapshot.h"
 
 namespace deckpipe {
@@ -39,6 +40,8 @@ class MarkKeeper {
   };
 
   explicit MarkKeeper(Write write = writeWholeFile) : m_write(std::move(write)) {}
+  // Those that it read and wrote. Whoever else writes sidecars tells them too.
+  std::shared_ptr<KnownSidecars> sidecars() const { return m_sidecars; }
   // Waits for the disk so long as kPatience; what hangs longer is left to itself.
   ~MarkKeeper();
   MarkKeeper(const MarkKeeper&) = delete;
@@ -57,6 +60,7 @@ class MarkKeeper {
   struct Work;
 
   Write m_write;
+  std::shared_ptr<KnownSidecars> m_sidecars = std::make_shared<KnownSidecars>();  // the threads' too
   std::vector<std::shared_ptr<Work>> m_works;  // their threads' too; the last is that of the open log
 };
 

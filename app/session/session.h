@@ -65,6 +65,8 @@ class Session : public QObject {
   bool holdsUnwritten() const;
   // The first so many frames and notes of a log were saved in a file of the person's own.
   void setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames, std::size_t notes);
+  // For whoever saves logs.
+  std::shared_ptr<KnownSidecars> sidecars() const { return m_marks.sidecars(); }
   // Who we are on a bus; for links opened from now on.
   void setClaim(const ClaimSettings& claim) { m_claim = claim; }
 

@@ -37,6 +37,14 @@ class LogActions : public test::WindowTest {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
+  // At the cursor; until it is in its file, or is known not to be.
+  void mark(const char* words) {
+    m_session.mark(m_session.snapshot().view.cursor, QString::fromLatin1(words));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().source.isKeepingMarks; }, kPatience));
+  }
+  bool saveSays(const char* words) {
+    return QTest::qWaitFor([&] { return text("saveText").contains(QLatin1String(words)); }, kPatience);
+  }
 };
 
 TEST_F(LogActions, SaveTheWholeLogAsItWasRead) {
@@ -311,6 +319,54 @@ TEST_F(LogActions, AskOnEveryWayOutBeforeMarksAreLostThatNoFileTakes) {
 TEST_F(LogActions, LeavingAndQuittingWaitForMarksThatAreBeingWritten) {
   openLog(kTruck);
   Snapshot keeping = m_session.snapshot();
+TEST_F(LogActions, MarksThatWereSavedElsewhereAreNotSaidToBeLost) {
+  QFile sidecar(m_dir.filePath(QStringLiteral("truck.log.deckpipe-notes")));
+  ASSERT_TRUE(sidecar.open(QIODevice::WriteOnly));
+  sidecar.write("of somebody else\n");
+  sidecar.close();
+  openLog(kTruck);
+  mark("valve opened");
+  EXPECT_TRUE(text("noticeText").contains(QStringLiteral("in memory alone")));
+  m_window.saveLog(m_dir.filePath(QStringLiteral("mine.log")));
+  ASSERT_TRUE(saveSays("mine.log.deckpipe-notes"));
+  EXPECT_FALSE(text("noticeText").contains(QStringLiteral("in memory alone")))
+      << qPrintable(text("noticeText"));
+  EXPECT_TRUE(m_window.close()) << "nothing is lost";
+}
+
+TEST_F(LogActions, MarksThatAnotherWindowMadeAreNotReplacedBySavingOverTheLog) {
+  openLog(kTruck);
+  mark("ours");
+  const QString path = m_dir.filePath(QStringLiteral("truck.log"));
+  const QString sidecar = path + QStringLiteral(".deckpipe-notes");
+  {
+    Session other;
+    other.openLog(path);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return other.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+    other.mark(other.snapshot().view.cursor, QStringLiteral("theirs"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !other.snapshot().source.isKeepingMarks; }, kPatience));
+  }
+  const QByteArray both = read(sidecar);
+  ASSERT_TRUE(both.contains("ours") && both.contains("theirs"));
+  m_window.saveLog(path);
+  ASSERT_TRUE(saveSays("truck.log is left as it is"));
+  EXPECT_TRUE(saveSays("Save under another name"));
+  EXPECT_EQ(read(sidecar), both);
+  EXPECT_EQ(read(path), kTruck);
+}
+
+TEST_F(LogActions, ALogThatWasSavedOverItselfStillKeepsItsMarks) {
+  openLog(kTruck);
+  mark("before");
+  m_window.saveLog(m_dir.filePath(QStringLiteral("truck.log")));
+  ASSERT_TRUE(saveSays("truck.log.deckpipe-notes"));
+  mark("after");
+  EXPECT_FALSE(m_session.snapshot().source.unkeptMarks);
+  const QByteArray kept = read(m_dir.filePath(QStringLiteral("truck.log.deckpipe-notes")));
+  EXPECT_TRUE(kept.contains("before") && kept.contains("after")) << kept.constData();
+}
+
   keeping.source.isKeepingMarks = true;
   m_window.setSnapshot(keeping);
   EXPECT_FALSE(m_window.close());

@@ -110,8 +110,9 @@ struct SavedPartTest : testing::Test {
     QString reason, sidecar;
     std::uint64_t written = 0, added = 0;
   };
+  std::shared_ptr<KnownSidecars> sidecars = std::make_shared<KnownSidecars>();
   Outcome save(SavedPart part = {}) {
-    LogSaving saving(log, path, std::move(part));
+    LogSaving saving(log, path, std::move(part), sidecars);
     QSignalSpy ended(&saving, &LogSaving::ended);
     EXPECT_TRUE(ended.wait(kPatience));
     return {ended.at(0).at(0).value<LogSaving::Outcome>(), ended.at(0).at(1).toString(), saving.sidecar(),
@@ -319,6 +320,38 @@ TEST_F(SavedPartTest, SavingOverALogReplacesOrRemovesItsSidecar) {
   EXPECT_EQ(save({.begin = 0, .end = 3}).sidecar, QString());
   EXPECT_EQ(files(), QStringList{QStringLiteral("part.log")});
   EXPECT_EQ(reopened()->notes.count(), 0u);
+}
+
+TEST_F(SavedPartTest, NothingIsReplacedWhereMarksStandBesideItThatAreNotKnownHere) {
+  log->notes.append({.frame = 6, .time = {100'500'000'000}, .value = note::Mark{"old"}});
+  save();
+  const QString sidecar = path + QStringLiteral(".deckpipe-notes");
+  const auto contents = [&] {
+    QByteArray all;
+    for (const QString& name : {path, sidecar}) {
+      QFile file(name);
+      if (file.open(QIODevice::ReadOnly)) all += file.readAll();
+    }
+    return all;
+  };
+  EXPECT_EQ(save({.begin = 0, .end = 5}).outcome, LogSaving::Outcome::Saved) << "they are our own";
+  save();
+  QFile another(sidecar);
+  ASSERT_TRUE(another.open(QIODevice::WriteOnly));
+  another.write("marks of another window\n");
+  ASSERT_TRUE(another.flush());  // or closing it would be the last change
+  ASSERT_TRUE(another.setFileTime(QDateTime::currentDateTime().addSecs(5), QFile::FileModificationTime));
+  another.close();
+  const QByteArray before = contents();
+  const Outcome changed = save({.begin = 0, .end = 3});
+  EXPECT_EQ(changed.outcome, LogSaving::Outcome::SidecarUnknown);
+  EXPECT_EQ(changed.reason, QString()) << "the window has its own words";
+  EXPECT_EQ(contents(), before);
+  sidecars = std::make_shared<KnownSidecars>();
+  EXPECT_EQ(save().outcome, LogSaving::Outcome::SidecarUnknown) << "it was never read";
+  EXPECT_EQ(contents(), before);
+  ASSERT_TRUE(another.remove());
+  EXPECT_EQ(save().outcome, LogSaving::Outcome::Saved) << "there is nothing to lose";
 }
 
 TEST_F(SavedPartTest, ASidecarThatCannotBeWrittenIsSaidAndTheLogStays) {
