@@ -125,6 +125,7 @@ void MainWindow::connectPanels() {
   connect(m_settings, &SettingsPage::resetLayoutRequested, m_workspace, &Workspace::resetLayout);
   connect(m_settings, &SettingsPage::forgetLogsRequested, this, [] { forgetLogs(); });
   connect(m_notice, &NoticeBar::actionRequested, this, &MainWindow::follow);
+  connect(m_notice, &NoticeBar::closeRequested, &m_session, &Session::dismiss);
   connect(m_markBar, &MarkBar::marked, &m_session, &Session::mark);
   connect(m_saveBar, &SaveBar::saved, this, [](const QString& path) { rememberLog(path); });
   connect(m_saveBar, &SaveBar::savedWhole, &m_session, &Session::setSaved);

@@ -25,16 +25,18 @@ Notice notOpenedNotice(const NotOpened& log) {
 
 Notice leftRecordingNotice(const JournalStatus& recording) {
   if (recording.fault)
-    return {
-        Severity::Fault,
-        NoticeText::tr("The link was left. %1. What is not written yet stays in memory and is tried again "
-                       "every 10 s, until Deckpipe is quit.")
-            .arg(recordingFaultText(recording))};
+    return {.tone = Severity::Fault,
+            .text = NoticeText::tr(
+                        "The link was left. %1. What is not written yet stays in memory and is tried again "
+                        "every 10 s, until Deckpipe is quit.")
+                        .arg(recordingFaultText(recording)),
+            .canClose = true};
   const QString path = QFile::decodeName(recording.path.c_str());
   return {.tone = Severity::Plain,
           .text = NoticeText::tr("The link was left. What it received is kept under Recordings: %1.")
                       .arg(QFileInfo(path).fileName()),
-          .action = Notice::Action::ShowRecordings};
+          .action = Notice::Action::ShowRecordings,
+          .canClose = true};
 }
 
 // The past of a log that grows must not be taken for the present.
@@ -58,19 +60,63 @@ Notice unsentNotice(Refusal why) {
           .action = why == Refusal::NotLive ? Notice::Action::GoToEnd : Notice::Action::None};
 }
 
+Notice recordingFaultNotice(const SourceStatus& source) {
+  if (!source.recording || !source.recording->fault) return {};
+  return {Severity::Fault, NoticeText::tr("%1. What is received is kept in memory only.")
+                               .arg(recordingFaultText(*source.recording))};
+}
+
+Notice givenUpNotice(const Snapshot& snapshot) {
+  if (!snapshot.givenUpFile || !snapshot.source.recording) return {};
+  return {.tone = Severity::Warning,
+          .text = NoticeText::tr("%1. All of the recording was written anew, and it goes on in %2.",
+                                 "what became of a file; another file")
+                      .arg(givenUpText(*snapshot.givenUpFile),
+                           QFile::decodeName(snapshot.source.recording->path.c_str())),
+          .canClose = true};
+}
+
 // The notice about the log or link that is open.
 Notice sourceNotice(const Snapshot& snapshot, const BusRates& rates) {
   if (!snapshot.view.document) return {};
-  if (snapshot.source.kind == From::File) return fileNotice(snapshot);
-  Notice notice = linkNotice(snapshot, rates);
-  if (notice.tone != Severity::Fault || notice.text.isEmpty()) {
-    if (const auto& recording = snapshot.source.recording; recording && recording->fault)
-      return {
-          Severity::Fault,
-          NoticeText::tr("%1. What is received is kept in memory only.").arg(recordingFaultText(*recording))};
-    if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
-  }
-  return notice;
+  return snapshot.source.kind == From::File ? fileNotice(snapshot) : linkNotice(snapshot, rates);
+}
+
+// What lasts as long as its cause: the worst of it.
+Notice standingNotice(const Snapshot& snapshot, const BusRates& rates) {
+  Notice source = sourceNotice(snapshot, rates);
+  if (!source.text.isEmpty() && source.tone == Severity::Fault) return source;
+  if (Notice recording = recordingFaultNotice(snapshot.source); !recording.text.isEmpty()) return recording;
+  if (snapshot.leftRecording && snapshot.leftRecording->fault)
+    return leftRecordingNotice(*snapshot.leftRecording);
+  if (Notice givenUp = givenUpNotice(snapshot); !givenUp.text.isEmpty()) return givenUp;
+  // Before the other warnings: nothing of what is drawn is of the cursor.
+  if (snapshot.isCatchingUp)
+    return {.tone = Severity::Busy,
+            .text = NoticeText::tr(
+                "The log is being looked through: devices and dial do not show the place of the "
+                "cursor yet.")};
+  if (Notice past = pastNotice(snapshot); !past.text.isEmpty()) return past;
+  if (!source.text.isEmpty() || !snapshot.leftRecording) return source;
+  return leftRecordingNotice(*snapshot.leftRecording);
+}
+
+// What came of the last thing that a person wanted, until the person does another.
+Notice answerNotice(const Snapshot& snapshot) {
+  Notice answer = unsentNotice(snapshot.notSent);
+  if (const auto& log = snapshot.notOpened; log && (log->error || answer.text.isEmpty()))
+    answer = notOpenedNotice(*log);
+  answer.canClose = !answer.text.isEmpty();
+  return answer;
+}
+
+// Of a fault and of what is worse than the answer nothing is hidden by an answer; with them it is said as well.
+bool hides(const Notice& answer, const Notice& standing) {
+  if (standing.text.isEmpty()) return true;
+  const auto weight = [](Severity tone) {
+    return tone == Severity::Fault ? 3 : tone == Severity::Warning ? 2 : tone == Severity::Busy ? 1 : 0;
+  };
+  return standing.tone != Severity::Fault && weight(answer.tone) >= weight(standing.tone);
 }
 
 }  // namespace
@@ -84,16 +130,13 @@ Notice refusedAddressNotice(Address refused, Address used) {
 }
 
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {
-  if (Notice unsent = unsentNotice(snapshot.notSent); !unsent.text.isEmpty()) return unsent;
-  if (snapshot.notOpened) return notOpenedNotice(*snapshot.notOpened);
-  if (snapshot.isCatchingUp)
-    return {.tone = Severity::Busy,
-            .text = NoticeText::tr(
-                "The log is being looked through: devices and dial do not show the place of the "
-                "cursor yet.")};
-  const Notice notice = sourceNotice(snapshot, rates);
-  if (!notice.text.isEmpty() || !snapshot.leftRecording) return notice;
-  return leftRecordingNotice(*snapshot.leftRecording);
+  Notice standing = standingNotice(snapshot, rates);
+  Notice answer = answerNotice(snapshot);
+  if (answer.text.isEmpty()) return standing;
+  if (hides(answer, standing)) return answer;
+  standing.text += QLatin1Char('\n') + answer.text;
+  standing.canClose = true;
+  return standing;
 }
 
 }  // namespace deckpipe

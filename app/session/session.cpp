@@ -65,6 +65,14 @@ void keepWaiting(Snapshot& snapshot, const ServiceStatus& services) {
                           .commands = services.waitingCommands};
 }
 
+// The source has got a fault. What was said before that is old.
+bool isWorse(const SourceStatus& source, const SourceStatus& before) {
+  using Progress = SourceStatus::Progress;
+  const bool hasFailed = source.progress == Progress::Lost || source.progress == Progress::Failed;
+  if (hasFailed && source.progress != before.progress) return true;
+  return source.recording && source.recording->fault && !(before.recording && before.recording->fault);
+}
+
 }  // namespace
 
 Session::Session(QObject* parent) : QObject(parent), m_buses(new BusThreads(this)) {
@@ -119,6 +127,12 @@ void Session::forgetSaid() {
   m_snapshot.notSent = Refusal::None;
   m_snapshot.notOpened.reset();
   m_snapshot.leftRecording.reset();
+  m_snapshot.givenUpFile.reset();
+}
+
+void Session::dismiss() {
+  forgetSaid();
+  Q_EMIT changed();
 }
 
 void Session::beginDocument(std::shared_ptr<LogDocument> document) {
@@ -263,6 +277,7 @@ void Session::goToEnd() {
 
 void Session::mark(Cursor at, const QString& text) {
   if (m_document == nullptr) return;
+  forgetSaid();
   m_document->notes.append({.frame = at.frames, .time = at.time, .value = note::Mark{text.toStdString()}});
   keepMarks();
   Q_EMIT changed();
@@ -293,6 +308,7 @@ void Session::setLabels(LabelsByPin labels) {
 }
 
 void Session::setSpeed(double speed) {
+  forgetSaid();
   m_playback.setSpeed(speed);
   place();
   Q_EMIT changed();
@@ -307,7 +323,11 @@ void Session::updateSource() {
     if (outcome != nullptr && source.progress == SourceStatus::Progress::Opening) takeOutcome(*outcome);
     if (isRead()) followMarks();
   }
-  if (const auto recording = m_recorders.status()) source.recording = recording;
+  if (const auto recording = m_recorders.status()) {
+    if (source.recording && source.recording->givenUp != recording->givenUp)
+      m_snapshot.givenUpFile = recording->givenUp;
+    source.recording = recording;
+  }
 }
 
 void Session::takeOutcome(const LogOpening::Outcome& outcome) {
@@ -345,6 +365,10 @@ void Session::tick() {
     takeLink(m_snapshot, published);
   }
   updateSource();
+  if (isWorse(m_snapshot.source, before.source)) {
+    m_snapshot.notSent = Refusal::None;
+    m_snapshot.notOpened.reset();
+  }
   if (grows()) m_labels.note(*m_document, *published.state);
   const Cursor end = grows() ? published.state->cursor() : endCursor();
   m_playback.reach(end, grows());

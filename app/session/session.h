@@ -71,6 +71,8 @@ class Session : public QObject {
   void setClaim(const ClaimSettings& claim) { m_claim = claim; }
 
   const Snapshot& snapshot() const { return m_snapshot; }
+  // The person has read what the snapshot says once.
+  void dismiss();
 
   // Sends an intent to the live bus and returns its serial number, which Snapshot::services names if the services
   // refuse it. Returns 0 if the session refuses it; Snapshot::notSent has the reason. Away from the live edge only

@@ -97,7 +97,11 @@ std::uint64_t Session::intend(Intent intent) {
     if (!m_snapshot.view.atEnd) return Refusal::NotLive;
     return m_live->latest().storeFull ? Refusal::LogFull : Refusal::None;
   }();
-  if (std::exchange(m_snapshot.notSent, refusal) != refusal) Q_EMIT changed();
+  const bool isNew = m_snapshot.notSent != refusal || m_snapshot.notOpened || m_snapshot.leftRecording ||
+                     m_snapshot.givenUpFile;
+  forgetSaid();
+  m_snapshot.notSent = refusal;
+  if (isNew) Q_EMIT changed();
   if (refusal != Refusal::None || m_live == nullptr) return 0;
   const StampedIntent stamped{std::move(intent), bootTime(), ++m_serial};
   QMetaObject::invokeMethod(

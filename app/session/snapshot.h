@@ -111,6 +111,8 @@ struct Snapshot {
   // The same of a log that cannot be read, and of the recording of a link that was left.
   std::optional<NotOpened> notOpened{};
   std::optional<JournalStatus> leftRecording{};
+  // The same of a file of the recording that was removed or changed, so that the recording goes on in another.
+  std::optional<JournalFault> givenUpFile{};
   // Until the interface is seen down, which takes them back, or another link is left so.
   std::optional<LeftWaiting> leftWaiting{};
 };

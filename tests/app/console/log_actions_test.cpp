@@ -104,6 +104,9 @@ TEST_F(LogActions, AFileThatCannotBeReadLeavesTheOpenLogAndIsSaid) {
       [&] { return text("noticeText").contains(QStringLiteral("other.log cannot be read")); }, kPatience));
   EXPECT_EQ(m_session.snapshot().view.frameCount, 3u);
   EXPECT_TRUE(m_window.windowTitle().startsWith(QStringLiteral("truck.log")));
+  QTest::mouseClick(named<QPushButton>("noticeClose"), Qt::LeftButton);
+  EXPECT_EQ(text("noticeText"), QString()) << "it was read";
+  EXPECT_FALSE(named<QPushButton>("noticeClose")->isVisible());
 }
 
 TEST_F(LogActions, SaveWhatIsSelectedInTheTraceOrPassesItsFilter) {

@@ -84,6 +84,23 @@ TEST(RecordingFact, IsSaidOnlyWhileAFileGrows) {
 
 TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
   Snapshot snapshot = file(kTruck);
+TEST(RecordingFact, SaysWhatBecameOfAFileThatWasTakenAway) {
+  Snapshot snapshot = link(Progress::Running);
+  JournalStatus& recording = snapshot.source.recording.emplace();
+  recording.fault = {JournalFault::Kind::Removed, "/data/1.deckpipe"};
+  EXPECT_TRUE(says(notice(snapshot), "/data/1.deckpipe was removed while")) << notice(snapshot);
+  EXPECT_EQ(recordingFact(snapshot).text.toStdString(), "Not recorded");
+  recording = {.path = "/data/2.deckpipe", .frames = 2, .givenUp = recording.fault};
+  snapshot.givenUpFile = recording.givenUp;
+  EXPECT_TRUE(says(notice(snapshot), "/data/1.deckpipe was removed")) << notice(snapshot);
+  EXPECT_TRUE(says(notice(snapshot), "goes on in /data/2.deckpipe")) << notice(snapshot);
+  snapshot.givenUpFile.reset();
+  EXPECT_EQ(notice(snapshot), "");
+  const std::string story = recordingFact(snapshot).story.toStdString();
+  EXPECT_TRUE(says(story, "/data/1.deckpipe was removed")) << story;
+  EXPECT_TRUE(says(story, "/data/2.deckpipe")) << story;
+}
+
   snapshot.source.read.isOpenEnded = true;
   EXPECT_TRUE(says(notice(snapshot), "last second may be missing"));
   snapshot.source.read.goesOn = true;
@@ -127,6 +144,77 @@ TEST(NoticeText, SaysThatNothingWasSentAndWhy) {
 
 TEST(NoticeOf, SaysThatTheStateAtTheCursorIsStillBeingFound) {
   Snapshot snapshot;
+// Whatever else is to be said, the worst of it is said first, and its way out is offered.
+TEST(NoticeOf, OfEachTwoTheWorseShows) {
+  struct Row {
+    const char* name;
+    void (*apply)(Snapshot&);
+  };
+  const Row worstFirst[] = {
+      {"link lost", [](Snapshot& s) { s.source.progress = Progress::Lost; }},
+      {"recording fault",
+       [](Snapshot& s) {
+         s.source.recording = JournalStatus{.path = "/data/1.deckpipe",
+                                            .fault = {JournalFault::Kind::DiskFull, "No space left"}};
+       }},
+      {"fault of the recording that was left",
+       [](Snapshot& s) {
+         s.leftRecording = JournalStatus{.fault = {JournalFault::Kind::CannotCreate, "Permission denied"}};
+       }},
+      {"log that cannot be read",
+       [](Snapshot& s) {
+         s.notOpened = NotOpened{QStringLiteral("/logs/binary.log"), ReadError{}};
+       }},
+      {"nothing was sent", [](Snapshot& s) { s.notSent = Refusal::NotLive; }},
+      {"file of the recording given up",
+       [](Snapshot& s) {
+         s.givenUpFile = JournalFault{JournalFault::Kind::Removed, "/data/0.deckpipe"};
+         if (!s.source.recording) s.source.recording.emplace().path = "/data/1.deckpipe";
+       }},
+      {"catching up", [](Snapshot& s) { s.isCatchingUp = true; }},
+      {"paused",
+       [](Snapshot& s) {
+         s.view.atEnd = false;
+         s.view.end = s.view.cursor.time + 65s;
+       }},
+      {"nothing heard",
+       [](Snapshot& s) {
+         s.view.cursor.time = s.view.cursor.time + 7s;
+         s.view.end = s.view.end + 7s;
+       }},
+      {"recording that was left",
+       [](Snapshot& s) {
+         if (!s.leftRecording) s.leftRecording = JournalStatus{.path = "/data/0.deckpipe"};
+       }},
+  };
+  constexpr std::size_t kRows = std::size(worstFirst);
+  for (std::size_t worse = 0; worse < kRows; ++worse) {
+    Snapshot alone = link(Progress::Running);
+    worstFirst[worse].apply(alone);
+    const Notice wanted = noticeOf(alone, ratesAt(alone.view));
+    ASSERT_FALSE(wanted.text.isEmpty()) << worstFirst[worse].name;
+    for (std::size_t lesser = worse + 1; lesser < kRows; ++lesser) {
+      SCOPED_TRACE(std::string(worstFirst[worse].name) + ", " + worstFirst[lesser].name);
+      Snapshot both = alone;
+      worstFirst[lesser].apply(both);
+      const Notice said = noticeOf(both, ratesAt(both.view));
+      EXPECT_TRUE(said.text.startsWith(wanted.text)) << said.text.toStdString();
+      EXPECT_EQ(said.tone, wanted.tone);
+      EXPECT_EQ(said.action, wanted.action);
+    }
+  }
+}
+
+TEST(NoticeOf, SaysBesideAFaultWhatCameOfTheLastDeed) {
+  Snapshot snapshot = link(Progress::Lost);
+  snapshot.notOpened = NotOpened{QStringLiteral("/logs/binary.log"), ReadError{}};
+  const Notice said = noticeOf(snapshot, {});
+  EXPECT_TRUE(says(said.text.toStdString(), "is lost")) << said.text.toStdString();
+  EXPECT_TRUE(says(said.text.toStdString(), "binary.log cannot be read")) << said.text.toStdString();
+  EXPECT_EQ(said.action, Notice::Action::Reconnect);
+  EXPECT_TRUE(said.canClose);
+}
+
   snapshot.source.kind = SourceStatus::Kind::File;
   snapshot.source.progress = SourceStatus::Progress::Done;
   snapshot.view = test::viewOf(test::logOfText("(10.000000) can0 18EFFF80#011D940371000041\n"));

@@ -132,6 +132,7 @@ TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
   QSignalSpy changed(&session, &Session::changed);
   session.setSaved(session.snapshot().view.document, 3, 1);
   EXPECT_FALSE(session.snapshot().source.unkeptMarks) << "they are in the file that was saved";
+  EXPECT_EQ(changed.count(), 1) << "a log at rest changes by nothing else";
 }
 
 // Between the decision to open another log and its first frame the old one is still in view.
@@ -604,6 +605,18 @@ TEST_F(StuckBus, ConnectedAgainSaysWhatWaitedUntilTheInterfaceIsGone) {
   for (QTcpSocket* socket : m_server.findChildren<QTcpSocket*>()) socket->abort();
   EXPECT_TRUE(waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Lost; }));
   EXPECT_FALSE(saysWhatWaits());
+}
+
+TEST_F(StuckBus, WhoseLinkIsLostIsNotHiddenByWhatWasSaidBefore) {
+  m_session.openLog(QStringLiteral("/no/such/file.log"));
+  ASSERT_TRUE(waitFor([&] { return m_session.snapshot().notOpened.has_value(); }));
+  for (QTcpSocket* socket : m_server.findChildren<QTcpSocket*>()) socket->abort();
+  ASSERT_TRUE(waitFor([&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Lost; }));
+  EXPECT_FALSE(m_session.snapshot().notOpened) << "it was said before";
+  m_session.openLog(QStringLiteral("/no/such/file.log"));
+  ASSERT_TRUE(waitFor([&] { return m_session.snapshot().notOpened.has_value(); }));
+  m_session.dismiss();
+  EXPECT_FALSE(m_session.snapshot().notOpened);
 }
 
 TEST(Link, SaysWhyAnAdapterCannotBeOpened) {

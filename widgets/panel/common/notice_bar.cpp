@@ -33,14 +33,16 @@ NoticeBar::NoticeBar(QWidget* parent)
       m_text(makeWords(this, "noticeText", tr("Notice"))),
       m_command(makeCommand(this, "noticeCommand", tr("Command for a terminal"))),
       m_copy(makeButton(this, "noticeCopy", tr("Copy"), tr("Copy the command"))),
-      m_act(new QPushButton(this)) {
+      m_act(new QPushButton(this)),
+      m_close(makeButton(this, "noticeClose", tr("Close"), tr("Close the notice"))) {
   named(this, "noticeBar", tr("Notice"));
   m_act->setObjectName(QStringLiteral("noticeAction"));
   inRow(this, {14, 6, 8, 6}, 8,
-        {{m_sign, 0, Qt::AlignVCenter}, {inColumn(2, {m_text, m_command}), 1}, m_copy, m_act});
+        {{m_sign, 0, Qt::AlignVCenter}, {inColumn(2, {m_text, m_command}), 1}, m_copy, m_act, m_close});
   connect(m_copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(m_notice.command); });
   connect(m_act, &QPushButton::clicked, this, &NoticeBar::act);
+  connect(m_close, &QPushButton::clicked, this, &NoticeBar::closeRequested);
   hide();
 }
 
@@ -55,6 +57,7 @@ void NoticeBar::setNotice(const Notice& notice) {
   m_act->setText(action);
   m_act->setAccessibleName(action);
   m_act->setVisible(!action.isEmpty());
+  m_close->setVisible(notice.canClose);
   setAccessibleDescription(notice.text);
   m_sign->setGlyph(glyphOf(notice.tone), inkOf(notice.tone));
   update();

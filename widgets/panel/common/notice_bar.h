@@ -21,6 +21,7 @@ struct Notice {
   QString command{};  // for a terminal
   Action action = Action::None;
   QString details{};  // for CopyDetails
+  bool canClose = false;
   friend bool operator==(const Notice&, const Notice&) = default;
 };
 
@@ -35,6 +36,7 @@ class NoticeBar : public QWidget {
 
  Q_SIGNALS:
   void actionRequested(deckpipe::Notice::Action action);
+  void closeRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -48,6 +50,7 @@ class NoticeBar : public QWidget {
   QLabel* m_command;
   QPushButton* m_copy;
   QPushButton* m_act;
+  QPushButton* m_close;
 };
 
 }  // namespace deckpipe
