@@ -2,9 +2,11 @@
 // deckpipectl recordings: what the console recorded on this machine.
 #include "session/recordings.h"
 
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <cstdio>
 
 #include "arguments.h"
 #include "command.h"
@@ -76,6 +78,17 @@ ExitStatus recordingsCommand(const QStringList& given) {
 
   Output output;
   const QString where = arguments.has("folder") ? arguments.text("folder") : recordingsFolder();
+  const QFileInfo facts(where);
+  // Nothing was recorded yet where the console keeps its recordings.
+  const bool mayBeAbsent = !arguments.has("folder") && !facts.exists();
+  if (!mayBeAbsent && !(facts.isDir() && facts.isReadable())) {
+    std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(where),
+                 !facts.exists() ? "no such folder"
+                 : facts.isDir() ? "the folder cannot be read"
+                                 : "it is no folder");
+    return kCannotRead;
+  }
+  if (mayBeAbsent) std::fprintf(stderr, "deckpipectl: %s: nothing was recorded yet\n", qPrintable(where));
   for (const Recording& recording : recordingsIn(where)) {
     const QByteArray line = arguments.has("json") ? jsonOf(recording) : lineOf(recording);
     output.text().append(line.constData(), static_cast<std::size_t>(line.size()));

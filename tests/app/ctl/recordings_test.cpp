@@ -68,6 +68,17 @@ TEST_F(RecordingsOfTheTool, AreReadByInfoAndDecodeWhileTheyGrowAndAfterAKill) {
   EXPECT_TRUE(r.lines()[2].contains(R"("family":"copley")")) << r.lines()[2].constData();
 }
 
+TEST_F(RecordingsOfTheTool, AreNotListedOfWhatIsNoFolder) {
+  record();
+  for (const QString& folder : {m_dir.filePath(QStringLiteral("absent")), m_path}) {
+    const Outcome r = run({QStringLiteral("recordings"), QStringLiteral("--folder"), folder});
+    EXPECT_EQ(r.status, 3);
+    EXPECT_TRUE(r.out.isEmpty());
+    EXPECT_TRUE(r.err.contains(folder.toUtf8())) << r.err.constData();
+  }
+  EXPECT_EQ(run({QStringLiteral("recordings"), QStringLiteral("--folder"), m_dir.path()}).status, 0);
+}
+
 TEST_F(RecordingsOfTheTool, AreReadFromAPipeToo) {
   record();
   m_writer->end();
@@ -202,8 +213,7 @@ TEST_F(RecordingsOfTheTool, AreListedWithWhatIsInThem) {
 }
 
 TEST_F(RecordingsOfTheTool, OfAFolderWithoutAnyAreAnEmptyList) {
-  const Outcome r = run(
-      {QStringLiteral("recordings"), QStringLiteral("--folder"), m_dir.filePath(QStringLiteral("absent"))});
+  const Outcome r = run({QStringLiteral("recordings"), QStringLiteral("--folder"), m_dir.path()});
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.out.isEmpty());
 }
