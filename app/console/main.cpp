@@ -10,6 +10,7 @@
 #include "main_window.h"
 #include "options.h"
 #include "session/recordings.h"
+#include "session/stop_signals.h"
 
 namespace {
 
@@ -41,6 +42,10 @@ int main(int argc, char** argv) {
     deckpipe::installLanguage(withoutDisplay);
     if (const auto status = deckpipe::parseOptions(arguments, options)) return *status;
   }
+  deckpipe::MainWindow* asked = nullptr;  // to quit; Qt has threads as soon as there is an application
+  deckpipe::onStopSignals([&asked] {
+    if (asked != nullptr) asked->quit();
+  });
   QApplication application(argc, argv);
   deckpipe::installLanguage(application);
   // Qt tells on standard error what its adapters do; what matters of it comes back as reasons.
@@ -53,6 +58,7 @@ int main(int argc, char** argv) {
   if (const auto theme = deckpipe::themeOfKey(options.theme)) window.setTheme(*theme);
   if (const auto density = deckpipe::densityOfKey(options.density)) window.setDensity(*density);
   window.show();
+  asked = &window;
   if (!options.logFile.isEmpty()) session.openLog(options.logFile);
   if (options.demo) session.openDemo();
   if (options.link) session.openLink(*options.link);

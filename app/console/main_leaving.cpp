@@ -94,6 +94,11 @@ QStringList MainWindow::runningWork() const {
   }
   if (services.unconfirmed > 0) work << waitingText(services.unconfirmed);
   if (!services.locked) work << tr("Sending is unlocked. It is locked on quitting.");
+void MainWindow::quit() {
+  m_mayClose = true;
+  close();
+}
+
   return work;
 }
 

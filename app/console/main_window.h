@@ -42,6 +42,8 @@ class MainWindow : public QMainWindow {
   void saveLog(const QString& path);
   // What is seen. The session's, on its tick; pictures of every state come from here too.
   void setSnapshot(const Snapshot& snapshot);
+  // Without a question: the system ends the program, and nobody may be there to answer.
+  void quit();
   // As last time: theme, size, columns.
   void restoreLayout();
 

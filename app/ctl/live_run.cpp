@@ -11,7 +11,7 @@
 #include "link/plugins.h"
 #include "link_words.h"
 #include "request_words.h"
-#include "signals.h"
+#include "session/stop_signals.h"
 
 namespace deckpipe::ctl {
 

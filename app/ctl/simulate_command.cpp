@@ -19,7 +19,7 @@
 #include "output.h"
 #include "session/mark_keeper.h"
 #include "session/simulator_runner.h"
-#include "signals.h"
+#include "session/stop_signals.h"
 
 namespace deckpipe::ctl {
 namespace {

@@ -2,8 +2,14 @@
 // The program itself, as a terminal without a display meets it.
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "session/recordings.h"
 
 namespace {
 
@@ -32,6 +38,34 @@ TEST(Program, SaysItsHelpAndVersionWithoutADisplay) {
   const Outcome version = runWithoutDisplay(QStringLiteral("--version"));
   EXPECT_EQ(version.status, 0) << version.err.constData();
   EXPECT_TRUE(version.out.startsWith("deckpipe ")) << version.out.constData();
+}
+
+TEST(Program, EndsARecordingWhenItIsStopped) {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    SCOPED_TRACE(signal);
+    const QTemporaryDir home;
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+    environment.insert(QStringLiteral("XDG_DATA_HOME"), home.path());
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), home.path());
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(DECKPIPE), {QStringLiteral("--demo")});
+    const QDir folder(home.filePath(QStringLiteral("Deckpipe/deckpipe/recordings")));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          const auto recordings = deckpipe::recordingsIn(folder.path());
+          return !recordings.empty() && recordings[0].frames > 0;
+        },
+        60'000));
+    ASSERT_EQ(::kill(static_cast<pid_t>(process.processId()), signal), 0);
+    ASSERT_TRUE(process.waitForFinished(60'000));
+    EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(process.exitCode(), 0);
+    const auto recordings = deckpipe::recordingsIn(folder.path());
+    ASSERT_EQ(recordings.size(), 1u);
+    EXPECT_TRUE(recordings[0].isWhole);
+  }
 }
 
 TEST(Program, RefusesUnusableArgumentsWithoutADisplay) {

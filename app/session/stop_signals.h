@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl+C, a polite kill and a terminal that is closed. For subcommands that run until they are stopped.
+// Ctrl+C, a polite kill and a terminal that is closed. For programs that run until they are stopped.
 #pragma once
 
 #include <functional>
 
-namespace deckpipe::ctl {
+namespace deckpipe {
 
 // From here on: `stop` is called on the calling thread's event loop, each time. Once a program; call it
 // before any other thread is started, which would take the signals otherwise.
@@ -14,4 +14,4 @@ void onStopSignals(std::function<void()> stop);
 void noteStopSignals();
 bool wasStopped();
 
-}  // namespace deckpipe::ctl
+}  // namespace deckpipe

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "signals.h"
+#include "session/stop_signals.h"
 
 #include <QCoreApplication>
 #include <csignal>
 #include <thread>
 #include <utility>
 
-namespace deckpipe::ctl {
+namespace deckpipe {
 namespace {
 
 volatile std::sig_atomic_t g_wasStopped = 0;
@@ -22,8 +22,10 @@ void onStopSignals(std::function<void()> stop) {
   sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals, stop = std::move(stop)] {
-    for (int caught = 0; sigwait(&signals, &caught) == 0;)
-      QMetaObject::invokeMethod(QCoreApplication::instance(), stop, Qt::QueuedConnection);
+    for (int caught = 0; sigwait(&signals, &caught) == 0;) {
+      if (auto* program = QCoreApplication::instance())
+        QMetaObject::invokeMethod(program, stop, Qt::QueuedConnection);
+    }
   }).detach();
 }
 
@@ -33,4 +35,4 @@ void noteStopSignals() {
 
 bool wasStopped() { return g_wasStopped != 0; }
 
-}  // namespace deckpipe::ctl
+}  // namespace deckpipe
