@@ -48,10 +48,7 @@ void MainWindow::ask(const Question& question, std::function<void()> act) {
 }
 
 void MainWindow::openLog(const QString& path) {
-  leave([=, this] {
-    rememberLog(path);
-    m_session.openLog(path);
-  });
+  leave([=, this] { m_session.openLog(path); });
 }
 
 void MainWindow::addUpTimes() {
@@ -94,12 +91,12 @@ QStringList MainWindow::runningWork() const {
   }
   if (services.unconfirmed > 0) work << waitingText(services.unconfirmed);
   if (!services.locked) work << tr("Sending is unlocked. It is locked on quitting.");
+  return work;
+}
+
 void MainWindow::quit() {
   m_mayClose = true;
   close();
-}
-
-  return work;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -154,7 +154,19 @@ void MainWindow::connectPanels() {
   connect(m_transport, &TransportBar::speedRequested, &m_session, &Session::setSpeed);
 }
 
-void MainWindow::showSnapshot() { setSnapshot(m_session.snapshot()); }
+void MainWindow::showSnapshot() {
+  setSnapshot(m_session.snapshot());
+  rememberWhatWasRead();
+}
+
+void MainWindow::rememberWhatWasRead() {
+  const SourceStatus& source = m_snapshot.source;
+  const auto& document = m_snapshot.view.document;
+  if (source.kind != SourceStatus::Kind::File || m_remembered.lock() == document) return;
+  if (m_snapshot.view.frameCount == 0 && source.progress != SourceStatus::Progress::Done) return;
+  m_remembered = document;
+  rememberLog(source.name);
+}
 
 void MainWindow::setSnapshot(const Snapshot& snapshot) {
   m_snapshot = snapshot;

@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void setLook(Theme theme, Density density);
   void showSnapshot();
+  void rememberWhatWasRead();
   void showPage();
   // Settings, about, recordings: in the place of the work until closed. Null: none.
   void showExtra(QWidget* page);
@@ -115,8 +116,9 @@ class MainWindow : public QMainWindow {
   Notice m_unsavedNotice;   // until the recordings were looked at
   bool m_mayClose = false;  // the person was asked
   std::function<void()> m_onceMarksAreKept;
-  QWidget* m_extra = nullptr;            // one of the pages, while it is seen
-  const LogDocument* m_shown = nullptr;  // the last log
+  QWidget* m_extra = nullptr;                     // one of the pages, while it is seen
+  const LogDocument* m_shown = nullptr;           // the last log
+  std::weak_ptr<const LogDocument> m_remembered;  // the last log of a file that could be read
   MarkBar* m_markBar;
   SaveBar* m_saveBar;
   TransportBar* m_transport;

@@ -319,9 +319,6 @@ TEST_F(LogActions, AskOnEveryWayOutBeforeMarksAreLostThatNoFileTakes) {
   EXPECT_FALSE(m_session.snapshot().view.document);
 }
 
-TEST_F(LogActions, LeavingAndQuittingWaitForMarksThatAreBeingWritten) {
-  openLog(kTruck);
-  Snapshot keeping = m_session.snapshot();
 TEST_F(LogActions, MarksThatWereSavedElsewhereAreNotSaidToBeLost) {
   QFile sidecar(m_dir.filePath(QStringLiteral("truck.log.deckpipe-notes")));
   ASSERT_TRUE(sidecar.open(QIODevice::WriteOnly));
@@ -370,6 +367,9 @@ TEST_F(LogActions, ALogThatWasSavedOverItselfStillKeepsItsMarks) {
   EXPECT_TRUE(kept.contains("before") && kept.contains("after")) << kept.constData();
 }
 
+TEST_F(LogActions, LeavingAndQuittingWaitForMarksThatAreBeingWritten) {
+  openLog(kTruck);
+  Snapshot keeping = m_session.snapshot();
   keeping.source.isKeepingMarks = true;
   m_window.setSnapshot(keeping);
   EXPECT_FALSE(m_window.close());
@@ -442,6 +442,20 @@ TEST_F(LogActions, OpenADroppedFileAndRememberIt) {
   QCoreApplication::sendEvent(&m_window, &drop);
   EXPECT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.frameCount == 3; }, kPatience));
   EXPECT_EQ(recentLogs(), QStringList{path});
+}
+
+TEST_F(LogActions, OnlyWhatCouldBeReadIsListedAmongTheLogsThatWereOpened) {
+  auto* page = only<ConnectionPage>();
+  Q_EMIT page->logRequested(m_dir.filePath(QStringLiteral("absent.log")));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Failed; }, kPatience));
+  EXPECT_EQ(recentLogs(), QStringList());
+  const QString good = writeLog(kTruck);
+  Q_EMIT page->logRequested(good);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().view.frameCount == 3; }, kPatience));
+  Q_EMIT page->logRequested(writeLog("no log\n", QStringLiteral("other.log")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_session.snapshot().notOpened.has_value(); }, kPatience));
+  EXPECT_EQ(recentLogs(), QStringList{good});
 }
 
 TEST_F(LogActions, ListTheNewestLogFirstAndForgetThem) {
