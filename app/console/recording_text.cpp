@@ -59,8 +59,8 @@ QString givenUpText(const JournalFault& file) {
 }
 
 QString recordingFaultText(const JournalStatus& recording) {
-  using Kind = JournalFault::Kind;
-  if (recording.fault.kind == Kind::Removed || recording.fault.kind == Kind::Changed)
+  if (recording.fault.kind == JournalFault::Kind::Removed ||
+      recording.fault.kind == JournalFault::Kind::Changed)
     return givenUpText(recording.fault);
   const QString why = QString::fromStdString(recording.fault.detail);
   if (recording.path.empty()) return StatusText::tr("No file can be made for this recording: %1").arg(why);
@@ -164,6 +164,10 @@ StatusFact completenessFact(const Snapshot& snapshot) {
   if (std::holds_alternative<StoreFull>(source.error))
     miss(StatusText::tr("Store full"),
          StatusText::tr("What came after the last frame is missing here: there was no room for more."));
+  if (source.recording && source.recording->fault)
+    miss(StatusText::tr("In memory only"),
+         StatusText::tr(
+             "What is not in the file of the recording is in memory, and is lost if Deckpipe ends."));
   const LinkOutages outages = outagesOf(snapshot);
   if (outages.isDown)
     miss(StatusText::tr("Link lost"),

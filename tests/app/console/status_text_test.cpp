@@ -79,11 +79,11 @@ TEST(RecordingFact, IsSaidOnlyWhileAFileGrows) {
     EXPECT_EQ(fact.tone, row.tone);
     EXPECT_TRUE(says(fact.story.toStdString(), row.story)) << fact.story.toStdString();
     EXPECT_EQ(says(notice(snapshot), "kept in memory only"), row.tone == Severity::Fault);
+    EXPECT_EQ(completenessFact(snapshot).text == QStringLiteral("In memory only"),
+              row.tone == Severity::Fault);
   }
 }
 
-TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
-  Snapshot snapshot = file(kTruck);
 TEST(RecordingFact, SaysWhatBecameOfAFileThatWasTakenAway) {
   Snapshot snapshot = link(Progress::Running);
   JournalStatus& recording = snapshot.source.recording.emplace();
@@ -101,6 +101,8 @@ TEST(RecordingFact, SaysWhatBecameOfAFileThatWasTakenAway) {
   EXPECT_TRUE(says(story, "/data/2.deckpipe")) << story;
 }
 
+TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
+  Snapshot snapshot = file(kTruck);
   snapshot.source.read.isOpenEnded = true;
   EXPECT_TRUE(says(notice(snapshot), "last second may be missing"));
   snapshot.source.read.goesOn = true;
@@ -142,8 +144,6 @@ TEST(NoticeText, SaysThatNothingWasSentAndWhy) {
   EXPECT_TRUE(says(noticeOf(snapshot, {}).text.toStdString(), "Nothing was sent. The link is not up"));
 }
 
-TEST(NoticeOf, SaysThatTheStateAtTheCursorIsStillBeingFound) {
-  Snapshot snapshot;
 // Whatever else is to be said, the worst of it is said first, and its way out is offered.
 TEST(NoticeOf, OfEachTwoTheWorseShows) {
   struct Row {
@@ -215,6 +215,8 @@ TEST(NoticeOf, SaysBesideAFaultWhatCameOfTheLastDeed) {
   EXPECT_TRUE(said.canClose);
 }
 
+TEST(NoticeOf, SaysThatTheStateAtTheCursorIsStillBeingFound) {
+  Snapshot snapshot;
   snapshot.source.kind = SourceStatus::Kind::File;
   snapshot.source.progress = SourceStatus::Progress::Done;
   snapshot.view = test::viewOf(test::logOfText("(10.000000) can0 18EFFF80#011D940371000041\n"));
