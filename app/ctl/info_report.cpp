@@ -76,6 +76,8 @@ std::string deviceJson(const State& state, const Device& device, std::string_vie
     addAngle(line, "rotation_deg", "rotation_state", device.position().value().rotation);
     addAngle(line, "elevation_deg", "elevation_state", device.position().value().elevation);
     line.add("position_old", isStale(state, device, MessageId::PositionLimitStatus));
+    const Duration ago = state.cursor().time - device.position().at;
+    line.add("position_age", hasTimes ? Value::decimal(ago / 100ms, 1) : Value());
   }
   if (device.faults().isKnown()) {
     const FaultStatus faults = device.faults().value();
@@ -126,7 +128,8 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
     };
     out += ", rotation " + angle(device.position().value().rotation);
     out += ", elevation " + angle(device.position().value().elevation);
-    if (isStale(state, device, MessageId::PositionLimitStatus)) out += " (old)";
+    if (isStale(state, device, MessageId::PositionLimitStatus))
+      out += hasTimes ? " (" + lengthText(state.cursor().time - device.position().at) + " old)" : " (old)";
   }
   if (const std::string faults = faultsText(state, device, hasTimes); !faults.empty()) out += ", " + faults;
   return out.append(", ").append(healthOf(state, device).key());

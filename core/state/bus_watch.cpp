@@ -160,6 +160,8 @@ bool BusWatch::stickCame(const State& state, Address source, std::vector<Event>&
   const auto sticks = state.channel(m_channel).joysticks.all();
   for (std::size_t i = 0; i < sticks.size(); ++i) {
     if (sticks[i].source != source) continue;
+    // The state took none: controllers take no input from a message of a wrong length.
+    if (sticks[i].basic.at != state.cursor().time) return false;
     const bool isBack = m_sticks[i].look(state, m_channel, sticks[i], isSettled(state.cursor().time), out);
     m_sticksDue = std::min(m_sticksDue, m_sticks[i].due());
     return isBack;

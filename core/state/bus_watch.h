@@ -42,7 +42,7 @@ class BusWatch {
   void cannotClaim(const State& state, Name name, std::span<DeviceWatch> devices, std::vector<Event>& out);
   // Statuses, NAMEs or PINs may show two devices at one address.
   void lookAtShared(const State& state, std::vector<Event>& out);
-  // Returns whether the source had not sent for a while.
+  // A basic message came. Returns whether the source had sent none of the right length for a while.
   bool stickCame(const State& state, Address source, std::vector<Event>& out);
   // Whatever is due by the state's time, but for contests.
   void timeCame(const State& state, std::vector<Event>& out);

@@ -127,6 +127,8 @@ struct Device {
   // Whether one of kPeriodicReports came and is older than three of its periods.
   bool isStale(MessageId id) const { return m_stale.has(id); }
   const EnumSet<MessageId>& stale() const { return m_stale; }
+  // So long after its last one a periodic report is stale.
+  Duration staleAfter(MessageId id) const;
   // When one of kPeriodicReports is stale unless another one comes; kNever: it is stale, or nothing can be heard.
   Instant staleDue(MessageId id) const;
   Instant nextDeadline() const;
@@ -154,7 +156,6 @@ struct Device {
   }
   // What was heard of it; 0: nothing yet, or of no node.
   Duration periodOf(MessageId id) const;
-  Duration staleAfter(MessageId id) const;
   void statusCame(Instant time);
   void takeStatus(const Frame& frame, MessageId id, Instant time);
   void takeDoubling(Doubling doubling, Instant time);

@@ -76,6 +76,7 @@ void DeviceWatch::begin(const Device& device, Instant now) {
   m_node = device.node;
   m_pin = device.pin;
   m_restarted = device.restarted;
+  m_malformedSeen = device.malformed;
   m_silenceDue = now + kSilentAfter;
 }
 
@@ -112,6 +113,41 @@ void DeviceWatch::heard(const State& state, const Device& device, std::vector<Ev
   if (m_silenceDue == kNever) m_silenceDue = state.cursor().time + kSilentAfter;
 }
 
+// A status of a wrong length says nothing. Where no other one comes, what the device said before is old; where right
+// ones come between, it is not.
+void DeviceWatch::lookAtLengths(const State& state, const Device& device, MessageId id,
+                                std::vector<Event>& out) {
+  const Instant now = state.cursor().time;
+  const bool isWrong = device.malformed != std::exchange(m_malformedSeen, device.malformed);
+  const auto place = std::ranges::find(kOwnPeriodicReports, id);
+  if (place == kOwnPeriodicReports.end()) return;
+  WrongLength& wrong = m_wrongLengths[static_cast<std::size_t>(place - kOwnPeriodicReports.begin())];
+  if (isWrong) {
+    // One now and then is nothing that comes periodically.
+    if (wrong.since == kNotYet || now - wrong.last > kSilentAfter) wrong.since = now;
+    wrong.last = now;
+    wrong.isTold = wrong.isTold || now - wrong.since >= device.staleAfter(id);
+  } else if (device.report(id).at == now) {
+    wrong = {};
+  }
+  m_hasMalformed =
+      std::ranges::any_of(m_wrongLengths, [](const WrongLength& w) { return w.since != kNotYet; });
+  compareLengths(state, out);
+}
+
+void DeviceWatch::compareLengths(const State& state, std::vector<Event>& out) {
+  Instant since = kNotYet;
+  for (const WrongLength& wrong : m_wrongLengths) {
+    if (wrong.isTold && (since == kNotYet || wrong.since < since)) since = wrong.since;
+  }
+  Event event = eventOf(state);
+  const bool isWrong = since != kNotYet;
+  if (!m_lengths.moves(isWrong ? 1 : 0, event.time, m_retry)) return;
+  event.kind = isWrong ? EventKind::Malformed : EventKind::MalformedOver;
+  event.since = since;
+  m_lengths.tell(event, out);
+}
+
 // Nothing can be heard while the link is down, which is told by itself.
 void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
@@ -139,6 +175,7 @@ void DeviceWatch::timeCame(const State& state, const Device& device, std::vector
   m_retry = kNever;
   m_compared = noneCompared();
   compareSilence(state, out);
+  compareLengths(state, out);
   for (const MessageId id : kReports) {
     if (device.report(id).isKnown()) compare(state, device, id, out);
   }

@@ -26,6 +26,7 @@ class DeviceWatch {
   void look(const State& state, const Device& device, MessageId id, const Payload& data,
             std::vector<Event>& out) {
     if (m_silence.isSilent() || m_silenceDue == kNever) heard(state, device, out);
+    if (device.malformed != m_malformedSeen || m_hasMalformed) lookAtLengths(state, device, id, out);
     if (id != MessageId::Count && !isAsCompared(device, id, data)) compareNew(state, device, id, data, out);
   }
   // Whatever is due by the state's time.
@@ -60,6 +61,8 @@ class DeviceWatch {
                   std::vector<Event>& out);
   Event eventOf(const State& state) const;
   void heard(const State& state, const Device& device, std::vector<Event>& out);
+  void lookAtLengths(const State& state, const Device& device, MessageId id, std::vector<Event>& out);
+  void compareLengths(const State& state, std::vector<Event>& out);
   void compareSilence(const State& state, std::vector<Event>& out) {
     m_silence.compare(eventOf(state), m_retry, out);
   }
@@ -93,6 +96,15 @@ class DeviceWatch {
   // Of each report what was compared last. All ones: nothing, as a report begins with its type.
   std::array<std::uint64_t, kReports.size()> m_compared = noneCompared();
   Silence m_silence;
+  // Of each of kOwnPeriodicReports: when it first and last came in a wrong length, with no right one since.
+  struct WrongLength {
+    Instant since = kNotYet, last = kNotYet;
+    bool isTold = false;  // it came so for longer than a right one may be late
+  };
+  std::array<WrongLength, kOwnPeriodicReports.size()> m_wrongLengths;
+  std::uint32_t m_malformedSeen = 0;  // of Device::malformed
+  bool m_hasMalformed = false;        // one of m_wrongLengths has begun
+  EventSlot m_lengths{0};
   TellCount m_restarts, m_moves;
   EventSlot m_rotationError{0}, m_elevationError{0}, m_operationalError{0};
   EventSlot m_deviceFaulted{0}, m_errorCode{0};

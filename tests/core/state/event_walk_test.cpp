@@ -44,7 +44,35 @@ const std::vector<EventCase> kCases{
     {"ALinkThatIsDownIsNoSilence",
      [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(100ms).goOn(5s); },
      {}},
-    {"StatusesOfWrongLengthsAreNoSilence", [](Story& s) { s.monitor().goOn(10s, "0100", "83"); }, {}},
+    {"StatusesOfWrongLengthsAreNoSilence",
+     [](Story& s) { s.monitor().goOn(10s, "0100", "83"); },
+     {"6.300 malformed" MONITOR " since 6.000"}},
+    {"OneStatusOfWrongLengthsAmongOthers",
+     [](Story& s) { s.monitor().goOn(5s, "011D9403710000").goOn(1s, Story::kPosition, "83C0").goOn(1s); },
+     {"6.300 malformed" MONITOR " since 6.000", "11.000 malformed_over" MONITOR,
+      "11.300 malformed" MONITOR " since 11.000", "12.000 malformed_over" MONITOR}},
+    {"AStatusOfAWrongLengthAmongRightOnes",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 20; ++i) s.goOn(200ms, "0100").goOn(100ms);
+     },
+     {}},
+    {"AStatusOfAWrongLengthNowAndThen",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 5; ++i) s.hear("18EFFF80", "84").goOn(5s);
+     },
+     {}},
+    {"WrongLengthsThatAreLongerThanRightOnes",
+     [](Story& s) { s.monitor().goOn(1s, Story::kPosition, "83C05100").goOn(1s); },
+     {"6.300 malformed" MONITOR " since 6.000", "7.000 malformed_over" MONITOR}},
+    {"ANodeWhoseHeartbeatsHaveWrongLengths",
+     [](Story& s) {
+       s.hear("724", "05").pass(1s).hear("724", "05").pass(1s);
+       for (int i = 0; i < 6; ++i) s.hear("724", "0500").pass(1s);
+       s.hear("724", "05");
+     },
+     {"6.000 malformed node 24 since 3.000", "9.000 malformed_over node 24"}},
     {"APermissiveBehindALinkThatIsDown",
      [](Story& s) {
        s.monitor().hear("18EF8021", "A1000F").note(note::LinkDown{}).pass(40s).note(note::LinkUp{});
@@ -429,6 +457,15 @@ const std::vector<EventCase> kCases{
     {"AJoystickThatIsNotBackWithItsLink",
      [](Story& s) { s.stick(1s).note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
      {"42.200 joystick_timed_out 33", "44.000 joystick_ended 33 since 1.980"}},
+    {"AJoystickWhoseMessagesHaveWrongLengths",
+     [](Story& s) { s.stick(1s).stick(3s, "0CFDD633", "01000100").stick(100ms); },
+     {"2.180 joystick_timed_out 33", "3.980 joystick_ended 33 since 1.980", "5.000 joystick_began 33"}},
+    {"AJoystickWithSomeMessagesOfWrongLengths",
+     [](Story& s) {
+       s.stick(1s);
+       for (int i = 0; i < 20; ++i) s.stick(40ms, "0CFDD633", "01000100").stick(40ms);
+     },
+     {}},
     {"AJoystickThatBeginsAnew",
      [](Story& s) { s.stick(1s).pass(3s).stick(100ms); },
      {"2.180 joystick_timed_out 33", "3.980 joystick_ended 33 since 1.980", "5.000 joystick_began 33"}},
