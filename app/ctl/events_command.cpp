@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl events: what changed in a log, and when.
 #include <algorithm>
+#include <cstdio>
 
 #include "command.h"
 #include "event_lines.h"
 #include "log_input.h"
+#include "node_lines.h"
 #include "output.h"
 #include "state/advance.h"
 #include "state/event_walk.h"
@@ -28,6 +30,8 @@ class EventTeller {
     const std::uint64_t count = m_frames.count();
     return count == 0 || tellUntil(endOf(m_frames, m_notes), count + 1);
   }
+
+  const State& state() const { return m_walk.state(); }
 
  private:
   // Events up to `end`, and notes before frame `noteEnd`.
@@ -65,7 +69,10 @@ without times), channel, device (PIN, address or node), weight and what happened
 With --json: event, t (seconds as 'deckpipectl decode' has them; null in a log without times),
 channel, pin, address or node, weight (info, warning, fault) and what stands in brackets below;
 since (t) and folded (changes right before that were left out, as they came too fast for a reader)
-where they say something.
+where they say something. What is beyond )" +
+                 std::to_string(kMaxDevices) + " devices or " + std::to_string(kMaxChannels) +
+                 R"( channels is not
+followed: that is said on standard error.
 
 )" + eventKeysHelp());
   arguments.addArgument("FILE", logArgumentHelp());
@@ -77,7 +84,10 @@ where they say something.
   bool written = true;
   const ExitStatus status = input.read([&] { return written = teller.tellNew(); });
   written = written && teller.tellRest();
-  return written ? status : kNotWhole;
+  const std::vector<std::string> untracked = untrackedLines(teller.state());
+  for (const std::string& line : untracked)
+    std::fprintf(stderr, "%s: %s\n", input.name().c_str(), line.c_str());
+  return written && (status != kDone || untracked.empty()) ? status : kNotWhole;
 }
 
 }  // namespace deckpipe::ctl

@@ -128,6 +128,23 @@ TEST(EventsOfTheTool, HaveNoTimeInALogWithoutTimes) {
             (QList<QByteArray>{"           -  can0   1032AE100801035  warning  disabled"}));
 }
 
+TEST(EventsOfTheTool, SayWhatIsNotFollowed) {
+  QByteArray devices, channels;
+  for (int i = 0; i < 90; ++i) {
+    const QByteArray address = QByteArray::number(0x80 + i, 16).toUpper();
+    devices +=
+        "(1700000000.0" + QByteArray::number(10 + i) + ") can0 18EFFF" + address + "#011D940371000041\n";
+  }
+  for (int i = 0; i < 18; ++i)
+    channels += "(1700000000.0" + QByteArray::number(10 + i) + ") can" + QByteArray::number(i) + " 123#11\n";
+  for (const auto& [log, words] : {std::pair(devices, "10 frames of devices beyond the first 80"),
+                                   std::pair(channels, "2 frames on channels beyond the first 16")}) {
+    const Outcome r = eventsOf(log);
+    EXPECT_EQ(r.status, 1);
+    EXPECT_TRUE(r.err.contains(words)) << r.err.constData();
+  }
+}
+
 TEST(EventsOfTheTool, SayLongTimesInWordsForPeople) {
   const Outcome r = eventsOf(
       "(1700000000.000000) can0 18EFFF80#FF83150206021A0B\n"

@@ -19,6 +19,7 @@
 #include "paint/severity_look.h"
 #include "panel/common/build.h"
 #include "panel/common/flat_header.h"
+#include "panel/common/untracked_label.h"
 #include "panel/events/event_filter_bar.h"
 
 namespace deckpipe {
@@ -87,6 +88,7 @@ EventPanel::EventPanel(QWidget* parent)
       m_header(new FlatHeader(m_list)),
       m_empty(makeMessage(this, "noEvents", tr("Why no event is listed"), 16)),
       m_cut(new QLabel(tr("More happened: only the first events are listed."), this)),
+      m_untracked(new UntrackedLabel(QStringLiteral("untrackedEvents"), this)),
       m_pages(new QStackedLayout) {
   named(this, "eventPanel", tr("Events"));
   m_list->setToolTip(tr("A click puts the cursor there"));
@@ -102,7 +104,7 @@ EventPanel::EventPanel(QWidget* parent)
   m_empty->setText(tr("Nothing happened so far."));
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_list);
-  inColumn(this, {0, 0, 0, 0}, 0, {m_bar, {m_pages, 1}, m_cut});
+  inColumn(this, {0, 0, 0, 0}, 0, {m_bar, {m_pages, 1}, m_cut, m_untracked});
   m_cut->setObjectName(QStringLiteral("eventsCut"));
   m_cut->setMargin(4);
   m_cut->hide();
@@ -123,6 +125,7 @@ void EventPanel::setView(const PanelView& view) {
   const bool isOther = view.log.document != m_model->view().document || view.labels != m_model->labels();
   m_model->setLabels(view.labels);
   m_model->setView(view.log);
+  m_untracked->setView(view.log);
   if (isAtEnd && m_filter->rowCount() != rows) m_list->scrollToBottom();
   if (isOther || m_model->rowCount() != all) m_bar->updateDevices();
   showPage();

@@ -20,6 +20,7 @@ class EventFilter;
 class EventFilterBar;
 class EventModel;
 class FlatHeader;
+class UntrackedLabel;
 
 class EventPanel : public QWidget {
   Q_OBJECT
@@ -59,6 +60,7 @@ class EventPanel : public QWidget {
   FlatHeader* m_header;
   QLabel* m_empty;
   QLabel* m_cut;  // says that more happened than is listed
+  UntrackedLabel* m_untracked;
   QStackedLayout* m_pages;
 };
 
