@@ -54,12 +54,14 @@ void BusWatch::linkChanged(const State& state) {
   }
 }
 
-Address BusWatch::formerAddress(Address address) const {
+Address BusWatch::formerAddress(Address address, Instant now) const {
   const Name name = m_holders[address.value];
   if (!name.isAkron()) return kNullAddress;
   for (const auto* names : {&m_formerHolders, &m_holders}) {
     for (std::size_t a = 0; a < kNullAddress.value; ++a) {
-      if ((*names)[a] == name && a != address.value) return {static_cast<std::uint8_t>(a)};
+      if ((*names)[a] != name || a == address.value) continue;
+      if (names == &m_formerHolders || now - m_heldSince[a] >= kClaimTime)
+        return {static_cast<std::uint8_t>(a)};
     }
   }
   return kNullAddress;
@@ -90,13 +92,15 @@ void BusWatch::lookAtHolders(const State& state, std::span<DeviceWatch> devices,
     const Name holder = book.holder(address);
     const Name before = std::exchange(m_holders[a], holder);
     if (holder == before) continue;
-    std::ranges::replace(m_formerHolders, before, Name{});
-    if (!before.isNull()) m_formerHolders[a] = before;
     std::erase(m_cannotClaim, holder);
+    m_strangerSince[a] = kNotYet;
     Event event = eventAt(state, m_channel, EventKind::AddressLost, address);
     const Instant since = std::exchange(m_heldSince[a], event.time);
     // Who claims an address and gives way within the time for that never had it.
-    if (holder.isNull() || before.isNull() || event.time - since < kClaimTime) continue;
+    if (before.isNull() || event.time - since < kClaimTime) continue;
+    std::ranges::replace(m_formerHolders, before, Name{});
+    m_formerHolders[a] = before;
+    if (holder.isNull()) continue;
     bool isTold = false;
     for (DeviceWatch& device : devices) {
       if (!device.isUsed() || device.channel() != m_channel) continue;
@@ -130,6 +134,20 @@ void BusWatch::cannotClaim(const State& state, Name name, std::span<DeviceWatch>
   out.push_back(event);
 }
 
+void BusWatch::claimed(Address address, Name name) {
+  auto& [last, before] = m_claims[address.value];
+  if (name.isNull() || name == last) return;
+  before = std::exchange(last, name);
+}
+
+void BusWatch::nameParties(Event& lost, const Pin& pin) const {
+  for (const Name name : m_claims[lost.address.value]) {
+    if (name.isNull()) continue;
+    if (isNameOf(name, lost.pin)) lost.was = static_cast<std::int64_t>(name.value);
+    if (isNameOf(name, pin)) lost.now = static_cast<std::int64_t>(name.value);
+  }
+}
+
 void BusWatch::lookAtShared(const State& state, std::vector<Event>& out) {
   std::bitset<256> shared;
   for (const Device& device : state.devices().all()) {
@@ -154,6 +172,13 @@ void BusWatch::lookAtShared(const State& state, std::vector<Event>& out) {
     out.push_back(event);
   }
   m_shared = shared;
+}
+
+Instant BusWatch::heardSince(const Device& device, Instant now) const {
+  const bool isNode = device.kind == Device::Kind::Node;
+  const Instant since =
+      isNode ? m_nodeSince[device.node.value & 0x7F] : m_strangerSince[device.address.value];
+  return since == kNotYet ? now : since;
 }
 
 bool BusWatch::stickCame(const State& state, Address source, std::vector<Event>& out) {

@@ -40,10 +40,28 @@ class BusWatch {
   void lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out);
   // A NAME said that it can claim no address. Comes before lookAtHolders().
   void cannotClaim(const State& state, Name name, std::span<DeviceWatch> devices, std::vector<Event>& out);
+  // A NAME was sent from an address.
+  void claimed(Address address, Name name);
+  // Fills in the NAMEs of an event AddressLost that PINs have shown: that of the loser, and that of the one with
+  // `pin`. Both have claimed the address, or the log does not hold them.
+  void nameParties(Event& lost, const Pin& pin) const;
   // Statuses, NAMEs or PINs may show two devices at one address.
   void lookAtShared(const State& state, std::vector<Event>& out);
   // A basic message came. Returns whether the source had sent none of the right length for a while.
   bool stickCame(const State& state, Address source, std::vector<Event>& out);
+  // A message that a device of Akron's repeats came from an address at which the state knows none: one of a wrong
+  // length makes no device.
+  void strangerCame(Address source, Instant time) {
+    Instant& since = m_strangerSince[source.value];
+    if (since == kNotYet) since = time;
+  }
+  // The same of a node, whether the state knows one or not: it takes more than one message to believe in it.
+  void nodeCame(NodeId node, Instant time) {
+    Instant& since = m_nodeSince[node.value & 0x7F];
+    if (since == kNotYet) since = time;
+  }
+  // Since when a device is heard that the state has come to know now.
+  Instant heardSince(const Device& device, Instant now) const;
   // Whatever is due by the state's time, but for contests.
   void timeCame(const State& state, std::vector<Event>& out);
 
@@ -57,11 +75,17 @@ class BusWatch {
   Instant contestsDue() const { return m_contestsDue; }
   // Whether whoever is heard for the first time was not there before.
   bool isSettled(Instant now) const { return m_first != kNotYet && now - m_first >= kSettling; }
-  // Where the NAME at this address was before; null: nowhere.
-  Address formerAddress(Address address) const;
+  // Which address the NAME at this one held before; null: none.
+  Address formerAddress(Address address, Instant now) const;
   bool isShared(Address a) const { return m_shared[a.value]; }
 
  private:
+  template <std::size_t N>
+  static constexpr std::array<Instant, N> neverHeard() {
+    std::array<Instant, N> times;
+    times.fill(kNotYet);
+    return times;
+  }
   void beginSecond(const State& state);
   void judgeLoad(const State& state, std::vector<Event>& out);
   void compareLoad(const State& state, std::vector<Event>& out);
@@ -73,11 +97,14 @@ class BusWatch {
   Instant m_sharedDue = kNever, m_contestsDue = kNever, m_sticksDue = kNever, m_retry = kNever;
 
   std::array<Name, 256> m_holders{};
-  std::array<Name, 256> m_formerHolders{};  // by the address that each lost last
+  std::array<Name, 256> m_formerHolders{};  // by the address that each held last and lost
   std::array<Instant, 256> m_heldSince{};
-  std::vector<Name> m_cannotClaim;      // those of which it was told
-  std::array<TellCount, 256> m_losses;  // by address
+  std::array<std::array<Name, 2>, 256> m_claims{};  // the last two NAMEs that claimed each address
+  std::vector<Name> m_cannotClaim;                  // those of which it was told
+  std::array<TellCount, 256> m_losses;              // by address
   std::bitset<256> m_shared;
+  std::array<Instant, 256> m_strangerSince = neverHeard<256>();
+  std::array<Instant, 128> m_nodeSince = neverHeard<128>();
   std::array<StickWatch, Joysticks::kMax> m_sticks;
 
   Instant m_secondEnd = kNever;                     // of the second whose load is counted

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "bus/canopen.h"
@@ -155,18 +156,25 @@ void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {
   if (id.pgn == pgn::kAddressClaimed && id.source == kNullAddress && frame.length == 8)
     bus.cannotClaim(*m_state, Name::of(frame), m_devices, m_found);
   if (id.pgn == pgn::kAddressClaimed || message == MessageId::AddressAnnouncement) {
+    if (id.pgn == pgn::kAddressClaimed && frame.length == 8) bus.claimed(id.source, Name::of(frame));
     lookAtIdentities(channel, bus);
     m_due = std::min(m_due, bus.due());
     message = MessageId::Count;
   }
   const bool isToDevice = message != MessageId::Count && messageOf(message).device == DeviceEnd::Receiver;
   const Device* device = m_state->devices().byAddress(channel, isToDevice ? id.destination : id.source);
-  if (device != nullptr) look(*device, message, frame.data, bus);
+  if (device != nullptr) {
+    look(*device, message, frame.data, bus);
+  } else if (message != MessageId::Count && !isToDevice) {
+    bus.strangerCame(id.source, cursor().time);
+  }
 }
 
 void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
   const CobId cob = CobId::of(frame.identifier());
   if (!cob.hasNode()) return;
+  const MessageId message = kByFunction[functionPlace(cob.function)];
+  if (message != MessageId::Count) bus.nodeCame(cob.node, cursor().time);
   const Device* device = m_state->devices().byNode({frame.channel}, cob.node);
   if (device == nullptr) return;
   // Other buses use these identifiers too: nothing is told of a node that was not heard as one. Two of its statuses
@@ -174,7 +182,6 @@ void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
   const bool isNode = device->heartbeat().isKnown() || device->faults().isKnown() ||
                       (device->position().isKnown() && device->outputs().isKnown()) ||
                       m_state->channel({frame.channel}).book.isAkronNode(cob.node);
-  const MessageId message = kByFunction[functionPlace(cob.function)];
   if (isNode && message != MessageId::Count) look(*device, message, frame.data, bus);
 }
 
@@ -185,7 +192,12 @@ void EventWalk::look(const Device& device, MessageId id, const Payload& data, Bu
   if (!watch.isUsed()) {
     m_used = std::max(m_used, place + 1);
     watch.begin(device, now);
-    if (bus.isSettled(now)) m_found.push_back(watch.appeared(*m_state, bus.formerAddress(device.address)));
+    const Instant since = bus.heardSince(device, now);
+    if (bus.isSettled(since)) {
+      Event event = watch.appeared(*m_state, bus.formerAddress(device.address, now));
+      if (since < now) event.since = since;
+      m_found.push_back(event);
+    }
   }
   watch.look(*m_state, device, id, data, m_found);
   if (device.doubled == now && !bus.isShared(device.address)) {
@@ -204,7 +216,12 @@ void EventWalk::lookAtIdentities(Channel channel, BusWatch& bus) {
     if (!watch.isOf(devices[i])) {
       watch = {};
     } else if (watch.channel() == channel) {
+      const std::size_t found = m_found.size();
       watch.lookAtIdentity(*m_state, devices[i], m_found);
+      for (Event& event : std::span(m_found).subspan(found)) {
+        const Device* taker = m_state->devices().byAddress(channel, event.address);
+        if (event.kind == EventKind::AddressLost && taker != nullptr) bus.nameParties(event, taker->pin);
+      }
     }
   }
   bus.lookAtShared(*m_state, m_found);

@@ -101,6 +101,25 @@ const std::vector<EventCase> kCases{
        s.monitor().hear("18EEFF81", Story::kNameOfB).hear("18EFFF81", Story::kAnnouncesB).goOn(1s);
      },
      {"6.000 appeared 1032AE100801036"}},
+    {"AMonitorThatAppearsAfterItsStatusesHadWrongLengths",
+     [](Story& s) { s.goOn(5s, "0100", "83").goOn(1s); },
+     {}},
+    {"AMonitorWithoutAPinThatAppearsLater",
+     [](Story& s) { s.monitor().hear("18EFFF81", Story::kPosition); },
+     {"6.000 appeared 81"}},
+    {"AMonitorThatAppearsLaterWithStatusesOfWrongLengths",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 10; ++i) s.goOn(100ms).hear("18EFFF81", "0100");
+       s.hear("18EFFF81", Story::kPosition);
+     },
+     {"7.000 appeared 81 since 6.100"}},
+    {"ANodeThatIsBelievedInLater",
+     [](Story& s) {
+       for (int i = 0; i < 50; ++i) s.hear("1A4", Story::kPosition).pass(100ms);
+       s.hear("724", "05").hear("1A4", Story::kPosition).pass(100ms);
+     },
+     {}},
     {"ARestart",
      [](Story& s) { s.monitor().hear("18EFFF80", Story::kAnnouncesA).goOn(1s); },
      {"6.000 restarted" MONITOR}},
@@ -247,6 +266,23 @@ const std::vector<EventCase> kCases{
        for (int i = 0; i < 100; ++i) s.hear("18EFFF84", "8500").pass(100ms);
      },
      {"6.000 address_lost 83 to another", "6.251 moved_address 84 131>132"}},
+    {"AnAddressOfAnInputModuleThatIsLostWithOthersThatItTries",
+     [](Story& s) {
+       s.hear("18EEFF83", Story::kNameOfB);
+       for (int i = 0; i < 50; ++i) s.hear("18EFFF83", "8500").pass(100ms);
+       s.hear("18EEFF83", Story::kLowerName).pass(1ms);
+       for (const char* id : {"18EEFF84", "18EEFF85"})
+         s.hear(id, Story::kNameOfB).pass(1ms).hear(id, Story::kNameOfA).pass(1ms);
+       s.hear("18EEFF86", Story::kNameOfB).pass(250ms);
+       for (int i = 0; i < 100; ++i) s.hear("18EFFF86", "8500").pass(100ms);
+     },
+     {"6.000 address_lost 83 to another", "6.255 moved_address 86 131>134"}},
+    {"AnAddressThatAnAnnouncementTakesBeforeItsNameDoes",
+     [](Story& s) {
+       s.monitor().hear("18EEFF80", Story::kNameOfB).pass(1ms).hear("18EFFF80", Story::kAnnouncesB);
+       s.pass(100ms);
+     },
+     {"6.001 address_lost" MONITOR " to another", "6.001 appeared 1032AE100801036"}},
     {"AnAddressLostForWantOfAnAnswer",
      [](Story& s) { s.monitor().hear("18EEFF80", Story::kHigherName).pass(1s); },
      {"6.250 address_lost" MONITOR " to another"}},
