@@ -152,7 +152,7 @@ void InfoReport::countNew() {
 
 // Notes at the end too, which stand before no frame.
 void InfoReport::takeNotes(Times times) {
-  m_times = m_frames.hasTimes() ? times : Times::None;
+  m_times = m_frames.hasTimes() || times == Times::Deltas ? times : Times::None;
   if (m_withDevices) advance(m_state, m_frames, m_notes, endOfRecording());
   for (const Note& note : m_notes.all()) {
     m_missed += framesMissed(note.value);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `candump -t d` prints the time since the frame before instead of the time. Such a log can only be told by
-// how its times run; ReadOptions::addsUpTimes makes times of them.
+// how its times run; ReadOptions::addsUpTimes makes times of them. Until then such a log has no times: its reader
+// says so to the store (FrameStore::takeNoTimes).
 #pragma once
 
+#include <span>
+
 #include "log/frame_store.h"
+#include "log/reading.h"
 
 namespace deckpipe {
 
@@ -13,5 +17,9 @@ namespace deckpipe {
 // needed, among which one in eight falls.
 inline constexpr std::uint64_t kFewestDeltas = 4, kFewestOfPart = 16, kMaxDeltas = 1'000;
 bool hasDeltaTimes(const FrameStore& frames);
+// The same of a log's first frames. Open: more of them are needed.
+Sniff sniffDeltaTimes(std::span<const Frame> first);
+// The same of a whole log, or of so many of its first frames.
+bool areDeltaTimes(std::span<const Frame> frames);
 
 }  // namespace deckpipe

@@ -2,9 +2,13 @@
 #include "log/frame_store.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace deckpipe {
 namespace {
+
+// Puts whatever a stamp says before the begin of time.
+constexpr std::int64_t kNoTimeOffset = std::numeric_limits<std::int64_t>::min();
 
 constexpr std::uint64_t kChunkBytes = FrameStore::kChunkFrames * sizeof(Frame);
 
@@ -81,6 +85,11 @@ bool FrameStore::append(std::span<const Frame> frames, Follows follows) {
     frames = m_held;
   }
   const Appended done = appendEach(frames, [&](std::uint64_t i, std::span<const Frame> rest) {
+    if (m_takesNoTimes) {
+      const std::uint8_t channel = rest.front().channel;
+      if (offsets(channel) == nullptr) addOffset(channel, {i, kNoTimeOffset, kNoStamp});
+      return Taken{};
+    }
     const FileClock::Verdict verdict = m_fileClock.next(rest, follows, m_time);
     switch (verdict.kind) {
       case FileClock::Kind::Undecided: return Taken{.mustWait = true};

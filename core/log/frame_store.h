@@ -70,6 +70,8 @@ class FrameStore {
   // FileClock::kLookAhead frames then wait for the next call. The last call is Follows::Nothing, with no
   // frame perhaps, however the reading ended.
   [[nodiscard]] bool append(std::span<const Frame> frames, Follows follows = Follows::Nothing);
+  // From now on no frame of the file has a time: what its stamps say is none.
+  void takeNoTimes() { m_takesNoTimes = true; }
   // Live frames, as they arrive.
   [[nodiscard]] bool append(std::span<const Frame> frames, const Arrival& arrival);
   // Frames of a store that was written down, with the log times that they had there. `offsets` are those that
@@ -163,6 +165,7 @@ class FrameStore {
   SpillFile m_spill;
   std::atomic<std::uint64_t> m_spilled = 0;
   std::int64_t m_time = 0;  // log time after the last frame
+  bool m_takesNoTimes = false;
   FileClock m_fileClock;
   LiveClock m_liveClock;
   std::vector<Frame> m_held;  // of a file: from a step on that is not decided yet

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "log/delta_times.h"
 #include "log/frame_store.h"
 #include "log/reading.h"
 #include "log/skipped.h"
@@ -39,7 +40,7 @@ class ChannelMap {
 class TextAppender {
  public:
   TextAppender(FrameStore& store, SkippedList& skipped, bool addsUpTimes)
-      : m_store(store), m_skipped(&skipped), m_addsUpTimes(addsUpTimes) {}
+      : m_store(store), m_skipped(&skipped), m_addsUpTimes(addsUpTimes), m_isJudged(addsUpTimes) {}
   // Reports go there from now on.
   void reportTo(SkippedList& skipped) { m_skipped = &skipped; }
 
@@ -56,7 +57,7 @@ class TextAppender {
       if (m_addsUpTimes && frame.hasStamp()) frame.stamp = m_time = saturatedPlus(m_time, frame.stamp);
     }
     const std::uint64_t before = m_store.count();
-    const bool fits = m_store.append(frames, Follows::More);
+    const bool fits = store(frames, Follows::More);
     m_skipped->add(block.skipped, m_lines);
     m_frames += m_store.count() - before;
     m_lines += block.lines;
@@ -66,7 +67,7 @@ class TextAppender {
   // The end of the text, however it was reached. False where the store had no room.
   bool finish() {
     const std::uint64_t before = m_store.count();
-    const bool fits = m_store.append({}, Follows::Nothing);
+    const bool fits = store({}, Follows::Nothing);
     m_frames += m_store.count() - before;
     return fits;
   }
@@ -78,6 +79,18 @@ class TextAppender {
   std::uint64_t frames() const { return m_frames; }
 
  private:
+  // The first frames wait until they tell whether their times are differences.
+  bool store(std::span<const Frame> frames, Follows follows) {
+    if (m_isJudged) return m_store.append(frames, follows);
+    m_first.insert(m_first.end(), frames.begin(), frames.end());
+    if (follows == Follows::More && sniffDeltaTimes(m_first) == Sniff::Open) return true;
+    m_isJudged = true;
+    if (areDeltaTimes(m_first)) m_store.takeNoTimes();
+    const bool fits = m_store.append(m_first, follows);
+    m_first = {};
+    return fits;
+  }
+
   FrameStore& m_store;
   SkippedList* m_skipped;
   bool m_addsUpTimes;
@@ -85,6 +98,8 @@ class TextAppender {
   std::string m_unnamedIs{kUnnamedInterface};
   std::uint64_t m_lines = 0;
   std::uint64_t m_frames = 0;
+  bool m_isJudged;
+  std::vector<Frame> m_first;  // before that
 };
 
 }  // namespace deckpipe

@@ -33,6 +33,7 @@ using Key = std::tuple<std::uint8_t, std::uint8_t, MessageId>;  // channel, addr
 // What the clock of a channel shows when frame `at` comes.
 std::int64_t stampAt(const FrameStore& frames, std::uint8_t channel, std::uint64_t at) {
   if (!frames[at].hasStamp()) return kNoStamp;
+  if (!frames.hasTimes()) return frames[at].stamp;
   std::int64_t offset = 0;
   if (const auto* offsets = frames.offsets(channel)) {
     for (std::size_t i = 0; i < offsets->size() && (*offsets)[i].frame <= at; ++i)

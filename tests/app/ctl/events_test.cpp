@@ -128,6 +128,21 @@ TEST(EventsOfTheTool, HaveNoTimeInALogWithoutTimes) {
             (QList<QByteArray>{"           -  can0   1032AE100801035  warning  disabled"}));
 }
 
+TEST(EventsOfTheTool, HaveNoTimeWhereTimesAreDifferences) {
+  QByteArray log = "(0.000000) can0 18EFFF80#FF83150206021A0B\n";
+  for (int i = 0; i < 200; ++i) {
+    log += i % 9 == 8 ? "(5.100000) " : "(0.010000) ";
+    log += i < 100 ? "can0 18EFFF80#83C051\n" : "can0 18EFFF80#834051\n";
+  }
+  const Outcome r = eventsOf(log);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_TRUE(r.err.contains("--deltas adds them up")) << r.err.constData();
+  EXPECT_EQ(
+      r.lines(),
+      (QList<QByteArray>{
+          R"({"event":"disabled","t":null,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"warning","was":true,"now":false})"}));
+}
+
 TEST(EventsOfTheTool, SayWhatIsNotFollowed) {
   QByteArray devices, channels;
   for (int i = 0; i < 90; ++i) {

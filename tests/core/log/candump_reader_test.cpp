@@ -221,6 +221,26 @@ TEST(DeltaTimes, AreAddedUpAlikeOfFileAndPipe) {
   EXPECT_EQ(outcomeOf(stream.finish(), store, skipped), file);
 }
 
+TEST(DeltaTimes, AreNoTimesUntilTheyAreAddedUp) {
+  std::string text;
+  for (int i = 0; i < 3000; ++i)
+    text += i == 0 ? "(0.0) can0 123#11\n" : i % 7 == 0 ? "(5.1) can1 124#11\n" : "(0.1) can0 123#11\n";
+  ReadOptions options;
+  options.blockBytes = 100;
+  for (const bool isAddedUp : {false, true}) {
+    options.addsUpTimes = isAddedUp;
+    FrameStore frames;
+    SkippedList skipped;
+    ASSERT_TRUE(readLog(BytesInMemory(text), {frames, skipped}, options));
+    ASSERT_EQ(frames.count(), 3000u);
+    EXPECT_EQ(frames.hasTimes(), isAddedUp);
+    EXPECT_EQ(frames.timeAt(1500) > Instant{}, isAddedUp);
+    EXPECT_EQ(frames.firstAfter(Instant{}), isAddedUp ? 1u : 3000u);
+    EXPECT_EQ(frames.jumps().size(), 0u);
+    EXPECT_EQ(frames[1].stamp, 100'000'000) << "as they stand in the file";
+  }
+}
+
 TEST(CandumpReader, ReadsALastLineWithoutLineFeed) {
   const Outcome outcome = readEveryWay("(1.0) can0 123#11\n(2.0) can0 123#22");
   ASSERT_EQ(outcome.frames.size(), 2u);
@@ -394,7 +414,7 @@ TEST(CandumpReader, SaysThatTheStoreIsFull) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ReadError::Kind::StoreFull);
   LogStream stream({store, skipped});
-  EXPECT_FALSE(stream.feed(std::string_view("(1.0) can0 123#11\n")));
+  EXPECT_FALSE(stream.feed(std::string_view("(1700000000.5) can0 123#11\n")));
   EXPECT_EQ(stream.finish().error().kind, ReadError::Kind::StoreFull);
 }
 
@@ -431,7 +451,7 @@ TEST(LogStream, PutsWholeLinesIntoTheStoreAtOnce) {
   FrameStore store;
   SkippedList skipped;
   LogStream stream({store, skipped});
-  EXPECT_TRUE(stream.feed(std::string_view("(1.0) can0 123#11\n(2.0) can0 123#2")));
+  EXPECT_TRUE(stream.feed(std::string_view("(1700000000.5) can0 123#11\n(1700000000.6) can0 123#2")));
   EXPECT_EQ(store.count(), 1u);
   EXPECT_TRUE(stream.feed(std::string_view("2\n")));
   EXPECT_EQ(store.count(), 2u);
