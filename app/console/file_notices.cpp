@@ -136,6 +136,10 @@ Notice readingNotice(const ReadSummary& read) {
   if (read.goesOn)
     return {Severity::Warning,
             NoticeText::tr("This recording still goes on: what came since it was opened is not here.")};
+  if (read.lastLine == LastLine::LeftOut)
+    return {Severity::Warning,
+            NoticeText::tr("The last line of this log has no line end, and its frame has fewer "
+                           "bytes than before: it is cut and was left out.")};
   if (read.isOpenEnded)
     return {Severity::Warning, NoticeText::tr("This recording has no end: its last second may be missing.")};
   return {};
@@ -179,7 +183,10 @@ Notice fileNotice(const Snapshot& snapshot) {
                            nullptr, forPlural(cut))};
   if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
     return {Severity::Warning, missing.text};
-  return clockNotice(*snapshot.view.document);
+  if (Notice notice = clockNotice(*snapshot.view.document); !notice.text.isEmpty()) return notice;
+  if (source.read.lastLine == LastLine::Open)
+    return {Severity::Plain, NoticeText::tr("The last line of this log has no line end: it may be cut.")};
+  return {};
 }
 
 }  // namespace deckpipe

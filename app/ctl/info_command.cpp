@@ -26,8 +26,8 @@ ExitStatus infoCommand(const QStringList& given) {
   report.takeNotes(input.hasDeltas() ? InfoReport::Times::Deltas : InfoReport::Times::Known);
   Output output;
   const SkippedPlaces skipped = input.skipped.content();
-  output.text() =
-      arguments.has("json") ? report.json(input.name(), skipped) : report.text(input.name(), skipped);
+  output.text() = arguments.has("json") ? report.json(input.name(), skipped, input.lastLine)
+                                        : report.text(input.name(), skipped);
   return output.flush() ? status : kNotWhole;
 }
 

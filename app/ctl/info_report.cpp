@@ -248,7 +248,7 @@ std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipp
   return out;
 }
 
-std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipped) const {
+std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipped, LastLine lastLine) const {
   char span[40] = "null";
   if (m_times == Times::Known) std::snprintf(span, sizeof span, "%.6f", spanSeconds());
   std::vector<std::string> adapters, ids, devices;
@@ -275,7 +275,10 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
   JsonLine line;
   line.add("file", file).add("frames", m_frames.count()).addJson("span", span);
   line.add("delta_times", m_times == Times::Deltas).addList("adapters", adapters).add("added", m_added);
-  line.add("missed", m_missed).add("marks", m_marks).add("time_jumps", m_timeJumps);
+  line.add("last_line", kLastLineKeys[lastLine])
+      .add("missed", m_missed)
+      .add("marks", m_marks)
+      .add("time_jumps", m_timeJumps);
   line.add("unreadable", skipped.unreadable()).addJson("not_kept", notKept.object()).addList("ids", ids);
   if (m_withDevices) {
     for (const Device& device : m_state.devices().all()) {

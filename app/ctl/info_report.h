@@ -8,6 +8,7 @@
 #include <string>
 
 #include "log/frame_store.h"
+#include "log/reading.h"
 #include "log/skipped.h"
 #include "state/state.h"
 
@@ -24,7 +25,7 @@ class InfoReport {
   // Evaluates the notes. Call it once, after the whole log was read. `times`: Deltas if those of its frames look like differences.
   void takeNotes(Times times);
   std::string text(const std::string& file, const SkippedPlaces& skipped) const;
-  std::string json(const std::string& file, const SkippedPlaces& skipped) const;
+  std::string json(const std::string& file, const SkippedPlaces& skipped, LastLine lastLine) const;
 
  private:
   struct Key {  // in order of channel, then as candump sorts: 11-bit before 29-bit

@@ -127,6 +127,10 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
         std::to_string(damage.firstAt) + "; " + counted(damage.bytes, "byte", "bytes") +
         " could not be read");
   if (damage.frames > 0) say("at least " + framesThat(damage.frames, "is missing", "are missing"));
+  if (summary.lastLine == LastLine::Open) say("the last line has no line end: it may be cut");
+  if (summary.lastLine == LastLine::LeftOut)
+    say("the last line has no line end, and its frame has fewer bytes than before: it is cut and was left "
+        "out");
   if (summary.cutBytes == 1) say("the last byte is not whole and was left out");
   if (summary.cutBytes > 1)
     say("the last " + std::to_string(summary.cutBytes) + " bytes are not whole and were left out");
@@ -162,11 +166,12 @@ bool LogInput::sayMissed() const {
 
 bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }
 
-ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) const {
+ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) {
   const SkippedPlaces content = skipped.content();
   saySkipped(content);
   if (hasDeltas())
     complain(name(), "its times look like differences, each to the frame before; --deltas adds them up");
+  if (outcome) lastLine = outcome.value().lastLine;
   if (!outcome) {
     complain(name(), textOf(outcome.error()));
     return frames.count() > 0 ? kNotWhole : kCannotRead;

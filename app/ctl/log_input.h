@@ -31,6 +31,7 @@ struct LogInput {
   FrameStore frames;
   NoteStore notes;  // of a recording or a sidecar
   SkippedList skipped;
+  LastLine lastLine = LastLine::Whole;  // once it was read
 
   // Its times look like differences, and were not added up.
   bool hasDeltas() const;
@@ -46,7 +47,7 @@ struct LogInput {
   // Whatever is no regular file: standard input, a pipe.
   ExitStatus readStream(int descriptor, const std::function<bool()>& more);
   // Says what came of it.
-  ExitStatus ended(const Result<ReadSummary, ReadError>& outcome) const;
+  ExitStatus ended(const Result<ReadSummary, ReadError>& outcome);
   void saySkipped(const SkippedPlaces& content) const;
   bool m_hasBytes = false;  // the file or pipe is not empty
   // Says which parts of a recording or its notes are missing; false if any is.

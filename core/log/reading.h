@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/enum_table.h"
+
 namespace deckpipe {
 
 // So much of a log's beginning, or all of it, tells its format.
@@ -81,6 +83,22 @@ struct Damage {
   friend bool operator==(const Damage&, const Damage&) = default;
 };
 
+// What the last line of a text is, whose end is a line end in every whole file.
+enum class LastLine : std::uint8_t {
+  Whole,
+  Open,     // it has no line end, and others have one: it may be cut. What it says is in the log
+  LeftOut,  // the same, and its frame has fewer bytes than the same message had before: it is not in the log
+};
+
+template <>
+inline constexpr LastLine kLastOf<LastLine> = LastLine::LeftOut;
+// In JSON: frozen contract.
+inline constexpr EnumTable<LastLine, std::string_view> kLastLineKeys{{
+    {LastLine::Whole, "whole"},
+    {LastLine::Open, "no_end"},
+    {LastLine::LeftOut, "left_out"},
+}};
+
 struct ReadSummary {
   std::uint64_t frames = 0;  // put into the store
   std::uint64_t lines = 0;   // of a text format
@@ -89,6 +107,7 @@ struct ReadSummary {
   bool mayHaveSidecar = false;                 // its notes are kept in a file beside it
   bool hasSidecar = false;                     // its notes came from the file beside it, after its frames
   std::optional<SidecarFault> sidecarFault{};  // the log was read without its notes
+  LastLine lastLine = LastLine::Whole;         // of a text format
   std::uint64_t newerParts = 0;  // that a newer version of Deckpipe wrote, and that were left out
   // Of a recording:
   std::uint64_t cutBytes = 0;  // at its end, that are not whole and were left out
@@ -98,8 +117,8 @@ struct ReadSummary {
 
   // Nothing was left out or lost. One that still goes on is whole as well.
   bool isWhole() const {
-    return cutBytes == 0 && newerParts == 0 && damage.places == 0 && !sidecarFault &&
-           (!isOpenEnded || goesOn);
+    return lastLine != LastLine::LeftOut && cutBytes == 0 && newerParts == 0 && damage.places == 0 &&
+           !sidecarFault && (!isOpenEnded || goesOn);
   }
 
   friend bool operator==(const ReadSummary&, const ReadSummary&) = default;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,11 +51,16 @@ class TextAppender {
       channels.set(local, m_store.channel(local == kUnnamedChannel ? m_unnamedIs : name));
     }
     if (!block.header.empty()) m_unnamedIs = block.header;
-    const std::span<Frame> frames(block.frames.data(), block.count);
+    std::span<Frame> frames(block.frames.data(), block.count);
     for (Frame& frame : frames) {
       frame.channel = channels[static_cast<LocalChannel>(frame.channel | frame.spare << 8)];
       frame.spare = 0;
       if (m_addsUpTimes && frame.hasStamp()) frame.stamp = m_time = saturatedPlus(m_time, frame.stamp);
+    }
+    if (block.endsOpen && m_lines + block.lines > 1) {
+      const bool isLeftOut = block.isLastFrameOpen && isShorterThanBefore(frames);
+      m_lastLine = isLeftOut ? LastLine::LeftOut : LastLine::Open;
+      if (isLeftOut) frames = frames.first(frames.size() - 1);
     }
     const std::uint64_t before = m_store.count();
     const bool fits = store(frames, Follows::More);
@@ -77,6 +83,7 @@ class TextAppender {
 
   std::uint64_t lines() const { return m_lines; }
   std::uint64_t frames() const { return m_frames; }
+  LastLine lastLine() const { return m_lastLine; }
 
  private:
   // The first frames wait until they tell whether their times are differences.
@@ -90,6 +97,10 @@ class TextAppender {
     m_first = {};
     return fits;
   }
+  // Whether the last frame, whose line has no end, has fewer bytes than the same message had before, so that the rest
+  // of it is missing. The same message: the last one of its identifier with its first byte, which tells most messages
+  // of one identifier apart, or else the last one of its identifier.
+  bool isShorterThanBefore(std::span<const Frame> frames) const;
 
   FrameStore& m_store;
   SkippedList* m_skipped;
@@ -100,6 +111,7 @@ class TextAppender {
   std::uint64_t m_frames = 0;
   bool m_isJudged;
   std::vector<Frame> m_first;  // before that
+  LastLine m_lastLine = LastLine::Whole;
 };
 
 }  // namespace deckpipe

@@ -25,6 +25,7 @@ void TextParser::parse(const char* begin, const char* end, const char* readable,
   block.skipped.clear();
   block.channels.clear();
   block.header.clear();
+  block.endsOpen = block.isLastFrameOpen = false;
   m_unnamedUsed = false;
   if (m_channels.size() > kManyNames) {
     m_channels.clear();
@@ -52,8 +53,12 @@ void TextParser::parse(const char* begin, const char* end, const char* readable,
       continue;
     }
     std::string_view line(p, static_cast<std::size_t>((lineEnd != nullptr ? lineEnd : readable) - p));
+    const bool hasEnd = lineEnd != nullptr || line.ends_with('\r');
     if (line.ends_with('\r')) line.remove_suffix(1);
+    const std::size_t before = block.count;
     readOther(line, block);
+    block.endsOpen = !hasEnd;
+    block.isLastFrameOpen = !hasEnd && block.count > before;
     p = lineEnd != nullptr ? lineEnd + 1 : readable;
   }
 }

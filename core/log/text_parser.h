@@ -57,7 +57,9 @@ struct TextBlock {
   SkippedPlaces skipped;  // line numbers from 1 at the block's start
   // Channels new to the parser, and the unnamed one, in the order in which the block uses them.
   std::vector<std::pair<LocalChannel, std::string>> channels;
-  std::string header;  // the interface that the last header line names; empty without one
+  std::string header;            // the interface that the last header line names; empty without one
+  bool endsOpen = false;         // the text ends here, and its last line has no line end
+  bool isLastFrameOpen = false;  // ... and made the last frame
 
   // Whether a line of it was understood, so that the text is a log of this format.
   bool isUnderstood() const { return count > 0 || skipped.understood() > 0; }

@@ -40,7 +40,9 @@ class BlockReading {
     if (second.joinable()) second.join();
     if (!m_appender.finish() && !m_failed) end({ReadError::Kind::StoreFull, {}});
     if (m_failed) return Failure{m_error};
-    return ReadSummary{m_appender.frames(), m_appender.lines(), m_cancelled};
+    ReadSummary summary{m_appender.frames(), m_appender.lines(), m_cancelled};
+    summary.lastLine = m_appender.lastLine();
+    return summary;
   }
 
  private:

@@ -40,7 +40,9 @@ Result<ReadSummary, ReadError> TextStream::finish() {
   if (!m_isFull && !m_isSkipping && !m_pending.empty()) take(m_pending.size());
   if (!m_appender.finish()) m_isFull = true;
   if (m_isFull) return Failure{ReadError{ReadError::Kind::StoreFull, {}}};
-  return ReadSummary{m_appender.frames(), m_appender.lines(), false};
+  ReadSummary summary{m_appender.frames(), m_appender.lines(), false};
+  summary.lastLine = m_appender.lastLine();
+  return summary;
 }
 
 }  // namespace deckpipe

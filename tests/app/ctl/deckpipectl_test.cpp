@@ -213,6 +213,9 @@ INSTANTIATE_TEST_SUITE_P(
         ReadCase{"RecorderLostFrames", kPosition + "DROPCOUNT: dropped 3 CAN frames\n", 0, "recorder lost"},
         ReadCase{"AFractionNotRead", "(1700000000.4011223344) can0 123#11\n", 1, "1 not kept: fraction"},
         ReadCase{"LinesEndInCr", "(1.0) can0 123#11\r(2.0) can0 123#22\r", 0, ""},
+        ReadCase{"ALastLineWithoutItsEnd", kPosition + kPosition.chopped(1), 0,
+                 "the last line has no line end: it may be cut"},
+        ReadCase{"ALastLineThatIsCut", kPosition + kPosition.chopped(3), 1, "it is cut and was left out"},
         ReadCase{"ALineNotRead", kPosition + "nonsense\n", 1, ":2: "},
         ReadCase{"AFrameSkipped", kPosition + "(1.0) can0 123##0112233\n", 1, "1 not kept"},
         ReadCase{"OnlySkippedFrames", "(1.0) can0 123##0112233\n", 4, "1 not kept", false},
@@ -551,6 +554,7 @@ TEST(Info, CountsFramesByIdentifierAndUnreadableLines) {
   const QJsonObject object = QJsonDocument::fromJson(r.out).object();
   EXPECT_EQ(object[QStringLiteral("frames")].toInt(), 2);
   EXPECT_EQ(object[QStringLiteral("unreadable")].toInt(), 1);
+  EXPECT_EQ(object[QStringLiteral("last_line")].toString(), QStringLiteral("whole"));
   EXPECT_EQ(object[QStringLiteral("ids")].toArray()[0][QStringLiteral("frames")].toInt(), 2);
 }
 

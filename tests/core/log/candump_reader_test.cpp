@@ -241,6 +241,52 @@ TEST(DeltaTimes, AreNoTimesUntilTheyAreAddedUp) {
   }
 }
 
+// The rest of the last line may be missing.
+TEST(LastLine, IsLeftOutIfItsFrameIsShorterThanBefore) {
+  struct Row {
+    const char* name;
+    std::string text;
+    LastLine last;
+    std::uint64_t frames;
+  };
+  const std::string whole = "(1.5) can0 0CFDD633#0100010000000000\n(1.6) can0 18EFFF80#83C051\n";
+  for (const Row& row : std::vector<Row>{
+           {"with its end", whole, LastLine::Whole, 2},
+           {"with the end of a Macintosh", "(1.5) can0 123#11\r(1.6) can0 123#11\r", LastLine::Whole, 2},
+           {"whole but for its end", whole + "(1.7) can0 0CFDD633#0100010000000000", LastLine::Open, 3},
+           {"a byte less", whole + "(1.7) can0 0CFDD633#01000100000000", LastLine::LeftOut, 2},
+           {"with another first byte", whole + "(1.7) can0 0CFDD633#02000100000000", LastLine::LeftOut, 2},
+           {"no bytes", whole + "(1.7) can0 0CFDD633#", LastLine::LeftOut, 2},
+           {"another message of the identifier",
+            whole + "(1.7) can0 18EFFF80#011D940371000041\n(1.8) can0 18EFFF80#83C051", LastLine::Open, 4},
+           {"never heard before", whole + "(1.7) can0 123#", LastLine::Open, 3},
+           {"of another interface", whole + "(1.7) can1 0CFDD633#0100", LastLine::Open, 3},
+           {"half an identifier", whole + "(1.7) can0 0CFD", LastLine::Open, 2},
+           {"a line alone", "(1.5) can0 0CFDD633#01", LastLine::Whole, 1},
+           {"times that are differences",
+            "(0.0) can0 123#1122\n(0.1) can0 123#1122\n(0.1) can0 123#1122\n(0.1) can0 123#1122\n(0.1) can0 "
+            "123#11",
+            LastLine::LeftOut, 4},
+       }) {
+    FrameStore file, pipe;
+    SkippedList fileSkipped, pipeSkipped;
+    ReadOptions options;
+    options.threads = 2;
+    options.blockBytes = 32;
+    const auto ofFile = readLog(BytesInMemory(row.text), {file, fileSkipped}, options);
+    ASSERT_TRUE(ofFile) << row.name;
+    EXPECT_EQ(ofFile.value().lastLine, row.last) << row.name;
+    EXPECT_EQ(file.count(), row.frames) << row.name;
+    EXPECT_EQ(ofFile.value().isWhole(), row.last != LastLine::LeftOut) << row.name;
+    LogStream stream({pipe, pipeSkipped});
+    for (const char c : row.text) stream.feed({&c, 1});
+    const auto ofPipe = stream.finish();
+    ASSERT_TRUE(ofPipe) << row.name;
+    EXPECT_EQ(ofPipe.value().lastLine, row.last) << row.name;
+    EXPECT_EQ(pipe.count(), row.frames) << row.name;
+  }
+}
+
 TEST(CandumpReader, ReadsALastLineWithoutLineFeed) {
   const Outcome outcome = readEveryWay("(1.0) can0 123#11\n(2.0) can0 123#22");
   ASSERT_EQ(outcome.frames.size(), 2u);
