@@ -7,6 +7,7 @@
 
 #include "log/delta_times.h"
 #include "log/log_format.h"
+#include "log/time_grain.h"
 #include "status_text.h"
 #include "text/plural.h"
 #include "words.h"
@@ -61,6 +62,12 @@ Notice clockNotice(const LogDocument& log) {
   if (!log.frames.hasTimes()) {
     return {Severity::Warning, NoticeText::tr("This log has no times, only an order. Ages, rates, load and "
                                               "silence are not known and not shown.")};
+  }
+  if (timeGrainOf(log.frames) == TimeGrain::Seconds) {
+    return {
+        Severity::Warning,
+        NoticeText::tr("The times of this log are good to the second only: gaps, time-outs and late messages "
+                       "that take less are not told.")};
   }
   // Small steps back are usual where a log has several interfaces, and a leap ahead is a pause.
   const auto& jumps = log.frames.jumps();

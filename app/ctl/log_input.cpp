@@ -18,6 +18,7 @@
 #include "log/delta_times.h"
 #include "log/log_stream.h"
 #include "log/sidecar.h"
+#include "log/time_grain.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -171,6 +172,10 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) {
   saySkipped(content);
   if (hasDeltas())
     complain(name(), "its times look like differences, each to the frame before; --deltas adds them up");
+  // Of fractions that were not read, that is said already.
+  if (content.count(Skipped::Fraction) == 0 && timeGrainOf(frames) == TimeGrain::Seconds)
+    complain(name(),
+             "its times are good to the second only; nothing that takes less is told of gaps and time-outs");
   if (outcome) lastLine = outcome.value().lastLine;
   if (!outcome) {
     complain(name(), textOf(outcome.error()));

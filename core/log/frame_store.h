@@ -72,6 +72,8 @@ class FrameStore {
   [[nodiscard]] bool append(std::span<const Frame> frames, Follows follows = Follows::Nothing);
   // From now on no frame of the file has a time: what its stamps say is none.
   void takeNoTimes() { m_takesNoTimes = true; }
+  // The fractions of some stamps of the file were not read.
+  void loseFractions() { m_hasLostFractions.store(true, std::memory_order_relaxed); }
   // Live frames, as they arrive.
   [[nodiscard]] bool append(std::span<const Frame> frames, const Arrival& arrival);
   // Frames of a store that was written down, with the log times that they had there. `offsets` are those that
@@ -108,6 +110,8 @@ class FrameStore {
   // Whether log time means anything. False where no frame has a time, neither a stamp other than 0 nor the time when
   // it arrived: then all of them stand at 0, and ages, rates and spans are not to be told. True in an empty store.
   bool hasTimes() const;
+  // How fine log time is (time_grain.h).
+  bool hasLostFractions() const { return m_hasLostFractions.load(std::memory_order_relaxed); }
 
   // Index of a channel's name, added where it is new. Any thread.
   std::uint8_t channel(std::string_view name);
@@ -166,6 +170,7 @@ class FrameStore {
   std::atomic<std::uint64_t> m_spilled = 0;
   std::int64_t m_time = 0;  // log time after the last frame
   bool m_takesNoTimes = false;
+  std::atomic<bool> m_hasLostFractions = false;
   FileClock m_fileClock;
   LiveClock m_liveClock;
   std::vector<Frame> m_held;  // of a file: from a step on that is not decided yet

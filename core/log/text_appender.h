@@ -15,6 +15,7 @@
 #include "log/reading.h"
 #include "log/skipped.h"
 #include "log/text_parser.h"
+#include "log/time_grain.h"
 
 namespace deckpipe {
 
@@ -62,6 +63,7 @@ class TextAppender {
       m_lastLine = isLeftOut ? LastLine::LeftOut : LastLine::Open;
       if (isLeftOut) frames = frames.first(frames.size() - 1);
     }
+    if (block.skipped.count(Skipped::Fraction) > 0) m_store.loseFractions();
     const std::uint64_t before = m_store.count();
     const bool fits = store(frames, Follows::More);
     m_skipped->add(block.skipped, m_lines);
@@ -86,11 +88,13 @@ class TextAppender {
   LastLine lastLine() const { return m_lastLine; }
 
  private:
-  // The first frames wait until they tell whether their times are differences.
+  // The first frames wait until they tell whether their times are differences, and how fine they are.
   bool store(std::span<const Frame> frames, Follows follows) {
     if (m_isJudged) return m_store.append(frames, follows);
     m_first.insert(m_first.end(), frames.begin(), frames.end());
-    if (follows == Follows::More && sniffDeltaTimes(m_first) == Sniff::Open) return true;
+    const bool isOpen = sniffDeltaTimes(m_first) == Sniff::Open ||
+                        (m_first.size() < kFewestGrains && areAtWholeSeconds(m_first));
+    if (follows == Follows::More && isOpen) return true;
     m_isJudged = true;
     if (areDeltaTimes(m_first)) m_store.takeNoTimes();
     const bool fits = m_store.append(m_first, follows);

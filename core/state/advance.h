@@ -8,14 +8,16 @@
 
 #include "log/frame_store.h"
 #include "log/note_store.h"
+#include "log/time_grain.h"
 #include "state/state.h"
 
 namespace deckpipe {
 
-// Walks whatever takes frames, notes and time as a State does from where it is to `to`.
+// Walks whatever takes frames, notes, time and how fine it is as a State does from where it is to `to`.
 template <typename Walk>
 void walkLog(Walk& walk, const FrameStore& frames, const NoteStore& notes, Cursor to) {
   const Cursor from = walk.cursor();
+  if (from.frames == 0) walk.timesAre(timeGrainOf(frames));
   std::vector<Note> pending = notes.between(from.frames, to.frames + 1);
   // Of the notes before the very next frame, those up to the cursor's time have been applied.
   std::erase_if(pending, [&](const Note& note) {

@@ -36,7 +36,7 @@ inline bool isStale(const State& state, Channel channel, const Joystick& stick) 
 // Of its extended message no time-out is given; with the source's own it is old too.
 inline bool isExtendedStale(const State& state, Channel channel, const Joystick& stick) {
   return stick.timedOut || isCutOff(state, channel, stick.extended.at) ||
-         state.cursor().time - stick.extended.at >= kInputTimeout;
+         state.cursor().time - stick.extended.at >= kInputTimeout + state.slack();
 }
 // Whether monitors act on its input now, as far as is known.
 inline bool isInForce(const State& state, Channel channel, const Joystick& stick) {

@@ -56,7 +56,7 @@ bool Device::hasPeriod() const {
 // A setting that is slower than the usual one counts.
 Duration Device::staleAfter(MessageId id) const {
   const Duration usual = deckpipe::staleAfter(id);
-  return kind == Kind::Node ? std::max(usual, kStalePeriods * periodOf(id)) : usual;
+  return slack() + (kind == Kind::Node ? std::max(usual, kStalePeriods * periodOf(id)) : usual);
 }
 
 // A node is silent once each of its messages is missing.
@@ -102,7 +102,7 @@ void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
   const Duration gap = time - report(id).at;
   if (kind == Kind::Node) {
     m_periods[static_cast<std::size_t>(std::ranges::find(kNodeReports, id) - kNodeReports.begin())].came(gap);
-  } else {
+  } else if (!isCoarse) {
     takeDoubling(m_paces[paceOf(id)].next(id, gap, differs, leaps), time);
   }
 }

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "base/ids.h"
+#include "log/time_grain.h"
 #include "protocol/lists.h"
 #include "protocol/typed.h"
 #include "state/frame_rate.h"
@@ -66,6 +67,7 @@ struct Device {
   Instant doubled = kNotYet;
   Instant paired = kNotYet;  // when a status changed last as in a log that holds each frame twice
   bool isOnlyEqual = false;  // nothing but equal statuses showed the two: the log may hold each frame twice
+  bool isCoarse = false;     // its log has times that are good to the second
   bool isErrorOver = false;  // so says a status of the operational error whose code an answer gave before
 
   Address permissiveFrom;  // the master controller that sent the permissive
@@ -127,6 +129,8 @@ struct Device {
   // Whether one of kPeriodicReports came and is older than three of its periods.
   bool isStale(MessageId id) const { return m_stale.has(id); }
   const EnumSet<MessageId>& stale() const { return m_stale; }
+  // What its times err by.
+  Duration slack() const { return isCoarse ? kSecondGrain : Duration{0}; }
   // So long after its last one a periodic report is stale.
   Duration staleAfter(MessageId id) const;
   // When one of kPeriodicReports is stale unless another one comes; kNever: it is stale, or nothing can be heard.

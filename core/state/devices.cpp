@@ -38,7 +38,11 @@ Device* Devices::freePlace() {
 
 Device* Devices::make() {
   Device* device = freePlace();
-  if (device == nullptr) ++m_untracked;
+  if (device == nullptr) {
+    ++m_untracked;
+  } else {
+    device->isCoarse = m_areCoarse;
+  }
   return device;
 }
 

@@ -45,6 +45,8 @@ class Devices {
   // A device announced itself: it has this address from now on. Whoever had it lost it before.
   void announced(Channel channel, Address address, const Pin& pin, Instant time);
 
+  // Whether times are good to the second; before the first device.
+  void setCoarse(bool areCoarse) { m_areCoarse = areCoarse; }
   Instant nextDeadline() const;
   void timeCame(Instant time);
   // Devices that there was no room for, counted once a frame.
@@ -72,6 +74,7 @@ class Devices {
   std::array<std::array<Index, 256>, kMaxChannels> m_byAddress;
   std::array<std::array<Index, 128>, kMaxChannels> m_byNode;
   std::uint32_t m_untracked = 0;
+  bool m_areCoarse = false;
 };
 
 }  // namespace deckpipe

@@ -33,6 +33,7 @@ class EventWalk {
 
   // What the walk through a store calls (state/advance.h).
   const Cursor& cursor() const { return m_state->cursor(); }
+  void timesAre(TimeGrain grain) { m_state->timesAre(grain); }
   void apply(const Frame& frame, Instant time);
   void apply(const Note& note);
   void timeCame(Instant time);

@@ -51,7 +51,8 @@ void Joysticks::heardExtended(Address source, const Frame& frame, Instant time) 
 
 Instant Joysticks::timeoutOf(const Joystick& stick) const {
   if (!stick.isActive() || m_listensSince == kNever) return kNever;
-  return std::max(stick.basic.at, m_listensSince) + kInputTimeout;
+  return std::max(stick.basic.at, m_listensSince) + kInputTimeout +
+         (m_areCoarse ? kSecondGrain : Duration{0});
 }
 
 Instant Joysticks::nextDeadline() const {

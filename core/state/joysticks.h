@@ -8,6 +8,7 @@
 #include <span>
 
 #include "bus/frame.h"
+#include "log/time_grain.h"
 #include "protocol/address_use.h"
 #include "protocol/typed.h"
 #include "state/timed.h"
@@ -47,6 +48,8 @@ class Joysticks {
 
   void heardBasic(Address source, const Frame& frame, Instant time);
   void heardExtended(Address source, const Frame& frame, Instant time);
+  // Whether times are good to the second.
+  void setCoarse(bool areCoarse) { m_areCoarse = areCoarse; }
   // The link came up; kNever: it went down, and no source times out.
   void listensSince(Instant time) { m_listensSince = time; }
   Instant nextDeadline() const;
@@ -60,6 +63,7 @@ class Joysticks {
 
   std::array<Joystick, kMax> m_sticks{};
   Instant m_listensSince = kNotYet;
+  bool m_areCoarse = false;
 };
 
 }  // namespace deckpipe

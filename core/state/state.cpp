@@ -53,7 +53,8 @@ bool isPushed(const Device& device, Address source, Instant time) {
 // heard.
 bool isMute(const Device& device, Instant lastBeat, Instant time) {
   const Instant until = device.address == kNullAddress ? device.formerAddresses.front().until : time;
-  return lastBeat != kNotYet && until - std::max(lastBeat, device.listenedSince) >= kMuteAfter;
+  return lastBeat != kNotYet &&
+         until - std::max(lastBeat, device.listenedSince) >= kMuteAfter + device.slack();
 }
 
 // Whether a device that says its NAME or PIN has just started: it had no cause to say it, or it is the first thing
@@ -82,8 +83,13 @@ const ChannelState& State::channel(Channel c) const {
   return c.value < m_channels.size() ? m_channels[c.value] : kNothingHeard;
 }
 
+void State::timesAre(TimeGrain grain) {
+  m_isCoarse = grain == TimeGrain::Seconds;
+  m_devices.setCoarse(m_isCoarse);
+}
+
 ChannelState& State::use(Channel c) {
-  if (c.value >= m_channels.size()) m_channels.resize(c.value + std::size_t{1});
+  while (c.value >= m_channels.size()) m_channels.emplace_back().joysticks.setCoarse(m_isCoarse);
   return m_channels[c.value];
 }
 

@@ -16,6 +16,7 @@
 #include "bus/controller.h"
 #include "bus/frame.h"
 #include "log/note_store.h"
+#include "log/time_grain.h"
 #include "protocol/address_book.h"
 #include "protocol/classify.h"
 #include "state/devices.h"
@@ -81,6 +82,11 @@ class State {
   std::uint64_t untrackedFrames() const { return m_untrackedFrames; }
   bool isLocked() const { return m_locked; }
 
+  // How fine the times of the log are; before its first frame.
+  void timesAre(TimeGrain grain);
+  // What two times of the log may be nearer to each other than they seem.
+  Duration slack() const { return m_isCoarse ? kSecondGrain : Duration{0}; }
+
   // The next frame of the log. `time` is its log time, not before the cursor's.
   void apply(const Frame& frame, Instant time);
   // A note that stands before the next frame.
@@ -111,6 +117,7 @@ class State {
   MessageCounter m_others, m_malformed;
   std::uint64_t m_untrackedFrames = 0;
   bool m_locked = true;
+  bool m_isCoarse = false;
 };
 // A keyframe stands every 131,072 frames, which are 3.1 MB.
 static_assert(sizeof(State) + 4 * sizeof(ChannelState) <= 155'000, "5 % of the frames with four channels");

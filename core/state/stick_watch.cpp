@@ -37,14 +37,15 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   const bool wasDeaf = m_last < state.channel(channel).linkUp;
   const bool wasSending = std::exchange(m_isSending, true), hadTimedOut = std::exchange(m_hasTimedOut, false);
   m_last = now;
-  if (m_due > now + kInputTimeout) m_due = now + kInputTimeout;
+  const Duration slack = state.slack();
+  m_due = std::min(m_due, now + kInputTimeout + slack);
   if (!wasSending) {
     m_timeout.set(0);
     compareSending(state, channel, out);
   } else if (hadTimedOut) {
     m_timeoutGap = gap;
     compareTimeout(state, channel, out);
-  } else if (!wasDeaf && gap > (stick.period > kSlowPeriod ? kMaxSlowGap : kMaxGap)) {
+  } else if (!wasDeaf && slack == Duration{0} && gap > (stick.period > kSlowPeriod ? kMaxSlowGap : kMaxGap)) {
     Event event = eventAt(state, channel, EventKind::JoystickGap, m_source);
     event.now = gap.count();
     m_gaps.happens(event, out);
@@ -100,7 +101,7 @@ void StickWatch::timeCame(const State& state, Channel channel, const Joystick& s
   m_due = kNever;
   const bool isDeaf = state.channel(channel).link == ChannelLink::Down;
   const Instant from = std::max(m_last, state.channel(channel).linkUp);
-  const Instant timeout = isDeaf ? kNever : from + kInputTimeout;
+  const Instant timeout = isDeaf ? kNever : from + kInputTimeout + state.slack();
   const Instant end = isDeaf ? kNever : from + Joystick::kSilence;
   if (m_isSending && !m_hasTimedOut && timeout <= now) {
     m_hasTimedOut = true;

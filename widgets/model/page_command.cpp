@@ -43,7 +43,7 @@ PageCommands commandsTo(const State& state, const Device& monitor) {
   PageCommands commands;
   const bool isFresh = monitor.commanded.isKnown() &&
                        !isCutOff(state, monitor.channel, monitor.commanded.at) &&
-                       state.cursor().time - monitor.commanded.at < kInputTimeout;
+                       state.cursor().time - monitor.commanded.at < kInputTimeout + state.slack();
   if (isFresh) {
     take(commands, monitor.commanded.value(),
          Command::tr("Gateway joystick", "commands by way of the CAN gateway"), kNullAddress);

@@ -143,6 +143,17 @@ TEST(EventsOfTheTool, HaveNoTimeWhereTimesAreDifferences) {
           R"({"event":"disabled","t":null,"channel":"can0","pin":"1032AE100801035","address":128,"weight":"warning","was":true,"now":false})"}));
 }
 
+TEST(EventsOfTheTool, SayOnceThatTimesAreGoodToTheSecond) {
+  QByteArray log;
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 50; ++k)
+      log += "(17000000" + QByteArray::number(10 + i) + ") can0 0CFDD633#0100010000000000\n";
+  const Outcome r = eventsOf(log);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_EQ(r.out, QByteArray());
+  EXPECT_EQ(r.err.count("good to the second only"), 1) << r.err.constData();
+}
+
 TEST(EventsOfTheTool, SayWhatIsNotFollowed) {
   QByteArray devices, channels;
   for (int i = 0; i < 90; ++i) {

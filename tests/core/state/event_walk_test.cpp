@@ -633,6 +633,29 @@ TEST(EventWalk, HasACaseOfEveryKind) {
   for (const EventFacts& facts : kEvents) EXPECT_TRUE(told.contains(facts.key)) << facts.key;
 }
 
+// What whole seconds hide is not told: 50 messages of a joystick stand at one time.
+TEST(EventWalk, JudgesNothingBelowASecondOfTimesThatAreGoodToTheSecond) {
+  for (const bool isSilent : {false, true}) {
+    Story story;
+    for (int second = 0; second < 10; ++second) {
+      if (second == 0) story.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA);
+      for (int i = 0; i < 10; ++i) story.statuses();
+      const bool hasStick = !isSilent || second < 2 || second > 4;
+      for (int i = 0; i < 50 && hasStick; ++i) story.hear("0CFDD633", Story::kNeutral);
+      if (hasStick) story.hear("18EF8021", "A1000F");
+      story.pass(1s);
+    }
+    if (!isSilent) {
+      EXPECT_EQ(story.lines(), Lines{});
+    } else {
+      EXPECT_EQ(story.lines(), (Lines{"3.200 joystick_timed_out 33", "3.300 permissive_lost" MONITOR,
+                                      "4.000 joystick_ended 33 since 2.000", "6.000 joystick_began 33",
+                                      "6.000 permissive_back" MONITOR}))
+          << "three seconds are more than the times err by";
+    }
+  }
+}
+
 TEST(EventWalk, TellsThatTheClockJumps) {
   FrameStore frames;
   const std::vector<Frame> all{
