@@ -205,7 +205,7 @@ void State::nameHeard(Channel channelId, const Frame& frame, Instant time) {
     if (!isJ1939 || device.channel != channelId) continue;
     if (!isNamed(device, name, channel.book)) {
       if (isPushed(device, source, time)) device.provoked = time;
-    } else if (isNode(source) && isStart(channel, device, time)) {
+    } else if (isNode(source) && !wasAdded() && isStart(channel, device, time)) {
       device.starts(time);
     }
   }
@@ -222,7 +222,7 @@ void State::announced(ChannelState& channel, Channel channelId, Address source, 
       (before->kind == Device::Kind::Pin ? before->pin == *pin : time - before->addressSince > kOneStart);
   m_devices.announced(channelId, source, *pin, time);
   Device* device = m_devices.findAddress(channelId, source);
-  if (device != nullptr && hasStayed && isStart(channel, *device, time)) device->starts(time);
+  if (device != nullptr && hasStayed && !wasAdded() && isStart(channel, *device, time)) device->starts(time);
 }
 
 void State::applyStandard(const Frame& frame, Instant time, const Classified& what) {
@@ -250,6 +250,8 @@ void State::apply(const Note& note) {
   timeCame(std::max(note.time, m_cursor.time));
   if (std::holds_alternative<note::Locked>(note.value)) m_locked = true;
   if (std::holds_alternative<note::Unlocked>(note.value)) m_locked = false;
+  if (const auto* added = std::get_if<note::Added>(&note.value))
+    m_addedUntil = std::max(m_addedUntil, m_cursor.frames + added->count);
   const auto about = channelOf(note.value);
   if (!about || about->value >= kMaxChannels) return;
   ChannelState& channel = use(*about);

@@ -106,6 +106,9 @@ class State {
   void count(const Classified& what, Instant time);
   void linkIs(Channel channelId, ChannelLink link);
   void lose(Channel channel, const AddressBook::Lost& lost, Instant time);
+  // Whether the frame that is applied was put into the log when a part of it was saved: it says who is who, and no
+  // device sent it then.
+  bool wasAdded() const { return m_cursor.frames <= m_addedUntil; }
   Instant nextDeadline() const;
   void fire(Instant due);
 
@@ -116,6 +119,7 @@ class State {
   EnumArray<MessageId, MessageCounter> m_counters;
   MessageCounter m_others, m_malformed;
   std::uint64_t m_untrackedFrames = 0;
+  std::uint64_t m_addedUntil = 0;  // frames before this place were added when the log was saved
   bool m_locked = true;
   bool m_isCoarse = false;
 };

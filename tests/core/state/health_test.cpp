@@ -64,6 +64,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Faults", [](Bus& b) { b.monitor().answered("02002000000000"); }, "faults"},
         Case{"AnErrorCodeAlone", [](Bus& b) { b.monitor().answered("0200000000000B"); }, "faults"},
         // Old answers.
+        Case{"WhatWasAddedWhenAPartWasSaved",
+             [](Bus& b) {
+               b.monitor().answered().goOn(2s).note(note::Added{2});
+               b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA);
+             },
+             "fine"},
         Case{"ARestart", [](Bus& b) { b.monitor().answered().goOn(2s).hear("18EFFF80", kAnnouncesA); },
              "faults_old"},
         Case{"AnAnswerAfterTheRestart",
