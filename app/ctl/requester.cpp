@@ -230,7 +230,8 @@ JsonLine Requester::endOf(const Open& at, std::string_view end) const {
 void Requester::endLine(const Open& at, std::string_view end, std::string_view reason) {
   JsonLine line = endOf(at, end);
   if (!reason.empty()) line.add("reason", reason);
-  const RequestStatus* status = statusOf(at);
+  // What was refused was not sent; the status is that of the request before.
+  const RequestStatus* status = reason.empty() ? statusOf(at) : nullptr;
   if (status != nullptr && status->tries > 0) {
     line.add("tries", status->tries);
     if (status->end == RequestEnd::Answered || status->end == RequestEnd::AnsweredLate)
