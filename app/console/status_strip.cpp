@@ -115,6 +115,10 @@ void StatusStrip::fit() {
   }
 }
 
+QSize StatusStrip::minimumSizeHint() const {
+  return {kMinSource + m_lockButton->sizeHint().width() + kMargins, QWidget::minimumSizeHint().height()};
+}
+
 void StatusStrip::resizeEvent(QResizeEvent*) { fit(); }
 
 // The button is there only if there is a bus to send on. A person can always lock, and unlock at the live

@@ -25,6 +25,8 @@ class StatusStrip : public QWidget {
   void setSnapshot(const Snapshot& snapshot);
   // Those that are shown.
   const BusRates& rates() const { return m_rates; }
+  // Of what never goes; numbers go where the window is narrow.
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   void lockToggled();

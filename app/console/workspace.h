@@ -44,6 +44,8 @@ class Workspace : public QMainWindow {
   // The device that all panels show; null if none is chosen.
   const DeviceKey& device() const { return m_view.device; }
   QMenu* createPopupMenu() override;
+  // A small screen's: what stands in a smaller place is squeezed, the window never grows for it.
+  QSize minimumSizeHint() const override { return {640, 240}; }
   void resetLayout();
   // The chosen device's dial over the whole window, and back.
   void toggleFullDial();

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "dock_frame.h"
 #include "panel/common/dock_title.h"
 #include "workspace.h"
 
@@ -27,7 +28,7 @@ Workspace::Dock Workspace::makeDock(const DockRow& row) {
   const Panel panel = row.make(*this);
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(id);
-  dock->setWidget(panel.widget);
+  dock->setWidget(new DockFrame(panel.widget));
   connect(panel.widget, &QWidget::windowTitleChanged, dock,
           [dock, title](const QString& own) { dock->setWindowTitle(own.isEmpty() ? title : own); });
   // Checked while it is seen: Qt's own action hides what lies behind another's tab.

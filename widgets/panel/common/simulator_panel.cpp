@@ -3,7 +3,6 @@
 
 #include <QPushButton>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStackedLayout>
 
@@ -162,12 +161,10 @@ QWidget* SimulatorPanel::makeFaults() {
   layout->addStretch(1);
   m_scroll = named(new QScrollArea(this), "simulatorFaults", tr("What goes wrong"));
   m_scroll->setWidgetResizable(true);
-  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_scroll->setWidget(list);
   m_scroll->setFocusPolicy(Qt::NoFocus);
-  // Whatever the font and the language, no line is cut off.
-  m_scroll->setMinimumWidth(list->sizeHint().width() + m_scroll->verticalScrollBar()->sizeHint().width() +
-                            2 * m_scroll->frameWidth());
+  // It counts in the width that the panel likes: whatever the font and the language, no line is cut off.
+  m_scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   list->setBackgroundRole(QPalette::Base);
   list->setAutoFillBackground(true);
   return m_scroll;

@@ -2,6 +2,7 @@
 #include "panel/trace/trace_bar.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QLocale>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -11,20 +12,25 @@
 #include "model/filter_keys.h"
 #include "paint/app_style.h"
 #include "panel/common/build.h"
+#include "panel/common/labels.h"
 #include "panel/trace/trace_filter_edit.h"
 
 namespace deckpipe {
+namespace {
+
+constexpr int kMinFilter = 240;
+constexpr int kMargin = 8, kSpacing = 8;
+
+}  // namespace
 
 TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("traceBar"));
   m_filter = new TraceFilterEdit(this);
   makeHelp();
-  m_count = new QLabel(this);
+  m_count = new ElidedLabel(this);
   m_count->setObjectName(QStringLiteral("traceCount"));
-  m_count->setTextFormat(Qt::PlainText);
   setInk(*m_count, Ink::Secondary);
-  m_count->setMinimumWidth(fontMetrics().horizontalAdvance(
-      tr("%1 of %2").arg(QLocale().toString(10'000'000), QLocale().toString(10'000'000))));
+  measureCount();
   m_time = named(new QComboBox(this), "traceTime", tr("How the Time column says time"));
   m_time->setToolTip(m_time->accessibleName());
   m_time->addItems(
@@ -45,11 +51,51 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   m_order->setTabToolTip(InOrder, tr("Every frame, as it came"));
   m_order->setTabToolTip(ById, tr("The last frame of each identifier, how often and how regular it comes"));
   connect(m_order, &QTabBar::currentChanged, this, [this](int order) {
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_time, m_follow})  // are about frames one by one
-      widget->setVisible(order == InOrder);
+    fit();
     Q_EMIT orderChosen(order);
   });
-  inRow(this, {8, 4, 8, 4}, 8, {m_order, {m_filter, 1}, m_help, m_count, m_time, m_follow});
+  inRow(this, {kMargin, 4, kMargin, 4}, kSpacing,
+        {m_order, {m_filter, 1}, m_help, m_count, m_time, m_follow});
+}
+
+void TraceBar::measureCount() {
+  const QString many = QLocale().toString(10'000'000);
+  m_count->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 of %2").arg(many, many)));
+}
+
+void TraceBar::fit() {
+  int room = width() - 2 * kMargin - m_order->sizeHint().width() - kSpacing - kMinFilter - kSpacing -
+             m_help->sizeHint().width();
+  const auto show = [&room](QWidget* widget, int wanted) {
+    room -= kSpacing + wanted;
+    widget->setVisible(room >= 0);
+  };
+  const bool isInOrder = m_order->currentIndex() == InOrder;
+  if (isInOrder) {
+    show(m_follow, m_follow->sizeHint().width());
+    show(m_time, m_time->sizeHint().width());
+  } else {  // they are about frames one by one
+    m_follow->hide();
+    m_time->hide();
+  }
+  show(m_count, m_count->minimumWidth());
+}
+
+QSize TraceBar::minimumSizeHint() const {
+  return {2 * kMargin + m_order->sizeHint().width() + kSpacing + kMinFilter,
+          QWidget::minimumSizeHint().height()};
+}
+
+void TraceBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
+void TraceBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  measureCount();
+  fit();
 }
 
 void TraceBar::makeHelp() {
