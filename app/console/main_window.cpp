@@ -10,6 +10,7 @@
 #include <QFontDatabase>
 #include <QHelpEvent>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QWhatsThis>
@@ -31,6 +32,7 @@
 #include "panel/trace/trace_panel.h"
 #include "protocol/name.h"
 #include "recordings_list.h"
+#include "room_plan.h"
 #include "save_bar.h"
 #include "sending_actions.h"
 #include "status_strip.h"
@@ -97,7 +99,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   connectPanels();
   connectRecordings();
   setLook(m_theme, m_density);
-  resize(1366, 720);
+  resize(kUsualWindow);
   showSnapshot();
 }
 
@@ -306,12 +308,17 @@ void MainWindow::setLook(Theme theme, Density density) {
     action->setChecked(action->data().toInt() == static_cast<int>(theme));
 }
 
+// The look first: what follows is measured in its letters. Qt keeps a restored window inside of its screen, and
+// restores none that was left on a screen of quite another size.
 void MainWindow::restoreLayout() {
   const QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  m_workspace->restoreFrom(settings);
   setLook(themeOfKey(settings.value(kThemeKey).toString()).value_or(m_theme),
           densityOfKey(settings.value(kDensityKey).toString()).value_or(m_density));
+  if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray())) {
+    resize(firstSize(screen()->availableGeometry()));
+    if (size() != kUsualWindow) setWindowState(windowState() | Qt::WindowMaximized);
+  }
+  m_workspace->restoreFrom(settings);
 }
 
 void MainWindow::saveLayout() const {

@@ -44,7 +44,7 @@ class MainWindow : public QMainWindow {
   void setSnapshot(const Snapshot& snapshot);
   // Without a question: the system ends the program, and nobody may be there to answer.
   void quit();
-  // As last time: theme, size, columns.
+  // As last time: theme, size, columns. The first time: as large as fits the screen.
   void restoreLayout();
 
  protected:

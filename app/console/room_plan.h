@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much of a screen the window takes.
+#pragma once
+
+#include <QRect>
+
+namespace deckpipe {
+
+// What the window likes to have on a desk. Logical pixels, without its frame.
+inline constexpr QSize kUsualWindow{1366, 720};
+
+// Size of the first window, without its frame, on a screen that has `available` left beside its panels. A
+// window that gets less than the usual size is better maximised.
+QSize firstSize(const QRect& available);
+
+}  // namespace deckpipe
