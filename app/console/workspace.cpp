@@ -8,6 +8,7 @@
 #include <QScopedValueRollback>
 #include <QSettings>
 #include <QTabWidget>
+#include <QTimer>
 #include <utility>
 
 #include "model/device_rows.h"
@@ -20,6 +21,12 @@
 #include "panel/trace/trace_panel.h"
 
 namespace deckpipe {
+namespace {
+
+const QString kDocksKey = QStringLiteral("window/docks"), kSizeKey = QStringLiteral("window/docksSize"),
+              kPageKey = QStringLiteral("window/page");
+
+}  // namespace
 
 Workspace::Workspace(LabelStorage& labels, QWidget* parent)
     : QMainWindow(parent), m_labelStorage(labels), m_labels(labels.read()) {
@@ -142,6 +149,10 @@ void Workspace::setSnapshot(const Snapshot& snapshot) {
   // Until a person chooses, the first monitor that is heard is looked at.
   if (m_view.device.isNull()) m_view.device = firstMonitor(m_view.log);
   showView();
+  showDocksOfDemo();
+}
+
+void Workspace::showDocksOfDemo() {
   for (const Dock& dock : m_docks) {
     if (!dock.row->isOfDemo) continue;
     dock.action->setVisible(m_view.isSimulated);
@@ -166,24 +177,64 @@ DeviceKey Workspace::firstMonitor(const LogView& log) const {
   return {};
 }
 
+// Docks that were never laid out have no sizes to be saved.
+std::optional<Workspace::Arrangement> Workspace::arrangement() const {
+  if (!isVisible() || m_isWaiting) return m_kept;
+  return Arrangement{saveState(layoutVersion()), size()};
+}
+
 void Workspace::saveTo(QSettings& settings) const {
-  settings.setValue(QStringLiteral("window/docks"), saveState(layoutVersion()));
+  if (const auto now = arrangement()) {
+    settings.setValue(kDocksKey, now->docks);
+    settings.setValue(kSizeKey, now->size);
+  } else {
+    settings.remove(kDocksKey);
+  }
+  settings.setValue(kPageKey, m_centre->currentIndex());
   settings.setValue(QStringLiteral("window/frameDetail"), m_decodeWanted);
   settings.setValue(QStringLiteral("window/trace"), m_trace->saveState());
 }
 
 void Workspace::restoreFrom(const QSettings& settings) {
   m_decodeWanted = settings.value(QStringLiteral("window/frameDetail"), true).toBool();
-  if (restoreState(settings.value(QStringLiteral("window/docks")).toByteArray(), layoutVersion()))
-    m_hasShared = m_hasDetailRoom = true;
+  const QByteArray docks = settings.value(kDocksKey).toByteArray();
+  if (!docks.isEmpty()) {
+    m_kept = Arrangement{docks, settings.value(kSizeKey).toSize()};
+    setWaiting(true);
+    m_isSettled = false;
+    m_hasDetailRoom = true;
+  }
+  m_centre->setCurrentIndex(settings.value(kPageKey, 0).toInt());
   m_trace->restoreState(settings.value(QStringLiteral("window/trace")).toByteArray());
   showFrame(m_view.frame);
+}
+
+// An arrangement means something only to a workspace of the size that it was made for: in another one docks are
+// squeezed, and what they lost goes to their neighbours. So the one of last time waits for that size, which
+// comes late where the window is maximised; until a person acts, from when on the docks are as they are.
+void Workspace::setWaiting(bool isWaiting) {
+  if (std::exchange(m_isWaiting, isWaiting) == isWaiting) return;
+  if (isWaiting) {
+    qApp->installEventFilter(this);
+  } else {
+    qApp->removeEventFilter(this);
+  }
+}
+
+void Workspace::settle() {
+  if (m_isWaiting && !restoreState(m_kept->docks, layoutVersion())) setWaiting(false);
+  if (m_isWaiting) {
+    showDocksOfDemo();
+  } else {
+    shareRoom();
+  }
 }
 
 // Floating docks are windows of their own and would stay when the workspace makes room for another page.
 void Workspace::hideEvent(QHideEvent* event) {
   QMainWindow::hideEvent(event);
   if (event->spontaneous()) return;
+  if (m_isSettled && !m_isWaiting) m_kept = Arrangement{saveState(layoutVersion()), size()};
   for (const Dock& each : m_docks) {
     if (!each.dock->isFloating() || each.dock->isHidden()) continue;
     each.dock->hide();
@@ -193,8 +244,28 @@ void Workspace::hideEvent(QHideEvent* event) {
 
 void Workspace::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!m_hasShared) shareRoom();
+  if (!m_isSettled) {
+    settle();
+    // Again with the letters of a look that was just set: they come by events of their own.
+    QTimer::singleShot(0, this, [this] {
+      if (!isVisible() || std::exchange(m_isSettled, true)) return;
+      settle();
+      if (m_isWaiting && size() == m_kept->size) setWaiting(false);
+    });
+  }
   for (QDockWidget* dock : std::exchange(m_floatingHidden, {})) dock->show();
+}
+
+void Workspace::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  if (!m_isWaiting || !m_isSettled) return;
+  // Not at once: restoring may resize the workspace again, and Qt loses what it held where it restores inside of
+  // restoring.
+  QTimer::singleShot(0, this, [this] {
+    if (!m_isWaiting || !isVisible()) return;
+    settle();
+    if (size() == m_kept->size) setWaiting(false);
+  });
 }
 
 // Larger letters need wider docks; what a person chose is kept in proportion.
@@ -202,13 +273,14 @@ void Workspace::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() != QEvent::FontChange) return;
   const double before = std::exchange(m_fontSize, font().pointSizeF());
-  if (before <= 0 || !m_hasShared) return;
+  if (before <= 0 || !m_isSettled || m_isWaiting) return;
   QDockWidget* devices = dock(kDevicesDock).dock;
   if (!devices->isFloating())
     resizeDocks({devices}, {static_cast<int>(devices->width() * m_fontSize / before)}, Qt::Horizontal);
 }
 
 bool Workspace::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress) setWaiting(false);
   if (watched == dock(kDecodeDock).dock && event->type() == QEvent::Close) m_decodeWanted = false;
   return QMainWindow::eventFilter(watched, event);
 }

@@ -81,6 +81,7 @@ class Workspace : public QMainWindow {
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
   void childEvent(QChildEvent* event) override;
   bool event(QEvent* event) override;
@@ -99,6 +100,15 @@ class Workspace : public QMainWindow {
   void show(const Dock& dock);
   void arrange();
   void shareRoom();
+  // How the docks stand, in a workspace of which size.
+  struct Arrangement {
+    QByteArray docks;
+    QSize size;
+  };
+  std::optional<Arrangement> arrangement() const;
+  void settle();
+  void setWaiting(bool isWaiting);
+  void showDocksOfDemo();
   // Shows every panel the view as it is now.
   void showView();
   DeviceKey firstMonitor(const LogView& log) const;
@@ -119,7 +129,9 @@ class Workspace : public QMainWindow {
   EventPanel* m_events;
   HelpPanel* m_help;
   double m_fontSize = 0;
-  bool m_hasShared = false;              // the docks have sizes: the first, or a person's
+  bool m_isSettled = false;              // the docks have sizes: the first, or a person's
+  std::optional<Arrangement> m_kept;     // of last time, or from when the workspace was hidden
+  bool m_isWaiting = false;              // the one of last time, for the workspace to have its size
   bool m_decodeWanted = true;            // a person did not close it
   bool m_hasDetailRoom = false;          // it was given its width, or a person gave it one
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it

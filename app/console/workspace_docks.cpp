@@ -85,8 +85,7 @@ void Workspace::arrange() {
 
 // Sizes mean something to docks only once they are laid out.
 void Workspace::shareRoom() {
-  m_hasShared = isVisible();
-  if (!m_hasShared) return;
+  if (!isVisible()) return;
   QDockWidget *trace = dock(kTraceDock).dock, *detail = dock(kDecodeDock).dock;
   resizeDocks({dock(kDevicesDock).dock}, {kDevicesLetters * fontMetrics().averageCharWidth()},
               Qt::Horizontal);
@@ -96,6 +95,9 @@ void Workspace::shareRoom() {
 
 void Workspace::resetLayout() {
   m_decodeWanted = true;
+  setWaiting(false);
+  m_kept.reset();
+  m_isSettled = isVisible();
   arrange();
 }
 

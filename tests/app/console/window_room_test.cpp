@@ -22,6 +22,26 @@ class WindowRoom : public test::WindowTest {
     WindowTest::SetUp();
   }
   void TearDown() override { m_window.setDensity(Density::Desk); }
+  // Where each dock is, and how large.
+  static QStringList docksOf(const MainWindow& window) {
+    QStringList docks;
+    for (const auto* dock : window.findChildren<QDockWidget*>()) {
+      const QRect at = dock->isFloating() ? dock->frameGeometry() : dock->geometry();
+      docks += QStringLiteral("%1 %2 %3,%4 %5×%6")
+                   .arg(dock->objectName(), dock->isHidden()     ? QStringLiteral("hidden")
+                                            : dock->isFloating() ? QStringLiteral("floating")
+                                                                 : QStringLiteral("shown"))
+                   .arg(dock->isHidden() ? 0 : at.x())
+                   .arg(dock->isHidden() ? 0 : at.y())
+                   .arg(dock->isHidden() ? 0 : at.width())
+                   .arg(dock->isHidden() ? 0 : at.height());
+    }
+    return docks;
+  }
+  // As a person moves a separator.
+  void widen(const char* dock, int width) const {
+    only<Workspace>()->resizeDocks({named<QDockWidget>(dock)}, {width}, Qt::Horizontal);
+  }
   // Each layout in layouts is told in a turn of its own.
   void settle() const {
     for (int i = 0; i < 4; ++i) QTest::qWait(0);
@@ -62,6 +82,95 @@ TEST_F(WindowRoom, IsNeverMoreThanTheScreen) {
   second.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&second));
   EXPECT_TRUE(screen.contains(second.frameGeometry())) << second.width() << "x" << second.height();
+}
+
+TEST_F(WindowRoom, IsSharedToThePixelAsItWasLeft) {
+  openLog(test::kTruck);
+  enum class Way { Plain, Floating, Maximised, Untouched };
+  for (const Density density : kDensities) {
+    for (const Way way : {Way::Untouched, Way::Plain, Way::Floating, Way::Maximised}) {
+      const auto trace = testing::Message() << "density " << static_cast<int>(density) << " way "
+                                            << static_cast<int>(way);
+      SCOPED_TRACE(trace);
+      QSettings().clear();
+      m_window.setDensity(density);
+      MainWindow left(m_session);
+      left.setDensity(density);
+      left.resize(780, 700);
+      left.show();
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(&left));
+      settle();
+      auto* workspace = test::child<Workspace>(left);
+      if (way == Way::Maximised) left.setWindowState(Qt::WindowMaximized);
+      if (way != Way::Untouched) {
+        settle();
+        test::child<QAction>(left, "requestsDockAction")->trigger();
+        settle();
+        workspace->resizeDocks({test::child<QDockWidget>(left, "devicesDock")}, {213}, Qt::Horizontal);
+        workspace->resizeDocks({test::child<QDockWidget>(left, "traceDock")}, {151}, Qt::Vertical);
+        test::child<QAction>(left, "eventsDockAction")->trigger();
+      }
+      if (way == Way::Floating) {
+        auto* floating = test::child<QDockWidget>(left, "terminalDock");
+        floating->setFloating(true);
+        floating->setGeometry(50, 60, 321, 234);
+      }
+      settle();
+      const QStringList before = docksOf(left);
+      left.close();
+      m_window.setDensity(Density::Desk);
+      MainWindow next(m_session);
+      next.restoreLayout();
+      next.show();
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
+      settle();
+      EXPECT_EQ(docksOf(next).join(u'\n').toStdString(), before.join(u'\n').toStdString());
+    }
+  }
+}
+
+// A window manager maximises a window some time after it was shown.
+TEST_F(WindowRoom, IsSharedAsItWasLeftOnceTheWindowHasItsSize) {
+  openLog(test::kTruck);
+  m_window.resize(780, 700);
+  settle();
+  widen("devicesDock", 301);
+  settle();
+  const QStringList before = docksOf(m_window);
+  m_window.close();
+  MainWindow next(m_session);
+  next.restoreLayout();
+  next.resize(520, 400);
+  next.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
+  settle();
+  EXPECT_NE(docksOf(next), before);
+  next.resize(780, 700);
+  settle();
+  EXPECT_EQ(docksOf(next).join(u'\n').toStdString(), before.join(u'\n').toStdString());
+}
+
+// Nobody has seen a log since, so nobody arranged anything.
+TEST_F(WindowRoom, IsRememberedThroughATimeInWhichNothingWasOpened) {
+  openLog(test::kTruck);
+  m_window.resize(780, 700);
+  settle();
+  widen("devicesDock", 301);
+  settle();
+  const QStringList before = docksOf(m_window);
+  m_window.close();
+  Session idle;
+  MainWindow empty(idle);
+  empty.restoreLayout();
+  empty.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&empty));
+  empty.close();
+  MainWindow next(m_session);
+  next.restoreLayout();
+  next.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
+  settle();
+  EXPECT_EQ(docksOf(next).join(u'\n').toStdString(), before.join(u'\n').toStdString());
 }
 
 }  // namespace

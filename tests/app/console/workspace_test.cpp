@@ -94,6 +94,8 @@ TEST_F(Docks, AreTheNextTimeAsTheyWereLeft) {
   m_window.close();
   MainWindow next(m_session);
   next.restoreLayout();
+  next.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
   auto* workspace = test::child<Workspace>(next);
   EXPECT_EQ(workspace->dockWidgetArea(test::child<QDockWidget>(next, "devicesDock")),
             Qt::RightDockWidgetArea);
