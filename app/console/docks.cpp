@@ -50,6 +50,7 @@ Panel makeApart(Workspace& workspace) {
 constexpr auto makeDevices = make<DeviceListPanel, Wire<&DeviceListPanel::deviceSelected, &W::selectDevice>,
                                   Wire<&DeviceListPanel::labelEdited, &W::editLabel>>;
 constexpr auto makeTrace = make<TracePanel, Wire<&TracePanel::currentFrameChanged, &W::showFrame>,
+                                Wire<&TracePanel::detailRequested, &W::showDetail>,
                                 Wire<&TracePanel::cursorRequested, &W::frameRequested>>;
 constexpr auto makeEvents = make<EventPanel, Wire<&EventPanel::seekRequested, &W::seekRequested>>;
 constexpr auto makeTerminal = make<TerminalPanel, Wire<&TerminalPanel::intended, &W::intended>,
@@ -72,7 +73,7 @@ constexpr DockRow kRows[] = {
      makeEvents},
     {"terminalDock", QT_TRANSLATE_NOOP("deckpipe::Workspace", "Data pipe"), "Alt+4", kBottom, Tab, true,
      false, makeTerminal},
-    // It takes room only while a frame is chosen.
+    // The trace has the room until somebody wants to take a frame apart.
     {kDecodeDock, QT_TRANSLATE_NOOP("deckpipe::Workspace", "Frame in detail"), "Alt+5", kBottom, Beside,
      false, false, make<DecodePanel>},
     // The page has the room until somebody wants to ask.

@@ -58,9 +58,6 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
     if (now != nullptr && now->window() == window() && !dock(kHelpDock).dock->isAncestorOf(now))
       m_help->explain(now);
   });
-  // Only a person closes a dock; that it is hidden while there is nothing to show is no intent of theirs.
-  dock(kDecodeDock).dock->installEventFilter(this);
-  connect(dock(kDecodeDock).action, &QAction::triggered, this, [this](bool isOn) { m_decodeWanted = isOn; });
   m_view.labels = m_labels;
 }
 
@@ -127,6 +124,8 @@ void Workspace::showRequests() {
   focusNextPane({dock(kRequestsDock).dock}, false);
 }
 
+void Workspace::showDetail() { show(dock(kDecodeDock)); }
+
 void Workspace::showHelp() {
   if (m_page->full() != nullptr) m_page->toggleFull();
   m_help->explain(QApplication::focusWidget());
@@ -191,22 +190,18 @@ void Workspace::saveTo(QSettings& settings) const {
     settings.remove(kDocksKey);
   }
   settings.setValue(kPageKey, m_centre->currentIndex());
-  settings.setValue(QStringLiteral("window/frameDetail"), m_decodeWanted);
   settings.setValue(QStringLiteral("window/trace"), m_trace->saveState());
 }
 
 void Workspace::restoreFrom(const QSettings& settings) {
-  m_decodeWanted = settings.value(QStringLiteral("window/frameDetail"), true).toBool();
   const QByteArray docks = settings.value(kDocksKey).toByteArray();
   if (!docks.isEmpty()) {
     m_kept = Arrangement{docks, settings.value(kSizeKey).toSize()};
     setWaiting(true);
     m_isSettled = false;
-    m_hasDetailRoom = true;
   }
   m_centre->setCurrentIndex(settings.value(kPageKey, 0).toInt());
   m_trace->restoreState(settings.value(QStringLiteral("window/trace")).toByteArray());
-  showFrame(m_view.frame);
 }
 
 // An arrangement means something only to a workspace of the size that it was made for: in another one docks are
@@ -281,7 +276,6 @@ void Workspace::changeEvent(QEvent* event) {
 
 bool Workspace::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress) setWaiting(false);
-  if (watched == dock(kDecodeDock).dock && event->type() == QEvent::Close) m_decodeWanted = false;
   return QMainWindow::eventFilter(watched, event);
 }
 

@@ -51,6 +51,8 @@ class Workspace : public QMainWindow {
   void toggleFullDial();
   // Opens the dock where the chosen device is asked.
   void showRequests();
+  // Opens the dock that takes the looked at frame apart.
+  void showDetail();
   // Opens the dock that explains what has the focus.
   void showHelp();
   void saveTo(QSettings& settings) const;
@@ -132,8 +134,6 @@ class Workspace : public QMainWindow {
   bool m_isSettled = false;              // the docks have sizes: the first, or a person's
   std::optional<Arrangement> m_kept;     // of last time, or from when the workspace was hidden
   bool m_isWaiting = false;              // the one of last time, for the workspace to have its size
-  bool m_decodeWanted = true;            // a person did not close it
-  bool m_hasDetailRoom = false;          // it was given its width, or a person gave it one
   QList<QDockWidget*> m_floatingHidden;  // hidden with the workspace, they come back with it
   const LogDocument* m_shown = nullptr;  // whose devices were chosen from
 };

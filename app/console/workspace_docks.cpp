@@ -18,7 +18,7 @@ namespace deckpipe {
 namespace {
 
 constexpr int kDevicesLetters = 56;
-constexpr int kDetailWidth = 520, kTraceHeight = 208;
+constexpr int kTraceHeight = 208;
 
 }  // namespace
 
@@ -78,7 +78,6 @@ void Workspace::arrange() {
     }
   }
   for (const Dock& each : m_docks) each.dock->setVisible(each.row->isShownAtFirst);
-  dock(kDecodeDock).dock->setVisible(m_view.frame.has_value());
   dock(kTraceDock).dock->raise();
   shareRoom();
 }
@@ -86,38 +85,22 @@ void Workspace::arrange() {
 // Sizes mean something to docks only once they are laid out.
 void Workspace::shareRoom() {
   if (!isVisible()) return;
-  QDockWidget *trace = dock(kTraceDock).dock, *detail = dock(kDecodeDock).dock;
   resizeDocks({dock(kDevicesDock).dock}, {kDevicesLetters * fontMetrics().averageCharWidth()},
               Qt::Horizontal);
-  resizeDocks({trace, detail}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
-  resizeDocks({trace}, {kTraceHeight}, Qt::Vertical);
+  resizeDocks({dock(kTraceDock).dock}, {kTraceHeight}, Qt::Vertical);
 }
 
 void Workspace::resetLayout() {
-  m_decodeWanted = true;
   setWaiting(false);
   m_kept.reset();
   m_isSettled = isVisible();
   arrange();
 }
 
-// The detail takes room from the trace only while there is a frame to show.
+// Its detail takes room from the trace, so it is opened by hand alone.
 void Workspace::showFrame(std::optional<std::uint64_t> frame) {
   m_view.frame = frame;
-  const Dock& decode = dock(kDecodeDock);
-  if (!m_isShowing) decode.panel.show(m_view);
-  QDockWidget *trace = dock(kTraceDock).dock, *detail = decode.dock;
-  const int height = trace->height();
-  detail->setVisible(m_decodeWanted && frame.has_value());
-  // A dock that was never seen would come as large as it likes; its sizes count once it is laid out.
-  if (!detail->isVisible() || std::exchange(m_hasDetailRoom, true)) return;
-  QMetaObject::invokeMethod(
-      this,
-      [this, trace, detail, height] {
-        resizeDocks({trace, detail}, {width() - kDetailWidth, kDetailWidth}, Qt::Horizontal);
-        resizeDocks({trace}, {height}, Qt::Vertical);
-      },
-      Qt::QueuedConnection);
+  if (!m_isShowing) dock(kDecodeDock).panel.show(m_view);
 }
 
 QList<QAction*> Workspace::dockActions() const {

@@ -5,7 +5,9 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QContextMenuEvent>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSettings>
 #include <QShortcut>
 
@@ -13,7 +15,8 @@
 #include "panel/devices/device_list_panel.h"
 #include "panel/page/full_dial.h"
 #include "panel/play/transport_bar.h"
-#include "panel/trace/decode_panel.h"
+#include "model/decode_model.h"
+#include "panel/trace/trace_panel.h"
 #include "panel/trace/trace_view.h"
 #include "support/child.h"
 
@@ -102,19 +105,36 @@ TEST_F(Docks, AreTheNextTimeAsTheyWereLeft) {
   EXPECT_TRUE(test::child<QDockWidget>(next, "traceDock")->isHidden());
 }
 
-TEST_F(Docks, ShowTheFrameInDetailOnceOneIsLookedAt) {
-  auto* detail = named<QDockWidget>("decodeDock");
-  EXPECT_FALSE(detail->isVisible());
+TEST_F(Docks, StayAsTheyAreWhenAFrameIsLookedAt) {
+  const QRect trace = named<QDockWidget>("traceDock")->geometry();
   clickRow(1);
-  EXPECT_TRUE(detail->isVisible());
+  QApplication::sendPostedEvents();
+  EXPECT_FALSE(named<QDockWidget>("decodeDock")->isVisible());
+  EXPECT_EQ(named<QDockWidget>("traceDock")->geometry(), trace);
 }
 
-TEST_F(Docks, KeepTheFrameInDetailClosedForWhoClosedIt) {
+TEST_F(Docks, ShowTheFrameInDetailAtSpaceAndFollowFromThenOn) {
+  const int height = named<QDockWidget>("traceDock")->height();
   clickRow(1);
-  named<QDockWidget>("decodeDock")->close();
+  QTest::keyClick(only<TraceView>(), Qt::Key_Space);
+  EXPECT_TRUE(named<QDockWidget>("decodeDock")->isVisible());
+  for (int i = 0; i < 4; ++i) QTest::qWait(0);
+  EXPECT_EQ(named<QDockWidget>("traceDock")->height(), height);
+  EXPECT_GE(named<QDockWidget>("traceDock")->width(), 600);
+  EXPECT_EQ(only<DecodeModel>()->frame(), std::optional<std::uint64_t>(1));
   clickRow(0);
-  EXPECT_FALSE(named<QDockWidget>("decodeDock")->isVisible());
-  trigger("decodeDockAction");
+  EXPECT_EQ(only<DecodeModel>()->frame(), std::optional<std::uint64_t>(0));
+}
+
+TEST_F(Docks, ShowTheFrameInDetailFromTheMenuOfItsRow) {
+  only<TraceView>()->setCurrentFrame(1);
+  QContextMenuEvent event(QContextMenuEvent::Keyboard, {});
+  QApplication::sendEvent(only<TraceView>(), &event);
+  auto* menu = only<TracePanel>()->findChild<QMenu*>(QStringLiteral("traceMenu"));
+  ASSERT_NE(menu, nullptr);
+  for (QAction* action : menu->actions()) {
+    if (action->text() == QStringLiteral("In detail")) action->trigger();
+  }
   EXPECT_TRUE(named<QDockWidget>("decodeDock")->isVisible());
 }
 

@@ -160,6 +160,10 @@ void IdView::keyPressEvent(QKeyEvent* event) {
     Q_EMIT filterRequested(currentIndex().data(IdModel::FilterRole).toString());
     return;
   }
+  if (event->key() == Qt::Key_Space) {
+    if (currentIndex().isValid()) Q_EMIT detailRequested();
+    return;
+  }
   QTableView::keyPressEvent(event);
 }
 

@@ -32,6 +32,7 @@ class IdView : public QTableView {
  Q_SIGNALS:
   void currentFrameChanged(std::optional<std::uint64_t> frame);
   void filterRequested(const QString& expression);
+  void detailRequested();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

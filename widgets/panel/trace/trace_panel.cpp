@@ -55,6 +55,8 @@ void TracePanel::connectParts() {
   connect(m_view, &TraceView::currentFrameChanged, this, [this](std::optional<std::uint64_t> frame) {
     if (!isById()) Q_EMIT currentFrameChanged(frame);
   });
+  connect(m_view, &TraceView::detailRequested, this, &TracePanel::detailRequested);
+  connect(m_ids, &IdView::detailRequested, this, &TracePanel::detailRequested);
   connect(m_view, &TraceView::cursorRequested, this, &TracePanel::cursorRequested);
   connect(m_view, &TraceView::menuRequested, this, &TracePanel::showCellMenu);
   for (FlatHeader* header : {m_view->header(), m_ids->header()}) {

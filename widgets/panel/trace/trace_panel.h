@@ -4,6 +4,7 @@
 // frame that is looked at (the decode panel shows it) and for the intent to put the cursor at one.
 //
 //   Ctrl+Shift+F   to the filter line    Ctrl+F        search; F3 and Shift+F3 on and back
+//   Space    the frame that is looked at in detail
 //   Escape   from the filter line back to the rows; gives a search up, then closes it
 #pragma once
 
@@ -60,6 +61,8 @@ class TracePanel : public QWidget {
 
  Q_SIGNALS:
   void currentFrameChanged(std::optional<std::uint64_t> frame);
+  // The frame that is looked at is wanted in detail.
+  void detailRequested();
   void cursorRequested(std::uint64_t frame);
   // The frames of [begin, end) that pass.
   void saveRequested(std::uint64_t begin, std::uint64_t end, const deckpipe::TraceFilter& filter);

@@ -27,6 +27,7 @@ void TracePanel::showCellMenu(std::optional<TraceView::Cell> cell, const QPoint&
     menu->addMenu(hide);
     if (m_model->isFiltered()) menu->addAction(tr("Show all"), this, [this] { setFilter({}); });
     menu->addSeparator();
+    menu->addAction(tr("In detail"), this, &TracePanel::detailRequested)->setShortcut(Qt::Key_Space);
     menu->addAction(tr("Put the cursor here"), this,
                     [this, frame = cell->frame] { Q_EMIT cursorRequested(frame); });
     if (cell->column >= 0) {

@@ -81,6 +81,7 @@ class TraceView : public QAbstractScrollArea {
  Q_SIGNALS:
   void currentFrameChanged(std::optional<std::uint64_t> frame);
   void cursorRequested(std::uint64_t frame);
+  void detailRequested();
   void followingChanged(bool isFollowing);
   void menuRequested(std::optional<deckpipe::TraceView::Cell> cell, const QPoint& global);
 

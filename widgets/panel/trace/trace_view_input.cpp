@@ -155,6 +155,9 @@ void TraceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Enter:
       if (m_current) Q_EMIT cursorRequested(*m_current);
       break;
+    case Qt::Key_Space:
+      if (m_current) Q_EMIT detailRequested();
+      break;
     default: QAbstractScrollArea::keyPressEvent(event);
   }
 }
