@@ -16,7 +16,9 @@ namespace {
 
 // For pictures of the running program, and for people who report what they saw.
 void grabLater(deckpipe::MainWindow& window, const deckpipe::Options& options) {
-  QTimer::singleShot(static_cast<int>(options.grabAfter * 1000), &window, [&window, file = options.grabFile] {
+  QTimer::singleShot(static_cast<int>(options.grabAfter * 1000), &window, [&window, file = options.grabFile, size = options.grabSize] {
+    if (window.size() != size)
+      std::fprintf(stderr, "deckpipe: the window is %dx%d, it cannot be smaller\n", window.width(), window.height());
     const bool saved = window.grab().save(file, "PNG");
     if (!saved) std::fprintf(stderr, "deckpipe: %s: cannot be written\n", qPrintable(file));
     QCoreApplication::exit(saved ? 0 : 1);
@@ -54,7 +56,11 @@ int main(int argc, char** argv) {
   deckpipe::Session session;
   session.setRecordingFolder(deckpipe::recordingsFolder());
   deckpipe::MainWindow window(session);
-  if (options.grabFile.isEmpty()) window.restoreLayout();
+  if (options.grabFile.isEmpty()) {
+    window.restoreLayout();
+  } else {
+    window.resize(options.grabSize);
+  }
   if (const auto theme = deckpipe::themeOfKey(options.theme)) window.setTheme(*theme);
   if (const auto density = deckpipe::densityOfKey(options.density)) window.setDensity(*density);
   window.show();

@@ -23,6 +23,17 @@ int say(const QString& message) {
   return kBadUsage;
 }
 
+constexpr int kMostPixels = 16'384;  // of a picture, each way
+
+std::optional<QSize> sizeOf(const QString& text) {
+  const QStringList sides = text.split(u'x');
+  if (sides.size() != 2) return {};
+  const QSize size(sides[0].toInt(), sides[1].toInt());
+  const bool isSize = size.width() > 0 && size.height() > 0 && size.width() <= kMostPixels &&
+                      size.height() <= kMostPixels;
+  return isSize ? std::optional(size) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<int> parseOptions(const QStringList& arguments, Options& options) {
@@ -52,7 +63,9 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
                                 QStringLiteral("PNG"));
   const QCommandLineOption after(QStringLiteral("after"), text("Seconds until --grab; 5 by default."),
                                  QStringLiteral("SECONDS"), QStringLiteral("5"));
-  parser.addOptions({help, version, demo, plugin, interfaceName, bitRate, theme, density, grab, after});
+  const QCommandLineOption size(QStringLiteral("size"), text("Size of that picture; 1366x720 by default."),
+                                QStringLiteral("WxH"), QStringLiteral("1366x720"));
+  parser.addOptions({help, version, demo, plugin, interfaceName, bitRate, theme, density, grab, after, size});
   if (!parser.parse(arguments)) return say(parser.errorText());
   if (parser.isSet(help)) return print(parser.helpText());
   if (parser.isSet(version)) return print(QStringLiteral("deckpipe " DECKPIPE_VERSION "\n"));
@@ -86,6 +99,9 @@ std::optional<int> parseOptions(const QStringList& arguments, Options& options) 
   options.grabAfter = parser.value(after).toDouble(&ok);
   if (!ok || !(options.grabAfter >= 0 && options.grabAfter <= 3600))
     return say(text("--after wants seconds"));
+  const auto wanted = sizeOf(parser.value(size));
+  if (!wanted) return say(text("--size wants pixels, such as 1366x768"));
+  options.grabSize = *wanted;
   return {};
 }
 

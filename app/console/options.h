@@ -2,6 +2,7 @@
 // What the command line of deckpipe asks for.
 #pragma once
 
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <optional>
@@ -18,6 +19,7 @@ struct Options {
   QString density;                   // desk or field; empty = as last time
   QString grabFile;                  // save a picture of the window there after grabAfter seconds, and end
   double grabAfter = 5;
+  QSize grabSize{1366, 720};  // of that picture, in pixels
 };
 
 // Understands the arguments, or says what is wrong (or prints help) and gives the exit status.

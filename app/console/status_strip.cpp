@@ -2,9 +2,12 @@
 #include "status_strip.h"
 #include "paint/app_style.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPushButton>
+#include <algorithm>
+#include <initializer_list>
 #include <tuple>
 #include <utility>
 
@@ -17,7 +20,9 @@ namespace {
 // Figures that change more often cannot be read.
 constexpr Duration kCalm = 250ms;
 constexpr int kMinSource = 220;  // "can0 · 250 kbit/s"
-constexpr int kMargins = 24;
+constexpr int kSpacing = 4, kSideMargin = 8;
+
+QString lockWord(bool isLocked) { return isLocked ? StatusStrip::tr("Unlock…") : StatusStrip::tr("Lock"); }
 
 bool tell(StatusCell* cell, const StatusFact& fact) {
   return cell->setStatus(fact.tone, fact.text, fact.story, fact.glyph);
@@ -28,8 +33,8 @@ bool tell(StatusCell* cell, const StatusFact& fact) {
 StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
   named(this, "statusStrip", tr("Status"));
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 2, 8, 3);
-  layout->setSpacing(4);
+  layout->setContentsMargins(kSideMargin, 2, kSideMargin, 3);
+  layout->setSpacing(kSpacing);
   m_source = addCell("sourceStatus", tr("Source"), {});
   // A long name or reason is cut by the window, never widens it.
   m_source->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -42,10 +47,18 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
       addCell("frameCounts", tr("Recording"), recordingWords(true, QStringLiteral("0:00:00"), 888'888));
   m_completeness = addCell("completeness", tr("Completeness"), tr("Complete"));
   m_lock = addCell("transmitLock", tr("Transmit lock"), {});
+  ClaimStatus claimed;
+  claimed.progress = ClaimStatus::Progress::Claimed;
+  claimed.address = Address{0xF9};
+  m_lock->setFixedText(unlockedWords(claimed));
+  m_stopRoom = new QWidget(this);
+  m_stopRoom->setObjectName(QStringLiteral("stopRoom"));
+  layout->addWidget(m_stopRoom);
   m_lockButton = new QPushButton(this);
   m_lockButton->setObjectName(QStringLiteral("lockButton"));
   layout->addWidget(m_lockButton);
   connect(m_lockButton, &QPushButton::clicked, this, &StatusStrip::lockToggled);
+  measureButtons();
   setSnapshot({});
 }
 
@@ -102,30 +115,58 @@ bool StatusStrip::tellRecording(const Snapshot& snapshot) {
   return tell(m_recording, fact);
 }
 
-// Where the window is narrow, numbers go before what link, lock, losses and frames that wait say.
+// The button is as wide as the wider of its words.
+void StatusStrip::measureButtons() {
+  QPushButton probe;
+  probe.setFont(m_lockButton->font());
+  int width = 0;
+  for (const bool isLocked : {true, false}) {
+    probe.setText(lockWord(isLocked));
+    width = std::max(width, probe.sizeHint().width());
+  }
+  m_lockButton->setFixedWidth(width);
+  m_stopRoom->setFixedWidth(targetHeight(this) * 5 / 2);
+}
+
+int StatusStrip::neededWidth() const {
+  int width = 2 * kSideMargin + kMinSource;
+  for (const QWidget* each : std::initializer_list<const QWidget*>{m_lock, m_stopRoom, m_lockButton}) {
+    if (!each->isHidden()) width += kSpacing + std::max(each->minimumWidth(), each->sizeHint().width());
+  }
+  return width;
+}
+
 void StatusStrip::fit() {
-  int room = width() - kMinSource - m_lock->sizeHint().width() -
-             (m_lockButton->isHidden() ? 0 : m_lockButton->sizeHint().width()) -
-             (m_sent->isHidden() ? 0 : m_sent->sizeHint().width() + layout()->spacing()) - kMargins;
+  int room = width() - neededWidth();
+  if (!m_sent->isHidden()) room -= m_sent->sizeHint().width() + kSpacing;
   bool hasRoom = m_hasFacts;
-  for (StatusCell* cell : {m_completeness, m_errors, m_recording, m_load, m_rate}) {
-    room -= cell->sizeHint().width() + layout()->spacing();
+  for (StatusCell* cell : {m_recording, m_completeness, m_errors, m_load, m_rate}) {
+    room -= cell->sizeHint().width() + kSpacing;
     hasRoom = hasRoom && room >= 0;
     cell->setVisible(hasRoom);
   }
 }
 
 QSize StatusStrip::minimumSizeHint() const {
-  return {kMinSource + m_lockButton->sizeHint().width() + kMargins, QWidget::minimumSizeHint().height()};
+  return {neededWidth(), QWidget::minimumSizeHint().height()};
 }
 
 void StatusStrip::resizeEvent(QResizeEvent*) { fit(); }
+
+// Other letters, or another density.
+bool StatusStrip::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) {
+    measureButtons();
+    fit();
+  }
+  return QWidget::event(event);
+}
 
 // The button is there only if there is a bus to send on. A person can always lock, and unlock at the live
 // edge of a link that is up.
 bool StatusStrip::showLockButton(const Snapshot& snapshot) {
   const bool isLocked = snapshot.services->locked;
-  const QString text = isLocked ? tr("Unlock…") : tr("Lock");
+  const QString text = lockWord(isLocked);
   const bool isShown = snapshot.source.kind == SourceStatus::Kind::Link;
   const bool isOther = m_lockButton->text() != text || m_lockButton->isHidden() == isShown;
   if (m_lockButton->text() != text) {
@@ -133,6 +174,7 @@ bool StatusStrip::showLockButton(const Snapshot& snapshot) {
     m_lockButton->setAccessibleName(isLocked ? tr("Unlock sending") : tr("Lock sending"));
   }
   m_lockButton->setVisible(isShown);
+  m_stopRoom->setVisible(isShown);
   m_lockButton->setEnabled(!isLocked || (snapshot.view.atEnd && snapshot.services->linkUp));
   return isOther;
 }

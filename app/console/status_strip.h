@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The strip across the top of the window: where the frames come from and how that goes, how busy the bus is,
 // that nothing is sent, how much is held and whether anything of it is missing. The window gives it each
-// snapshot; the sentences are status_text.h's.
+// snapshot; the sentences are status_text.h's. The lock's button is always at one place, whatever the rest
+// says, with a free place beside it for a button that stops what moves. Where the window is narrow, numbers
+// go, the recording last.
 #pragma once
 
 #include <QWidget>
@@ -25,7 +27,7 @@ class StatusStrip : public QWidget {
   void setSnapshot(const Snapshot& snapshot);
   // Those that are shown.
   const BusRates& rates() const { return m_rates; }
-  // Of what never goes; numbers go where the window is narrow.
+  // Of what never goes.
   QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
@@ -34,12 +36,15 @@ class StatusStrip : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   StatusCell* addCell(const char* name, const QString& label, const QString& widest);
   bool ratesAreDue(const LogView& view) const;
   bool tellRecording(const Snapshot& snapshot);
+  void measureButtons();
   void fit();
+  int neededWidth() const;
   // True where it may want another width now.
   bool showLockButton(const Snapshot& snapshot);
 
@@ -52,6 +57,7 @@ class StatusStrip : public QWidget {
   StatusCell* m_recording;
   StatusCell* m_completeness;
   StatusCell* m_lock;
+  QWidget* m_stopRoom;
   QPushButton* m_lockButton;
   // The rates that are shown, and where they were taken.
   BusRates m_rates;

@@ -165,6 +165,10 @@ QString errorWords(std::uint64_t errors) {
   return StatusText::tr("%Ln error frames", nullptr, forPlural(errors));
 }
 
+QString unlockedWords(const ClaimStatus& claim) {
+  return StatusText::tr("Unlocked, %1").arg(claimText(claim));
+}
+
 StatusFact sourceFact(const SourceStatus& source) {
   if (source.kind == From::Nothing)
     return {Severity::Unknown, StatusText::tr("Nothing open"), StatusText::tr("No bus and no log is open.")};
@@ -321,7 +325,7 @@ StatusFact lockFact(const Snapshot& snapshot) {
   }
   if (!snapshot.services->locked) {
     return {
-        Severity::Warning, StatusText::tr("Unlocked, %1").arg(claimText(snapshot.services->claim)),
+        Severity::Warning, unlockedWords(snapshot.services->claim),
         StatusText::tr("Deckpipe may send on this bus: its address claim, and what is asked for by hand.")};
   }
   QString story =

@@ -48,6 +48,7 @@ QString loadWords(long percent);
 QString rateWords(long frames);
 QString errorWords(std::uint64_t errors);
 QString recordingWords(bool isRunning, const QString& length, std::uint64_t frames);
+QString unlockedWords(const ClaimStatus& claim);
 // "1,234 frames": plurals take an int, logs may hold more.
 QString frameCountText(std::uint64_t frames);
 

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -70,6 +71,23 @@ TEST(Program, EndsARecordingWhenItIsStopped) {
 
 TEST(Program, RefusesUnusableArgumentsWithoutADisplay) {
   EXPECT_EQ(runWithoutDisplay(QStringLiteral("--nope")).status, 2);
+}
+
+TEST(Program, DrawsAPictureOfTheSizeThatWasAskedFor) {
+  const QTemporaryDir folder;
+  QProcess process;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+  process.setProcessEnvironment(environment);
+  const QString file = folder.filePath(QStringLiteral("window.png"));
+  process.start(QStringLiteral(DECKPIPE), {QStringLiteral("--grab"), file, QStringLiteral("--size"),
+                                           QStringLiteral("1024x600"), QStringLiteral("--after"),
+                                           QStringLiteral("0")});
+  EXPECT_TRUE(process.waitForFinished(60'000));
+  EXPECT_EQ(QImage(file).size(), QSize(1024, 600)) << process.readAllStandardError().constData();
+  for (const char* size : {"1024", "0x600", "1024x", "wide", "1024x600x2", "99999x600"}) {
+    EXPECT_EQ(runWithoutDisplay(QStringLiteral("--size=") + QLatin1String(size)).status, 2) << size;
+  }
 }
 
 TEST(Program, SaysWhenItsHelpCannotBeWritten) {

@@ -3,6 +3,8 @@
 #include <QDockWidget>
 #include <QScreen>
 #include <QSettings>
+#include <algorithm>
+#include <vector>
 
 #include "app/console/window_scenes.h"
 #include "app/console/window_test.h"
@@ -38,6 +40,10 @@ class WindowRoom : public test::WindowTest {
     }
     return docks;
   }
+  QRect placeOf(const char* name) const {
+    const auto* widget = named<QWidget>(name);
+    return {widget->mapTo(&m_window, QPoint()), widget->size()};
+  }
   // As a person moves a separator.
   void widen(const char* dock, int width) const {
     only<Workspace>()->resizeDocks({named<QDockWidget>(dock)}, {width}, Qt::Horizontal);
@@ -60,6 +66,54 @@ TEST_F(WindowRoom, IsThatOfASmallScreenAtLeastWithEveryDockOpen) {
       EXPECT_LE(least.height(), 480) << scene.name << " density " << static_cast<int>(density);
     }
   }
+}
+
+TEST_F(WindowRoom, KeepsLockAndPlayInSightAndInTheirPlace) {
+  for (const Density density : kDensities) {
+    m_window.setDensity(density);
+    for (const int width : {800, 910, 1024, 1180, 1280, 1366, 1600, 1920}) {
+      QRect place;
+      for (const test::Scene& scene : test::windowScenes()) {
+        if (scene.snapshot.source.kind != SourceStatus::Kind::Link) continue;
+        const auto trace = testing::Message() << scene.name << " at " << width << ", density "
+                                              << static_cast<int>(density);
+        SCOPED_TRACE(trace);
+        m_window.resize(width, 600);
+        m_window.setSnapshot(scene.snapshot);
+        settle();
+        EXPECT_EQ(m_window.width(), width);
+        const QRect lock = placeOf("lockButton");
+        if (place.isNull()) place = lock;
+        EXPECT_EQ(lock, place);
+        for (const char* name : {"lockButton", "stopRoom", "transmitLockCell", "play", "toEnd"}) {
+          const auto* widget = named<QWidget>(name);
+          if (!widget->isVisible()) continue;  // nothing to be played is there
+          EXPECT_TRUE(m_window.rect().contains(placeOf(name))) << name;
+          EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << name;
+          EXPECT_FALSE(widget->visibleRegion().isEmpty()) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(WindowRoom, IsGivenUpByNumbersAndLastByTheRecording) {
+  m_window.setSnapshot(test::askingSnapshot());
+  std::vector<const char*> gone;
+  for (int width = 1500; width >= 800; width -= 10) {
+    m_window.resize(width, 600);
+    settle();
+    for (const char* name :
+         {"frameRateCell", "busLoadCell", "errorFramesCell", "completenessCell", "frameCountsCell"}) {
+      const bool isKnown = std::ranges::find(gone, name) != gone.end();
+      if (!isKnown && !named<QWidget>(name)->isVisible()) gone.push_back(name);
+    }
+    EXPECT_GE(named<QWidget>("sourceStatusCell")->width(), 200) << width;
+  }
+  const std::vector<const char*> expected{"frameRateCell", "busLoadCell", "errorFramesCell",
+                                          "completenessCell"};
+  gone.resize(std::min(gone.size(), expected.size()));
+  EXPECT_EQ(gone, expected);
 }
 
 // A screen of 800×800 here: neither a first window nor one that was left larger goes beyond it.

@@ -25,7 +25,21 @@ StatusCell::StatusCell(const char* name, const QString& label, QWidget* parent)
 
 void StatusCell::setWidestText(const QString& text) {
   m_widest = text;
-  m_words->setMinimumWidth(m_words->fontMetrics().horizontalAdvance(text) + 2);
+  measure();
+}
+
+void StatusCell::setFixedText(const QString& text) {
+  m_isFixed = true;
+  QSizePolicy kept = m_sign->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  m_sign->setSizePolicy(kept);
+  setWidestText(text);
+}
+
+void StatusCell::measure() {
+  const int width = m_words->fontMetrics().horizontalAdvance(m_widest) + 2;
+  m_words->setMinimumWidth(width);
+  if (m_isFixed) m_words->setMaximumWidth(width);
 }
 
 bool StatusCell::setStatus(Severity tone, const QString& text, const QString& story,
@@ -70,7 +84,7 @@ void StatusCell::keyPressEvent(QKeyEvent* event) {
 
 void StatusCell::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && !m_widest.isEmpty()) setWidestText(m_widest);
+  if (event->type() == QEvent::FontChange && !m_widest.isEmpty()) measure();
 }
 
 void StatusCell::paintEvent(QPaintEvent*) {

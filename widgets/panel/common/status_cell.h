@@ -23,6 +23,8 @@ class StatusCell : public QWidget {
 
   // Words that it may have to show later.
   void setWidestText(const QString& text);
+  // As wide as these words and a sign, whatever it shows: longer ones end in an ellipsis.
+  void setFixedText(const QString& text);
   // `glyph`: instead of the severity's own. True where the cell may want another width now.
   bool setStatus(Severity tone, const QString& text, const QString& story, std::optional<Glyph> glyph = {});
   QString text() const;
@@ -34,12 +36,14 @@ class StatusCell : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void measure();
   void showSign();
   void showStory();
 
   GlyphLabel* m_sign;
   ElidedLabel* m_words;
   QString m_widest;
+  bool m_isFixed = false;
   QString m_story;
   Severity m_tone = Severity::Plain;
   std::optional<Glyph> m_glyph;
