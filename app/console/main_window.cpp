@@ -308,8 +308,7 @@ void MainWindow::setLook(Theme theme, Density density) {
     action->setChecked(action->data().toInt() == static_cast<int>(theme));
 }
 
-// The look first: what follows is measured in its letters. Qt keeps a restored window inside of its screen, and
-// restores none that was left on a screen of quite another size.
+// The look first: what follows is measured in its letters.
 void MainWindow::restoreLayout() {
   const QSettings settings;
   setLook(themeOfKey(settings.value(kThemeKey).toString()).value_or(m_theme),
@@ -317,6 +316,8 @@ void MainWindow::restoreLayout() {
   if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray())) {
     resize(firstSize(screen()->availableGeometry()));
     if (size() != kUsualWindow) setWindowState(windowState() | Qt::WindowMaximized);
+  } else if (!isMaximized() && !isFullScreen()) {
+    setGeometry(fitted(geometry(), screen()->availableGeometry()));
   }
   m_workspace->restoreFrom(settings);
 }

@@ -12,5 +12,8 @@ inline constexpr QSize kUsualWindow{1366, 720};
 // Size of the first window, without its frame, on a screen that has `available` left beside its panels. A
 // window that gets less than the usual size is better maximised.
 QSize firstSize(const QRect& available);
+// Where a window is put that was left at `geometry`, without its frame: there, if its screen has that place,
+// otherwise as near and as large as the screen allows.
+QRect fitted(const QRect& geometry, const QRect& available);
 
 }  // namespace deckpipe

@@ -21,5 +21,20 @@ TEST(FirstWindow, FitsItsScreenWithItsFrame) {
   for (const auto& row : rows) EXPECT_EQ(firstSize(row.available), row.size) << row.screen;
 }
 
+TEST(RestoredWindow, IsPutInsideOfItsScreen) {
+  const QRect available(64, 0, 1302, 728);
+  const struct {
+    const char* left;
+    QRect geometry, put;
+  } rows[] = {
+      {"inside", {100, 40, 1024, 600}, {100, 40, 1024, 600}},
+      {"over all of it, without a frame", {64, 0, 1302, 728}, {64, 0, 1302, 728}},
+      {"on a larger screen", {100, 40, 1920, 1000}, {72, 40, 1286, 680}},
+      {"beyond the right and the foot", {1000, 500, 1024, 600}, {334, 120, 1024, 600}},
+      {"on a screen at the left", {-1500, -300, 800, 500}, {72, 40, 800, 500}},
+  };
+  for (const auto& row : rows) EXPECT_EQ(fitted(row.geometry, available), row.put) << row.left;
+}
+
 }  // namespace
 }  // namespace deckpipe
