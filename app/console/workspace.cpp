@@ -217,6 +217,7 @@ void Workspace::setWaiting(bool isWaiting) {
 }
 
 void Workspace::settle() {
+  m_fontSize = QApplication::font().pointSizeF();
   if (m_isWaiting && !restoreState(m_kept->docks, layoutVersion())) setWaiting(false);
   if (m_isWaiting) {
     showDocksOfDemo();
@@ -263,12 +264,13 @@ void Workspace::resizeEvent(QResizeEvent* event) {
   });
 }
 
-// Larger letters need wider docks; what a person chose is kept in proportion.
+// Larger letters need wider docks; what a person chose is kept in proportion. Widgets get new letters some turns
+// after the application has them.
 void Workspace::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() != QEvent::FontChange) return;
-  const double before = std::exchange(m_fontSize, font().pointSizeF());
-  if (before <= 0 || !m_isSettled || m_isWaiting) return;
+  const double before = std::exchange(m_fontSize, QApplication::font().pointSizeF());
+  if (before <= 0 || before == m_fontSize || !m_isSettled || m_isWaiting) return;
   QDockWidget* devices = dock(kDevicesDock).dock;
   if (!devices->isFloating())
     resizeDocks({devices}, {static_cast<int>(devices->width() * m_fontSize / before)}, Qt::Horizontal);
