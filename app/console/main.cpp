@@ -16,13 +16,16 @@ namespace {
 
 // For pictures of the running program, and for people who report what they saw.
 void grabLater(deckpipe::MainWindow& window, const deckpipe::Options& options) {
-  QTimer::singleShot(static_cast<int>(options.grabAfter * 1000), &window, [&window, file = options.grabFile, size = options.grabSize] {
-    if (window.size() != size)
-      std::fprintf(stderr, "deckpipe: the window is %dx%d, it cannot be smaller\n", window.width(), window.height());
-    const bool saved = window.grab().save(file, "PNG");
-    if (!saved) std::fprintf(stderr, "deckpipe: %s: cannot be written\n", qPrintable(file));
-    QCoreApplication::exit(saved ? 0 : 1);
-  });
+  QTimer::singleShot(static_cast<int>(options.grabAfter * 1000), &window,
+                     [&window, file = options.grabFile, size = options.grabSize] {
+                       if (window.size() != size)
+                         std::fprintf(stderr, "deckpipe: the window is %dx%d, it cannot be smaller\n",
+                                      window.width(), window.height());
+                       const bool saved = window.grab().save(file, "PNG");
+                       if (!saved)
+                         std::fprintf(stderr, "deckpipe: %s: cannot be written\n", qPrintable(file));
+                       QCoreApplication::exit(saved ? 0 : 1);
+                     });
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ std::optional<QSize> sizeOf(const QString& text) {
   const QStringList sides = text.split(u'x');
   if (sides.size() != 2) return {};
   const QSize size(sides[0].toInt(), sides[1].toInt());
-  const bool isSize = size.width() > 0 && size.height() > 0 && size.width() <= kMostPixels &&
-                      size.height() <= kMostPixels;
+  const bool isSize =
+      size.width() > 0 && size.height() > 0 && size.width() <= kMostPixels && size.height() <= kMostPixels;
   return isSize ? std::optional(size) : std::nullopt;
 }
 

@@ -147,9 +147,7 @@ void StatusStrip::fit() {
   }
 }
 
-QSize StatusStrip::minimumSizeHint() const {
-  return {neededWidth(), QWidget::minimumSizeHint().height()};
-}
+QSize StatusStrip::minimumSizeHint() const { return {neededWidth(), QWidget::minimumSizeHint().height()}; }
 
 void StatusStrip::resizeEvent(QResizeEvent*) { fit(); }
 

@@ -80,9 +80,9 @@ TEST(Program, DrawsAPictureOfTheSizeThatWasAskedFor) {
   environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
   process.setProcessEnvironment(environment);
   const QString file = folder.filePath(QStringLiteral("window.png"));
-  process.start(QStringLiteral(DECKPIPE), {QStringLiteral("--grab"), file, QStringLiteral("--size"),
-                                           QStringLiteral("1024x600"), QStringLiteral("--after"),
-                                           QStringLiteral("0")});
+  process.start(QStringLiteral(DECKPIPE),
+                {QStringLiteral("--grab"), file, QStringLiteral("--size"), QStringLiteral("1024x600"),
+                 QStringLiteral("--after"), QStringLiteral("0")});
   EXPECT_TRUE(process.waitForFinished(60'000));
   EXPECT_EQ(QImage(file).size(), QSize(1024, 600)) << process.readAllStandardError().constData();
   for (const char* size : {"1024", "0x600", "1024x", "wide", "1024x600x2", "99999x600"}) {

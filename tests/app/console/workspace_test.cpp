@@ -4,18 +4,18 @@
 #include "console/workspace.h"
 
 #include <QApplication>
-#include <QDockWidget>
 #include <QContextMenuEvent>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QSettings>
 #include <QShortcut>
 
 #include "app/console/window_test.h"
+#include "model/decode_model.h"
 #include "panel/devices/device_list_panel.h"
 #include "panel/page/full_dial.h"
 #include "panel/play/transport_bar.h"
-#include "model/decode_model.h"
 #include "panel/trace/trace_panel.h"
 #include "panel/trace/trace_view.h"
 #include "support/child.h"
@@ -128,7 +128,7 @@ TEST_F(Docks, ShowTheFrameInDetailAtSpaceAndFollowFromThenOn) {
 
 TEST_F(Docks, ShowTheFrameInDetailFromTheMenuOfItsRow) {
   only<TraceView>()->setCurrentFrame(1);
-  QContextMenuEvent event(QContextMenuEvent::Keyboard, {});
+  QContextMenuEvent event(QContextMenuEvent::Keyboard, QPoint(), QPoint());
   QApplication::sendEvent(only<TraceView>(), &event);
   auto* menu = only<TracePanel>()->findChild<QMenu*>(QStringLiteral("traceMenu"));
   ASSERT_NE(menu, nullptr);
