@@ -40,7 +40,7 @@ QStringList cut(const QWidget& window) {
       names += label->objectName() + QLatin1Char('=') + label->text().left(30);
   }
   for (const auto* button : window.findChildren<QAbstractButton*>()) {
-    if (button->isVisible() && !button->text().isEmpty() &&
+    if (!button->visibleRegion().isEmpty() && !button->text().isEmpty() &&
         button->width() < button->minimumSizeHint().width())
       names += button->objectName();
   }
