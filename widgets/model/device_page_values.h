@@ -10,6 +10,7 @@
 
 #include "model/device_rows.h"
 #include "paint/dial_values.h"
+#include "paint/glyph.h"
 #include "paint/stick_values.h"
 
 namespace deckpipe {
@@ -19,6 +20,7 @@ struct PageLamp {
   QString spoken{};              // for who does not see where the lamp stands; empty: the label
   std::optional<Status2> state;  // nothing: never came
   Severity whenOn = Severity::Plain;
+  std::optional<Glyph> sign{};  // when on; nothing: the severity's own
   friend bool operator==(const PageLamp&, const PageLamp&) = default;
 };
 

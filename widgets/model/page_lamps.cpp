@@ -158,7 +158,8 @@ PageStops stopsOf(const State& state, const Device& d) {
     const auto lamp = [&](const QString& side, const std::array<Status2, 5>& states) {
       std::optional<Status2> stop;
       if (d.position().isKnown()) stop = states[static_cast<std::size_t>(axis - 1)];
-      return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), stop, Severity::Fault};
+      return PageLamp{side, Lamps::tr("%1, %2 stop").arg(text.name, side), stop, Severity::Plain,
+                      Glyph::Stop};
     };
     stops.axes.push_back({text.name, text.remark, lamp(text.minus, d.position().value().minusStop),
                           lamp(text.plus, d.position().value().plusStop)});

@@ -272,11 +272,13 @@ void DialPainter::drawStop(const DialBlock& block, std::optional<Status2> stop) 
     drawGlyph(m_painter, block.glyph, on ? Glyph::Stop : Glyph::Warning, m_colours.stale.ink);
     return;
   }
-  const Tone& tone = on ? m_colours.fault : m_colours.warning;
-  m_painter.setPen(QPen(tone.ink, line(0.014, 1.5), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-  m_painter.setBrush(tone.fill);
+  const Tone& tone = m_colours.warning;
+  m_painter.setPen(
+      QPen(on ? m_colours.text : tone.ink, line(0.014, 1.5), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+  m_painter.setBrush(on ? m_colours.text : tone.fill);
   m_painter.drawPolygon(block.shape);
-  drawGlyph(m_painter, block.glyph, on ? Glyph::Stop : Glyph::Warning, tone.onFill);
+  // A stop that is reached is its own sign: as solid as the needle that stands against it.
+  if (!on) drawGlyph(m_painter, block.glyph, Glyph::Warning, tone.onFill);
 }
 
 void DialPainter::drawCommand() {

@@ -116,9 +116,7 @@ void DialReadout::drawCondition(const DialView& view) {
   }
   const bool on = axis.plusStop == Status2::On || axis.minusStop == Status2::On;
   note.glyph = on ? Glyph::Stop : Glyph::Warning;
-  note.ink = note.textInk = axis.isStale ? m_colours.stale.ink
-                            : on         ? m_colours.fault.ink
-                                         : m_colours.warning.ink;
+  note.ink = note.textInk = axis.isStale ? m_colours.stale.ink : on ? m_colours.text : m_colours.warning.ink;
   note.text = stops;
   QRectF slot = view.condition;
   // Beside it stands who commands; with nobody there the place is free.

@@ -46,8 +46,7 @@ void drawGlyph(QPainter& p, const QRectF& box, Glyph glyph, const QColor& ink, c
   p.scale(half, half);
   // Never thinner than 1.2 pixels: below that a stroke is a smear.
   const double width = std::max(0.2 * weight, 1.2 / half);
-  QPen pen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-  p.setPen(pen);
+  p.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   p.setBrush(fill);
   switch (glyph) {
     case Glyph::Fine:
@@ -66,11 +65,9 @@ void drawGlyph(QPainter& p, const QRectF& box, Glyph glyph, const QColor& ink, c
       p.drawLine(QPointF(-0.34, 0.34), QPointF(0.34, -0.34));
       break;
     case Glyph::Stop:
-      p.drawPolygon(regular(8, 0.92, 22.5));
-      pen.setWidthF(width * 1.5);
-      pen.setCapStyle(Qt::FlatCap);
-      p.setPen(pen);
-      p.drawLine(QPointF(-0.46, 0), QPointF(0.46, 0));
+      p.drawLine(QPointF(-0.8, 0), QPointF(0.12, 0));
+      p.setBrush(ink);
+      p.drawRect(QRectF(0.24, -0.74, 0.5, 1.48));
       break;
     case Glyph::Stale:
       ring(p);

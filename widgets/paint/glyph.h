@@ -15,7 +15,7 @@ enum class Glyph : std::uint8_t {
   Fine,          // tick
   Warning,       // triangle with an exclamation mark
   Fault,         // circle with a cross
-  Stop,          // octagon with a bar
+  Stop,          // needle against a block
   Stale,         // clock
   NoData,        // dotted circle
   NotFitted,     // circle with a slash

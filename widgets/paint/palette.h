@@ -2,8 +2,8 @@
 // The three themes as plain values. The application's style (app_style.h) has the colours of the theme that a
 // person chose, and gives them to every painted widget and delegate.
 //
-// What a colour means is the same in all three: accent = can be touched, attend = look here, fault = fault or
-// stop, fine = good, stale = old. None of them carries its meaning alone: each has a glyph (glyph.h).
+// What a colour means is the same in all three: accent = can be touched, attend = look here, fault = a
+// fault, fine = good, stale = old; a stop is none of them, but text. Each has a glyph (glyph.h) beside it.
 // A test lists every pair in use, and holds text to 4.5:1 and graphics to 3:1.
 #pragma once
 

@@ -38,8 +38,9 @@ void StatusLamp::changeEvent(QEvent* event) {
   m_hint = {};
 }
 
-void StatusLamp::setWhenOn(Severity whenOn) {
+void StatusLamp::setWhenOn(Severity whenOn, std::optional<Glyph> sign) {
   m_whenOn = whenOn;
+  m_signWhenOn = sign;
   update();
 }
 
@@ -77,11 +78,12 @@ StatusLamp::Look StatusLamp::lookIn(const Colours& c) const {
       return {Glyph::NotAvailable, c.textSecondary, Qt::transparent, c.textSecondary, true};
     case Status2::On: break;
   }
+  const auto sign = [&](Glyph usual) { return m_signWhenOn.value_or(usual); };
   switch (m_whenOn) {
-    case Severity::Fine: return {Glyph::Fine, c.fine.ink, c.fine.fill, c.fine.onFill, false};
-    case Severity::Warning: return {Glyph::On, c.warning.ink, c.warning.fill, c.warning.onFill, false};
-    case Severity::Fault: return {Glyph::Stop, c.fault.ink, c.fault.fill, c.fault.onFill, false};
-    default: return {Glyph::On, c.text, c.text, c.surface, false};
+    case Severity::Fine: return {sign(Glyph::Fine), c.fine.ink, c.fine.fill, c.fine.onFill, false};
+    case Severity::Warning: return {sign(Glyph::On), c.warning.ink, c.warning.fill, c.warning.onFill, false};
+    case Severity::Fault: return {sign(Glyph::Fault), c.fault.ink, c.fault.fill, c.fault.onFill, false};
+    default: return {sign(Glyph::On), c.text, c.text, c.surface, false};
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One status of two bits as a lamp: its sign, its label, its word. Panels line them up for the stops by axis
-// and for the outputs. Stops are lit as a fault, an output as fine, or as plain text where on is neither good
-// nor bad.
+// and for the outputs. An output is lit as fine, a fault as a fault; a stop in the colour of text, for on is
+// neither good nor bad there.
 #pragma once
 
 #include <QString>
@@ -24,7 +24,8 @@ class StatusLamp : public QWidget {
   // `spoken` is for who does not see where the lamp stands: "Rotation, right stop" for a lamp labelled
   // "Right".
   void setLabel(const QString& label, const QString& spoken = {});
-  void setWhenOn(Severity whenOn);
+  // How it is lit, and its sign then: by default the severity's own.
+  void setWhenOn(Severity whenOn, std::optional<Glyph> sign = {});
   // Nothing: never heard. Stale: the last state heard, drawn as old; never as a steady one.
   void setState(std::optional<Status2> state, bool stale = false);
 
@@ -54,6 +55,7 @@ class StatusLamp : public QWidget {
   QString m_spoken;  // empty: the label
   std::optional<Status2> m_state;
   Severity m_whenOn = Severity::Plain;
+  std::optional<Glyph> m_signWhenOn;
   bool m_stale = false;
   mutable QSize m_hint;  // as long as label, font and language are the same: pages are laid out often
 };

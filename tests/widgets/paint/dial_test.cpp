@@ -122,6 +122,33 @@ TEST_P(DialInTheme, EveryReadingHasItsOwnDrawingWithoutItsWords) {
   }
 }
 
+TEST_P(DialInTheme, DrawsNoStopInTheColourOfFaults) {
+  const Colours colours = coloursOf(GetParam());
+  const auto faultPixels = [&](const DialValues& values, QSize size) {
+    const QImage image = picture(values, GetParam(), size);
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor pixel = image.pixelColor(x, y);
+        count += pixel == colours.fault.ink || pixel == colours.fault.fill;
+      }
+    }
+    return count;
+  };
+  int stops = 0;
+  for (const DialSample& sample : dialSamples()) {
+    const bool isFault = sample.values.rotation.reading == PositionState::SensorError;
+    if (isFault) continue;
+    stops += sample.name.find("stop") != std::string::npos;
+    for (const QSize size : {QSize(640, 360), QSize(200, 200), QSize(200, 120)})
+      EXPECT_EQ(faultPixels(sample.values, size), 0) << sample.name << " at " << size.width();
+  }
+  EXPECT_GE(stops, 4);
+  DialValues broken = usualValues();
+  broken.rotation.reading = PositionState::SensorError;
+  EXPECT_GT(faultPixels(broken, {640, 360}), 40);
+}
+
 TEST_P(DialInTheme, AStaleReadingIsUnmistakable) {
   DialValues fresh = usualValues();
   fresh.rotation.age = fresh.elevation.age = Age::ago(2400ms);

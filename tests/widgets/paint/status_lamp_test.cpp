@@ -51,6 +51,24 @@ TEST(StatusLamp, EveryStateHasItsOwnSignInEveryTheme) {
   }
 }
 
+TEST(StatusLamp, ShowsAStopAsABlockWithoutColour) {
+  const test::Look look(Theme::Light);
+  StatusLamp lamp;
+  lamp.setState(Status2::On);
+  const QImage usual = picture(lamp, QSize(34, 32));
+  lamp.setWhenOn(Severity::Plain, Glyph::Stop);
+  EXPECT_NE(picture(lamp, QSize(34, 32)), usual);
+  QImage image(QSize(34, 32), QImage::Format_RGB32);
+  lamp.render(&image);
+  const Colours& c = coloursOf(Theme::Light);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      EXPECT_NE(image.pixelColor(x, y), c.fault.fill);
+      EXPECT_NE(image.pixelColor(x, y), c.fault.ink);
+    }
+  }
+}
+
 TEST(StatusLamp, SpeaksLabelAndState) {
   StatusLamp lamp;
   lamp.setLabel(QStringLiteral("Discharge valve"));

@@ -20,7 +20,7 @@ void setLamp(StatusLamp& lamp, const PageLamp& values, bool isStale, const QStri
   lamp.setLabel(values.label, values.spoken);
   const QString source = pageSourceText(groupKey);
   lamp.setToolTip(values.spoken.isEmpty() ? source : values.spoken + QStringLiteral("\n\n") + source);
-  lamp.setWhenOn(values.whenOn);
+  lamp.setWhenOn(values.whenOn, values.sign);
   lamp.setState(values.state, isStale);
 }
 

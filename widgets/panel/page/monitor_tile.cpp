@@ -123,7 +123,7 @@ void MonitorTile::paintEvent(QPaintEvent*) {
 
   if (m_monitor.stops.isEmpty()) return;
   const double foot = height() - kTilePad / 2.0 - lineHeight(small) / 2.0;
-  const QColor ink = m_monitor.areStopsStale ? c.stale.ink : c.fault.ink;
+  const QColor ink = m_monitor.areStopsStale ? c.stale.ink : c.text;
   drawGlyph(p, QRectF(left, foot - kTileSign / 2, kTileSign, kTileSign),
             m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop, ink, Qt::transparent, c.stroke);
   p.setPen(ink);

@@ -70,7 +70,7 @@ QLayout* TerminalPanel::makeTop() {
 QWidget* TerminalPanel::makeStallBar() {
   m_stallBar = new QWidget(this);
   m_stallBar->setObjectName(QStringLiteral("pipeStall"));
-  m_stall = makeWords(m_stallBar, "pipeStallText", tr("Why sending stopped"), Ink::Fault);
+  m_stall = makeWords(m_stallBar, "pipeStallText", tr("Why sending stopped"), Ink::Warning);
   m_forTheRest = new QCheckBox(m_stallBar);
   m_forTheRest->setObjectName(QStringLiteral("pipeForTheRest"));
   m_forTheRest->setToolTip(tr("Resend or Skip at every further missing ack of this file or text, "
