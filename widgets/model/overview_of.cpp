@@ -17,9 +17,8 @@ struct Overview {
   Q_DECLARE_TR_FUNCTIONS(Overview)
 };
 
-QString detailOf(const LogView& view, const DeviceRow& row, const DeviceLabels& labels) {
+QString detailOf(const LogView& view, const DeviceRow& row) {
   QStringList parts;
-  if (!labels.of(row.key).isEmpty()) parts << deviceText(row);
   parts << typeText(row);
   if (row.key.kind == DeviceKey::Kind::Pin) {
     parts << (row.hasLostAddress() ? Overview::tr("address lost") : addressText(row.address));
@@ -52,8 +51,8 @@ std::vector<OverviewMonitor> overviewOf(const LogView& view, const DeviceLabels&
     OverviewMonitor& m = monitors.emplace_back();
     m.key = row.key;
     m.title = labels.of(row.key);
-    if (m.title.isEmpty()) m.title = deviceText(row);
-    m.detail = detailOf(view, row, labels);
+    (m.title.isEmpty() ? m.title : m.identity) = deviceText(row);
+    m.detail = detailOf(view, row);
     m.health = row.health;
     m.reasons = healthSentences(row.health, state.cursor().time);
     m.age = ageOf(state, d.channel, d.lastHeard);

@@ -12,8 +12,9 @@ namespace deckpipe {
 
 struct OverviewMonitor {
   DeviceKey key{};
-  QString title{};   // the person's label, or the PIN
-  QString detail{};  // PIN if the title is a label, type, address, channel if there are several
+  QString title{};     // the person's label, or the PIN
+  QString identity{};  // PIN, where the title is a label
+  QString detail{};    // type, address, channel if there are several
   Health health;
   QStringList reasons{};  // sentences, the worst first
   Age age;

@@ -52,6 +52,17 @@ QString ageText(Duration age) {
   return Units::tr("%1 d").arg(whole / 86400);
 }
 
+QString elidedPin(const QString& name, const QFontMetricsF& metrics, double room) {
+  if (metrics.horizontalAdvance(name) <= room) return name;
+  constexpr qsizetype kFirst = 4, kLast = 6;
+  if (name.contains(QLatin1Char(' ')) || name.size() <= kFirst + kLast)
+    return metrics.elidedText(name, Qt::ElideMiddle, room);
+  const QString end = QChar(0x2026) + name.last(kLast);
+  const QString both = name.first(kFirst) + end;
+  if (metrics.horizontalAdvance(both) <= room) return both;
+  return metrics.elidedText(end, Qt::ElideLeft, room);
+}
+
 double figuresWidth(const QFont& font, const QString& text) {
   const QFontMetricsF metrics(font);
   const double cell = cellWidth(metrics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as this console writes them, and drawn so that nothing moves when they change: every digit takes a
-// cell of the same width whatever the font (Qt 6.4 cannot ask a font for tabular figures), right aligned.
+// Numbers and PINs as this console writes them; numbers drawn so that nothing moves when they change: digits take
+// cells of the same width whatever the font (Qt 6.4 cannot ask a font for tabular figures), right aligned.
 #pragma once
 
 #include <QColor>
@@ -10,6 +10,7 @@
 
 #include "base/time.h"
 
+class QFontMetricsF;
 class QPainter;
 
 namespace deckpipe {
@@ -19,6 +20,11 @@ QString degreesText(double degrees);
 
 // "0.4 s", "42 s", "12 min", "3 h", "5 d": short, for beside a value. Below zero counts as zero.
 QString ageText(Duration age);
+
+// A device's name in `room` pixels: whole if it fits. A PIN keeps its first four characters, the type, and its
+// last six, by which those of one fleet differ: "1032…801035". In less room than that its end alone is left;
+// names with spaces are elided in the middle.
+QString elidedPin(const QString& name, const QFontMetricsF& metrics, double room);
 
 // Width in pixels of `text` in cells of equal digits.
 double figuresWidth(const QFont& font, const QString& text);

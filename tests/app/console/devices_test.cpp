@@ -43,7 +43,9 @@ TEST_F(WindowDevices, KeepsALabelThatAPersonGives) {
   QCoreApplication::processEvents();
   EXPECT_EQ(text("pageTitle"), QStringLiteral("Roof"));
   EXPECT_EQ(SettingsLabels().read().of(kPin), QStringLiteral("Roof"));
-  const MainWindow later(m_session);
+  MainWindow later(m_session);
+  later.show();
+  QCoreApplication::processEvents();
   EXPECT_EQ(test::child<QLabel>(later, "pageTitle")->text(), QStringLiteral("Roof"));
 }
 

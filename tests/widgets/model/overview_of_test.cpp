@@ -62,7 +62,8 @@ TEST(OverviewOf, PutsTheLabelBeforeThePin) {
   labels.set(keyOfA().pin, QStringLiteral("Roof"));
   const OverviewMonitor monitor = overviewOf(bus.view(), labels)[0];
   EXPECT_EQ(monitor.title, QStringLiteral("Roof"));
-  EXPECT_EQ(monitor.detail, QStringLiteral("1032AE100801035 · 6032 Universal II · 80 hex"));
+  EXPECT_EQ(monitor.identity, QStringLiteral("1032AE100801035"));
+  EXPECT_EQ(monitor.detail, QStringLiteral("6032 Universal II · 80 hex"));
 }
 
 TEST(OverviewOf, IsEmptyWithoutAState) { EXPECT_TRUE(overviewOf({}).empty()); }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QFont>
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 
@@ -37,6 +38,29 @@ TEST(AgeText, GrowsCoarserWithAge) {
   EXPECT_EQ(ageText(3h), QStringLiteral("3 h"));
   EXPECT_EQ(ageText(72h), QStringLiteral("3 d"));
   EXPECT_EQ(ageText(-1s), QStringLiteral("0.0 s"));
+}
+
+TEST(ElidedPin, KeepsTypeAndEndByWhichTheFleetDiffers) {
+  const QFontMetricsF metrics{QFont()};
+  const QString pin = QStringLiteral("1032AE100801035");
+  const double whole = metrics.horizontalAdvance(pin);
+  EXPECT_EQ(elidedPin(pin, metrics, whole), pin);
+  EXPECT_EQ(elidedPin(pin, metrics, whole - 1), QStringLiteral("1032…801035"));
+  const double both = metrics.horizontalAdvance(QStringLiteral("1032…801035"));
+  for (double room = 1; room < both; room += 3) {
+    const QString text = elidedPin(pin, metrics, room);
+    EXPECT_LE(metrics.horizontalAdvance(text), std::max(room, metrics.horizontalAdvance(QChar(0x2026))));
+    EXPECT_TRUE(text.startsWith(QChar(0x2026)) || text.isEmpty()) << text.toStdString();
+    EXPECT_TRUE(pin.endsWith(text.mid(1))) << text.toStdString();
+  }
+}
+
+TEST(ElidedPin, ElidesOtherNamesInTheMiddle) {
+  const QFontMetricsF metrics{QFont()};
+  const QString name = QStringLiteral("Front bumper turret, the one of the left side");
+  const QString text = elidedPin(name, metrics, metrics.horizontalAdvance(name) / 2);
+  EXPECT_TRUE(text.startsWith(QStringLiteral("Front"))) << text.toStdString();
+  EXPECT_TRUE(text.endsWith(QStringLiteral("side"))) << text.toStdString();
 }
 
 QFont sized(int pixels) {

@@ -15,6 +15,7 @@
 
 #include "model/device_model.h"
 #include "support/child.h"
+#include "support/look.h"
 #include "widgets/panel/panel_scenes.h"
 
 namespace deckpipe {
@@ -197,13 +198,24 @@ TEST_F(DeviceListPanelTest, HasRowsForGlovesAndNamesForReaders) {
   EXPECT_FALSE(m_list->accessibleName().isEmpty());
 }
 
+// A PIN is never cut, in either density, and nothing else needs more than the width that there is.
 TEST_F(DeviceListPanelTest, NeedsNoMoreThanItsWidth) {
   neighbours(m_bus.monitor());
-  show();
-  const auto* header = test::child<QHeaderView>(*m_list, "deviceListHeader");
-  EXPECT_LE(header->length(), m_list->viewport()->width());
-  const int pin = m_list->fontMetrics().horizontalAdvance(QString::fromLatin1(kPinA)) + 16;
-  EXPECT_GE(header->sectionSize(DeviceModel::DeviceColumn), pin) << "a PIN is never cut";
+  for (const Density density : {Density::Desk, Density::Field}) {
+    const test::Look look(Theme::Light, density);
+    show();
+    for (const int more : {0, 60, 240}) {
+      m_panel.resize(m_panel.minimumSizeHint().width() + more, 600);
+      QCoreApplication::processEvents();
+      const auto* header = test::child<QHeaderView>(*m_list, "deviceListHeader");
+      EXPECT_LE(header->length(), m_list->viewport()->width());
+      const int pin = m_list->fontMetrics().horizontalAdvance(QString::fromLatin1(kPinA)) + 16;
+      EXPECT_GE(header->sectionSize(DeviceModel::DeviceColumn), pin) << m_panel.width();
+      EXPECT_FALSE(header->isSectionHidden(DeviceModel::AddressColumn));
+      EXPECT_FALSE(header->isSectionHidden(DeviceModel::HealthColumn));
+    }
+    EXPECT_LE(m_panel.minimumSizeHint().width(), 360) << "beside a dial at 1024 pixels";
+  }
 }
 
 TEST_F(DeviceListPanelTest, FiltersByTypingAndShowsAllAgainOnEscape) {

@@ -15,6 +15,7 @@
 #include "panel/page/fact_list.h"
 #include "panel/page/full_dial.h"
 #include "support/child.h"
+#include "support/look.h"
 #include "text/time_text.h"
 #include "widgets/panel/panel_scenes.h"
 
@@ -271,6 +272,24 @@ TEST_F(PageTest, ElidesWhatHasNoRoomInItsHead) {
   m_page.resize(1030, 500);
   settle();
   EXPECT_EQ(text("pageType"), QStringLiteral("6032 Universal II"));
+}
+
+TEST_F(PageTest, HasTheWholePinInItsHeadOrItsTwoEnds) {
+  m_bus.monitor();
+  for (const Density density : {Density::Desk, Density::Field}) {
+    const test::Look look(Theme::Light, density);
+    show();
+    for (const int width : {320, 400, 480, 560, 700}) {
+      m_page.resize(width, 500);
+      settle();
+      const auto* title = find<QLabel>("pageTitle");
+      EXPECT_LE(title->fontMetrics().horizontalAdvance(title->text()), title->width()) << width;
+      const bool isWhole = title->text() == QString::fromLatin1(kPinA);
+      EXPECT_TRUE(isWhole || (width < 400 && title->text() == QStringLiteral("1032…801035")))
+          << width << ' ' << title->text().toStdString();
+      EXPECT_EQ(title->toolTip(), QString::fromLatin1(kPinA));
+    }
+  }
 }
 
 class FullDialTest : public PageTest {

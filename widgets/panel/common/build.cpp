@@ -14,6 +14,8 @@
 #include <cmath>
 
 #include "paint/app_style.h"
+#include "paint/figures.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {
@@ -50,6 +52,13 @@ QFont strongFont(const QFont& font, double size) {
   if (size != 1) strong.setPointSizeF(font.pointSizeF() * size);
   strong.setWeight(QFont::DemiBold);
   return strong;
+}
+
+int widestAge(const QFont& font) {
+  double width = 0;
+  for (const Duration longest : {Duration(500ms), Duration(99s), Duration(99min), Duration(47h)})
+    width = std::max(width, figuresWidth(font, calmAge(longest)));
+  return static_cast<int>(std::ceil(width));
 }
 
 QFont boldFont(const QFont& font) {

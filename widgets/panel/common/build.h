@@ -40,6 +40,8 @@ QFont boldFont(const QFont& font);
 // The font of what stands beside the matter: types under PINs, words beside values, ages. Smaller than the
 // application's own, never below 12 pixels.
 QFont secondaryFont(const QFont& font);
+// The width of the widest age (text/time_text.h, calmAge), rounded up: a running one moves nothing beside it.
+int widestAge(const QFont& font);
 // Figures and bytes stand under one another; as large as `font`.
 QFont figureFont(const QFont& font);
 

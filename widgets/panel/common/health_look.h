@@ -13,9 +13,6 @@ inline Glyph healthGlyph(Severity severity) {
   return severity == Severity::Unknown ? Glyph::NotAvailable : glyphOf(severity).value_or(Glyph::Unknown);
 }
 
-// Of the line under a device's name: this much at most is for the words.
-inline constexpr double kHealthWordsShare = 0.66;
-
 // As many words as have room, the worst first: "disabled, late +2".
 inline QString wordsThatFit(const QStringList& words, const QFontMetricsF& metrics, double room) {
   for (qsizetype n = words.size(); n > 0; --n) {

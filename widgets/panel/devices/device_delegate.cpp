@@ -26,9 +26,11 @@ double leftOfRow(const QStyleOptionViewItem& option) {
   return view == nullptr ? option.rect.left() : view->columnViewportPosition(DeviceModel::DeviceColumn);
 }
 
+// Where the words of the health end: before the age, which ends where the row does.
+double rightOfWords(const QFont& small, double rightOfRow) { return rightOfRow - widestAge(small) - kPad; }
+
 QString wordsOf(const QModelIndex& index, const QFontMetricsF& metrics, double width) {
-  return wordsThatFit(index.data(DeviceModel::HealthWordsRole).toStringList(), metrics,
-                      width * kHealthWordsShare);
+  return wordsThatFit(index.data(DeviceModel::HealthWordsRole).toStringList(), metrics, width);
 }
 
 }  // namespace
@@ -88,23 +90,22 @@ void DeviceDelegate::paintDevice(QPainter& p, const Colours& c, const QRectF& ce
   const double middle = cell.center().y();
   p.setFont(option.font);
   p.setPen(isSelected ? c.accent.onFill : c.text);
-  p.drawText(QPointF(cell.left(), middle - 4),
-             metrics.elidedText(index.data().toString(), Qt::ElideRight, cell.width()));
+  p.drawText(QPointF(cell.left(), middle - 4), elidedPin(index.data().toString(), metrics, cell.width()));
   p.setFont(small);
   p.setPen(isSelected ? c.accent.onFill : c.textSecondary);
   // On to the words of the health: under the numbers between there is nothing.
   double right = cell.right();
   if (const auto* view = qobject_cast<const QTreeView*>(option.widget)) {
     const int column = DeviceModel::HealthColumn;
-    right = view->columnViewportPosition(column) + view->columnWidth(column) - kPad;
-    right -= smallMetrics.horizontalAdvance(wordsOf(index, smallMetrics, right - cell.left())) + 2 * kPad;
+    right = rightOfWords(small, view->columnViewportPosition(column) + view->columnWidth(column) - kPad);
+    right -= smallMetrics.horizontalAdvance(wordsOf(index, smallMetrics, right - cell.left())) + kPad;
   }
   p.drawText(QPointF(cell.left(), middle + 4 + smallMetrics.ascent()),
              smallMetrics.elidedText(index.data(DeviceModel::DetailRole).toString(), Qt::ElideRight,
                                      right - cell.left()));
 }
 
-// The sign in its column; the words end there and begin under the columns before.
+// The sign in its column; under it the age, before that the words, which begin under the columns before.
 void DeviceDelegate::paintHealth(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
                                  bool isSelected, double left) const {
   const auto severity = static_cast<Severity>(index.data(DeviceModel::HealthRole).toInt());
@@ -115,30 +116,27 @@ void DeviceDelegate::paintHealth(QPainter& p, const Colours& c, const QRectF& ce
             Qt::transparent, c.stroke);
   const QFont small = secondaryFont(p.font());
   const QFontMetricsF metrics(small);
-  const double right = cell.right() - kPad;
+  const double baseline = middle + 4 + metrics.ascent();
+  const double right = rightOfWords(small, cell.right() - kPad);
   const QString words = wordsOf(index, metrics, right - left);
   p.setFont(small);
   p.setPen(ink);
-  p.drawText(QPointF(right - metrics.horizontalAdvance(words), middle + 4 + metrics.ascent()), words);
+  p.drawText(QPointF(right - metrics.horizontalAdvance(words), baseline), words);
+  const QColor ageInk = isSelected ? c.accent.onFill : c.textSecondary;
+  const QString age = index.siblingAtColumn(DeviceModel::AgeColumn).data().toString();
+  const QRectF slot(right, baseline - metrics.capHeight(), cell.right() - kPad - right, metrics.capHeight());
+  drawFigures(p, slot, {age, {}, small, small, ageInk, ageInk});
 }
 
 void DeviceDelegate::paintNumber(QPainter& p, const Colours& c, const QRectF& cell, const QModelIndex& index,
                                  bool isSelected) const {
-  QString text = index.data().toString();
-  QString unit;
-  // An age's unit is lighter than its number.
-  if (const auto space = text.lastIndexOf(QLatin1Char(' '));
-      index.column() == DeviceModel::AgeColumn && space > 0) {
-    unit = text.mid(space);
-    text.truncate(space);
-  }
   const QFontMetricsF metrics(p.font());
   const bool isSecondary = index.column() != DeviceModel::AddressColumn;
   const QColor ink = isSelected ? c.accent.onFill : isSecondary ? c.textSecondary : c.text;
   // On the line of the device's name.
   const double baseline = cell.center().y() - 4;
   const QRectF slot(cell.left(), baseline - metrics.capHeight(), cell.width(), metrics.capHeight());
-  drawFigures(p, slot, {text, unit, p.font(), secondaryFont(p.font()), ink, ink});
+  drawFigures(p, slot, {index.data().toString(), {}, p.font(), p.font(), ink, ink});
 }
 
 }  // namespace deckpipe

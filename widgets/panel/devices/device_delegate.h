@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paints the cells of the device table: the device over its type, under it to the right the words of its
-// health, worst first, numbers in equal cells so that a running age moves nothing. Used by DeviceList alone,
-// which paints backgrounds and group headings.
+// health, worst first, and its age; numbers in equal cells so that a running age moves nothing. The PIN has
+// its line to itself but for the address; the words of the health take their room before the type does. Used
+// by DeviceList alone, which paints backgrounds and group headings.
 #pragma once
 
 #include <QStyledItemDelegate>

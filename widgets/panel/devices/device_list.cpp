@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <QResizeEvent>
+#include <QScrollBar>
 #include <QToolTip>
 #include <algorithm>
 
@@ -24,6 +25,7 @@ constexpr double kSectionPad = 8;
 constexpr double kArrow = 3.5;  // half its width
 
 constexpr int kCellPad = 8;
+constexpr int kWordsRoom = 64;  // more for type and health before there is a column for the rate
 
 }  // namespace
 
@@ -104,7 +106,9 @@ void DeviceList::setModel(QAbstractItemModel* model) {
   QTreeView::setModel(model);
   header()->setSectionResizeMode(QHeaderView::Fixed);
   header()->setSectionResizeMode(DeviceModel::DeviceColumn, QHeaderView::Stretch);
-  setColumnHidden(DeviceModel::TypeColumn, true);  // it stands under the device
+  // They stand under the device.
+  setColumnHidden(DeviceModel::TypeColumn, true);
+  setColumnHidden(DeviceModel::AgeColumn, true);
   connect(this, &QAbstractItemView::doubleClicked, this, &DeviceList::editLabel);
   layOutColumns();
 }
@@ -114,20 +118,41 @@ void DeviceList::resizeEvent(QResizeEvent* event) {
   layOutColumns();
 }
 
-// Widths by the widest text a column can have, never by what it has now: nothing moves while values run.
+// The columns are as wide in the letters of another density.
+void DeviceList::changeEvent(QEvent* event) {
+  QTreeView::changeEvent(event);
+  if (event->type() == QEvent::FontChange) layOutColumns();
+}
+
+// By the widest text that a column can have, never by what it has now: nothing moves while values run.
+int DeviceList::widthOf(int column) const {
+  const auto widest = [column] {
+    switch (column) {
+      case DeviceModel::AddressColumn: return QStringLiteral("Addr.");
+      case DeviceModel::HealthColumn: return QStringLiteral("Health");
+      case DeviceModel::RateColumn: return QStringLiteral("9,999/s");
+      case DeviceModel::FramesColumn: return QStringLiteral("99,999,999");
+      default: return QStringLiteral("8888WW888888888");  // a PIN
+    }
+  };
+  return std::max(40, QFontMetrics(font()).horizontalAdvance(widest()) + 2 * kCellPad);
+}
+
+int DeviceList::leastWidth() const {
+  return widthOf(DeviceModel::DeviceColumn) + widthOf(DeviceModel::AddressColumn) +
+         widthOf(DeviceModel::HealthColumn) + verticalScrollBar()->sizeHint().width() + 2 * frameWidth();
+}
+
 void DeviceList::layOutColumns() {
   if (model() == nullptr) return;
-  const QFontMetrics metrics(font());
-  const auto set = [&](int column, const QString& widest, int extra = 0) {
-    setColumnWidth(column, std::max(40, metrics.horizontalAdvance(widest) + 2 * kCellPad + extra));
-  };
-  set(DeviceModel::AddressColumn, QStringLiteral("Addr."));
-  set(DeviceModel::AgeColumn, QStringLiteral("99 min"));
-  set(DeviceModel::HealthColumn, QStringLiteral("Health"));
-  set(DeviceModel::RateColumn, QStringLiteral("9,999/s"));
-  set(DeviceModel::FramesColumn, QStringLiteral("99,999,999"));
-  setColumnHidden(DeviceModel::RateColumn, width() < 420);
-  setColumnHidden(DeviceModel::FramesColumn, width() < 520);
+  int room = width() - leastWidth() - kWordsRoom;
+  for (const int column : {DeviceModel::AddressColumn, DeviceModel::HealthColumn})
+    setColumnWidth(column, widthOf(column));
+  for (const int column : {DeviceModel::RateColumn, DeviceModel::FramesColumn}) {
+    setColumnWidth(column, widthOf(column));
+    room -= widthOf(column);
+    setColumnHidden(column, room < 0);
+  }
 }
 
 void DeviceList::editLabel(const QModelIndex& index) {
@@ -141,10 +166,10 @@ void DeviceList::editLabel(const QModelIndex& index) {
                      tr("Labels are kept by PIN, and this one has not said a PIN."), this);
 }
 
-// The words of the health reach from their cell to the left.
+// The words of the health reach from their cell to the left, and the age stands before them.
 void DeviceList::dataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles) {
   QTreeView::dataChanged(first, last, roles);
-  if (first.column() > DeviceModel::HealthColumn || last.column() < DeviceModel::HealthColumn) return;
+  if (first.column() > DeviceModel::HealthColumn || last.column() < DeviceModel::AgeColumn) return;
   const QRect from = visualRect(first.siblingAtColumn(DeviceModel::DeviceColumn));
   const QRect to = visualRect(last.siblingAtColumn(DeviceModel::HealthColumn));
   viewport()->update(from.united(to));

@@ -18,15 +18,19 @@ class DeviceList : public QTreeView {
   void setModel(QAbstractItemModel* model) override;  // a DeviceOrder
   // Opens the label of a row for editing, or says why it has none.
   void editLabel(const QModelIndex& index);
+  // Holds a whole PIN, its address, the sign of its health and a scroll bar.
+  int leastWidth() const;
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void dataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles) override;
 
  private:
+  int widthOf(int column) const;
   void layOutColumns();
 
   DeviceDelegate* m_delegate;

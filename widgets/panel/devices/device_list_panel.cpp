@@ -76,6 +76,13 @@ DeviceListPanel::DeviceListPanel(QWidget* parent)
   });
 }
 
+QSize DeviceListPanel::minimumSizeHint() const { return {m_list->leastWidth(), 160}; }
+
+void DeviceListPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) updateGeometry();
+}
+
 void DeviceListPanel::choose(const DeviceKey& key) {
   if (key == m_selected) return;
   m_selected = key;

@@ -30,7 +30,8 @@ class DeviceListPanel : public QWidget {
   void setView(const PanelView& view);
 
   QSize sizeHint() const override { return {336, 480}; }
-  QSize minimumSizeHint() const override { return {280, 160}; }
+  // A PIN is never cut.
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   // Another device is looked at, or the same one under the PIN that it has said now.
@@ -40,6 +41,7 @@ class DeviceListPanel : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void choose(const DeviceKey& key);

@@ -70,8 +70,10 @@ class EventDelegate : public QStyledItemDelegate {
     }
     painter->setFont(option.font);
     painter->setPen(ink);
+    const bool isName = index.column() == EventModel::Who;
     painter->drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
-                      option.fontMetrics.elidedText(text, Qt::ElideRight, area.width()));
+                      isName ? elidedPin(text, QFontMetricsF(option.font), area.width())
+                             : option.fontMetrics.elidedText(text, Qt::ElideRight, area.width()));
   }
 
  private:
@@ -173,6 +175,12 @@ void EventPanel::showPage() {
   m_cut->setVisible(m_model->isCut());
   QWidget* page = m_filter->rowCount() == 0 ? static_cast<QWidget*>(m_empty) : m_list;
   if (m_pages->currentWidget() != page) m_pages->setCurrentWidget(page);
+}
+
+// The columns were laid out in the letters of another density.
+void EventPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) layOutColumns();
 }
 
 void EventPanel::layOutColumns() {

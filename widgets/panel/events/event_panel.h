@@ -43,6 +43,9 @@ class EventPanel : public QWidget {
  Q_SIGNALS:
   void seekRequested(deckpipe::Instant time);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void showPage();
   void layOutColumns();

@@ -65,13 +65,7 @@ void FactList::addLine() {
 }
 
 // Room for every age, and that alone: a running one lays nothing out anew.
-void FactList::fitAge(QLabel& age) {
-  const QFontMetrics metrics(age.font());
-  int width = 0;
-  for (const Duration longest : {Duration(500ms), Duration(99s), Duration(99min), Duration(47h)})
-    width = std::max(width, metrics.horizontalAdvance(calmAge(longest)));
-  age.setFixedSize(width, metrics.height());
-}
+void FactList::fitAge(QLabel& age) { age.setFixedSize(widestAge(age.font()), age.fontMetrics().height()); }
 
 void FactList::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);

@@ -8,6 +8,7 @@
 
 #include "paint/app_style.h"
 #include "paint/dial.h"
+#include "paint/figures.h"
 #include "paint/glyph.h"
 #include "panel/common/build.h"
 #include "panel/common/health_look.h"
@@ -37,9 +38,9 @@ void MonitorTile::setMonitor(const OverviewMonitor& monitor) {
   m_dial->setValues(monitor.dial);
   // Ages run on; what counts is what is written of them. The dial looks after itself.
   const bool isSame = monitor.key == m_monitor.key && monitor.title == m_monitor.title &&
-                      monitor.detail == m_monitor.detail && monitor.health == m_monitor.health &&
-                      monitor.reasons == m_monitor.reasons && monitor.stops == m_monitor.stops &&
-                      monitor.areStopsStale == m_monitor.areStopsStale &&
+                      monitor.identity == m_monitor.identity && monitor.detail == m_monitor.detail &&
+                      monitor.health == m_monitor.health && monitor.reasons == m_monitor.reasons &&
+                      monitor.stops == m_monitor.stops && monitor.areStopsStale == m_monitor.areStopsStale &&
                       ageText(monitor.age) == ageText(m_monitor.age);
   m_monitor = monitor;
   if (isSame) return;
@@ -57,13 +58,15 @@ void MonitorTile::setChosen(bool chosen) {
 void MonitorTile::setAnimated(bool animated) { m_dial->setAnimated(animated); }
 
 void MonitorTile::describe() {
+  QString details = m_monitor.detail;
+  if (!m_monitor.identity.isEmpty()) details.prepend(m_monitor.identity + QStringLiteral(" · "));
   setAccessibleName(tr("%1, %2, %3", "a monitor's name, details and health")
-                        .arg(m_monitor.title, m_monitor.detail, healthWord(m_monitor.health)));
+                        .arg(m_monitor.title, details, healthWord(m_monitor.health)));
   QStringList parts = m_monitor.reasons;
   if (!m_monitor.stops.isEmpty()) parts << tr("Stands at: %1.").arg(m_monitor.stops);
   if (m_isChosen) parts << tr("Its page is shown.");
   setAccessibleDescription(parts.join(QLatin1Char(' ')));
-  parts.prepend(m_monitor.detail);
+  parts.prepend(details);
   parts.prepend(m_monitor.title);
   setToolTip(parts.join(QLatin1Char('\n')));
 }
@@ -107,17 +110,25 @@ void MonitorTile::paintEvent(QPaintEvent*) {
             healthGlyph(m_monitor.health.severity()), health, Qt::transparent, c.stroke);
   p.setFont(strong);
   p.setPen(c.text);
-  p.drawText(QPointF(left, first),
-             strongMetrics.elidedText(m_monitor.title, Qt::ElideRight, ageLeft - kTileGap - left));
+  // The name before the age: the dial has its own.
+  const QString name = elidedPin(m_monitor.title, strongMetrics, signLeft - kTileGap - left);
+  p.drawText(QPointF(left, first), name);
   p.setFont(small);
   p.setPen(c.textSecondary);
-  p.drawText(QPointF(ageLeft, first), age);
+  if (left + strongMetrics.horizontalAdvance(name) + kTileGap <= ageLeft)
+    p.drawText(QPointF(ageLeft, first), age);
 
-  const QString words =
-      wordsThatFit(healthWords(m_monitor.health), smallMetrics, (right - left) * kHealthWordsShare);
+  // A PIN, then the words of the health; the rest has what they leave.
+  double detailLeft = left;
+  if (!m_monitor.identity.isEmpty()) {
+    const QString pin = elidedPin(m_monitor.identity, smallMetrics, right - left);
+    p.drawText(QPointF(left, second), pin);
+    detailLeft += smallMetrics.horizontalAdvance(pin) + kTileGap;
+  }
+  const QString words = wordsThatFit(healthWords(m_monitor.health), smallMetrics, right - detailLeft);
   const double wordsLeft = right - smallMetrics.horizontalAdvance(words);
-  p.drawText(QPointF(left, second),
-             smallMetrics.elidedText(m_monitor.detail, Qt::ElideRight, wordsLeft - kTileGap - left));
+  p.drawText(QPointF(detailLeft, second),
+             smallMetrics.elidedText(m_monitor.detail, Qt::ElideRight, wordsLeft - kTileGap - detailLeft));
   p.setPen(health);
   p.drawText(QPointF(wordsLeft, second), words);
 

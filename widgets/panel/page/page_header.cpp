@@ -3,7 +3,6 @@
 
 #include <QAbstractButton>
 #include <QEvent>
-#include <QFontInfo>
 #include <QGridLayout>
 #include <QPainter>
 #include <QToolButton>
@@ -11,6 +10,7 @@
 #include <cmath>
 
 #include "paint/app_style.h"
+#include "paint/figures.h"
 #include "panel/common/build.h"
 #include "panel/common/health_look.h"
 #include "panel/common/labels.h"
@@ -84,24 +84,11 @@ PageHeader::PageHeader(QWidget* parent)
       m_trace(named(new QToolButton(this), "traceButton", tr("Only this device in the trace"))),
       m_full(new FullButton(this)) {
   setObjectName(QStringLiteral("pageHeader"));
-  QFont strong = font();
-  strong.setPixelSize(static_cast<int>(std::lround(QFontInfo(strong).pixelSize() * 1.4)));
-  strong.setWeight(QFont::DemiBold);
-  m_title->setFont(strong);
   m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_word->setFont(strongFont(font()));
-  int widest = 0;
-  for (const HealthCause cause : kAllOf<HealthCause>)
-    widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(cause)));
-  m_word->setMinimumWidth(widest);  // no word moves the sign
-  const QFont small = secondaryFont(font());
-  for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
   for (QLabel* label : {m_type, m_place, m_age, m_reason}) setInk(*label, Ink::Secondary);
-  m_age->setMinimumWidth(
-      m_age->fontMetrics().horizontalAdvance(tr("heard %1 ago").arg(QStringLiteral("< 99 min"))));
 
   m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  for (QLabel* label : {m_type, m_reason}) {
+  for (QLabel* label : {m_title, m_type, m_reason}) {
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     label->installEventFilter(this);
   }
@@ -110,11 +97,11 @@ PageHeader::PageHeader(QWidget* parent)
   grid->setContentsMargins(16, 8, 16, 8);
   grid->setHorizontalSpacing(16);
   grid->setVerticalSpacing(4);
-  grid->addLayout(inRow(16, {m_title, {m_type, 1, Qt::AlignBottom}}), 0, 0);
-  grid->addLayout(inRow(8, {m_sign, m_word}), 0, 1);
-  grid->addLayout(inRow(16, {m_place, m_age, {m_reason, 1}}), 1, 0, 1, 2);
-  grid->addWidget(m_trace, 0, 2, 2, 1);
-  grid->addWidget(m_full, 0, 3, 2, 1);
+  // The title takes all that it needs, the type what is left.
+  grid->addLayout(inRow(16, {{m_title, 100}, {m_type, 1, Qt::AlignBottom}}), 0, 0);
+  grid->addLayout(inRow(16, {inRow(8, {m_sign, m_word}), m_place, m_age, {m_reason, 1}}), 1, 0);
+  grid->addWidget(m_trace, 0, 1, 2, 1);
+  grid->addWidget(m_full, 0, 2, 2, 1);
   m_trace->setText(tr("Its frames"));
   m_trace->setToolTip(tr("Only this device in the trace (Ctrl+T)"));
   m_trace->hide();
@@ -122,10 +109,36 @@ PageHeader::PageHeader(QWidget* parent)
   m_full->hide();
   connect(m_full, &QAbstractButton::clicked, this, &PageHeader::fullRequested);
   grid->setColumnStretch(0, 1);
+  setFonts();
+}
+
+// In the letters of the density; a change of a text or of its font moves no other.
+void PageHeader::setFonts() {
+  m_title->setFont(strongFont(font(), 1.4));
+  m_word->setFont(strongFont(font()));
+  int widest = 0;
+  for (const HealthCause cause : kAllOf<HealthCause>)
+    widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(cause)));
+  m_word->setMinimumWidth(widest);
+  const QFont small = secondaryFont(font());
+  for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
+  m_age->setMinimumWidth(m_age->fontMetrics().horizontalAdvance(tr("heard %1 ago").arg(QString())) +
+                         widestAge(small));
+  showTexts();
+}
+
+void PageHeader::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) setFonts();
 }
 
 void PageHeader::setPage(const DevicePageValues& page) {
-  setText(*m_title, page.title);
+  if (page.title != m_titleText) {
+    m_titleText = page.title;
+    m_title->setToolTip(page.title);
+    m_title->setAccessibleDescription(page.title);
+    showTexts();
+  }
   const QString type =
       page.identity.isEmpty() ? page.type : QStringLiteral("%1 · %2").arg(page.identity, page.type);
   if (type != m_typeText) {
@@ -154,6 +167,9 @@ void PageHeader::showHealth() {
 }
 
 void PageHeader::showTexts() {
+  const QFontMetricsF title(m_title->font());
+  m_title->setMaximumWidth(static_cast<int>(std::ceil(title.horizontalAdvance(m_titleText))));
+  setText(*m_title, elidedPin(m_titleText, title, m_title->width()));
   setText(*m_type, m_type->fontMetrics().elidedText(m_typeText, Qt::ElideRight, m_type->width()));
   const QFontMetrics metrics = m_reason->fontMetrics();
   QString reasons = m_reasons.join(QLatin1Char(' '));
@@ -169,7 +185,8 @@ void PageHeader::showTexts() {
 }
 
 bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
-  if ((watched == m_type || watched == m_reason) && event->type() == QEvent::Resize) showTexts();
+  if ((watched == m_title || watched == m_type || watched == m_reason) && event->type() == QEvent::Resize)
+    showTexts();
   return QWidget::eventFilter(watched, event);
 }
 

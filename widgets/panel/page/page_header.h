@@ -37,15 +37,18 @@ class PageHeader : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void setFonts();
   void showHealth();
   // As much of the texts as has room; the tooltips say all.
   void showTexts();
 
   Health m_health;
   QStringList m_reasons;
+  QString m_titleText;
   QString m_typeText;
   QLabel* m_title;
   QLabel* m_type;
