@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "counts.h"
 
+#include <algorithm>
 #include <cstdio>
+
+#include "base/age.h"
 
 namespace deckpipe::ctl {
 
@@ -14,18 +17,20 @@ std::string framesThat(std::uint64_t number, std::string_view doesOne, std::stri
 }
 
 std::string lengthText(Duration length) {
-  const auto ms = std::chrono::round<std::chrono::milliseconds>(length).count();
-  if (ms < 1000) return std::to_string(ms) + " ms";
-  if (ms < 9950) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.1f s", static_cast<double>(ms) / 1000);
-    return text;
+  using Form = AgeFigures::Form;
+  const AgeFigures figures = ageFigures(length);
+  if (figures.form == Form::Tenths && figures.whole == 0)
+    return std::to_string(std::max<std::int64_t>(0, length.count()) / 1'000'000) + " ms";
+  const long long whole = figures.whole, rest = figures.rest;
+  char text[48] = "";
+  switch (figures.form) {
+    case Form::Tenths: std::snprintf(text, sizeof text, "%lld.%lld s", whole, rest); break;
+    case Form::Seconds: std::snprintf(text, sizeof text, "%lld s", whole); break;
+    case Form::Minutes: std::snprintf(text, sizeof text, "%lld min %02lld s", whole, rest); break;
+    case Form::Hours: std::snprintf(text, sizeof text, "%lld h %02lld min", whole, rest); break;
+    case Form::Days: std::snprintf(text, sizeof text, "%lld d %02lld h", whole, rest); break;
   }
-  const auto seconds = ms / 1000;
-  if (seconds < 100) return std::to_string(seconds) + " s";
-  if (seconds < 100 * 60) return std::to_string(seconds / 60) + " min";
-  if (seconds < 48 * 3600) return std::to_string(seconds / 3600) + " h";
-  return std::to_string(seconds / 86400) + " d";
+  return text;
 }
 
 }  // namespace deckpipe::ctl

@@ -29,4 +29,26 @@ struct Age {
   friend constexpr bool operator==(const Age&, const Age&) = default;
 };
 
+// How a length of time is written: "0.4 s", "95 s", "1 min 45 s", "1 h 05 min", "2 d 03 h". Cut, never rounded,
+// so that an age that grows never seems to run backwards. Below zero counts as zero. The rooms that write ages
+// put these figures into words.
+struct AgeFigures {
+  enum class Form : std::uint8_t { Tenths, Seconds, Minutes, Hours, Days };
+  Form form = Form::Tenths;
+  std::int64_t whole = 0;  // seconds, minutes, hours or days
+  std::int64_t rest = 0;   // tenths of a second; nothing; seconds; minutes; hours
+  friend constexpr bool operator==(const AgeFigures&, const AgeFigures&) = default;
+};
+
+constexpr AgeFigures ageFigures(Duration age) {
+  using Form = AgeFigures::Form;
+  const std::int64_t tenths = age.count() > 0 ? age.count() / 100'000'000 : 0, seconds = tenths / 10;
+  if (seconds < 10) return {Form::Tenths, seconds, tenths % 10};
+  if (seconds < 100) return {Form::Seconds, seconds, 0};
+  if (seconds < 3600) return {Form::Minutes, seconds / 60, seconds % 60};
+  const std::int64_t hours = seconds / 3600;
+  if (hours < 48) return {Form::Hours, hours, seconds / 60 % 60};
+  return {Form::Days, hours / 24, hours % 24};
+}
+
 }  // namespace deckpipe

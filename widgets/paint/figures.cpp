@@ -40,16 +40,17 @@ QString degreesText(double degrees) {
 }
 
 QString ageText(Duration age) {
-  const double seconds = std::max(0.0, std::chrono::duration<double>(age).count());
-  if (seconds < 9.95) {
-    QString text = QString::number(seconds, 'f', 1);
-    return Units::tr("%1 s").arg(text.replace(QLatin1Char('.'), QLocale().decimalPoint()));
+  const AgeFigures figures = ageFigures(age);
+  const QString rest = QString::number(figures.rest), whole = QString::number(figures.whole);
+  const QString padded = rest.rightJustified(2, QLatin1Char('0'));
+  switch (figures.form) {
+    case AgeFigures::Form::Tenths: return Units::tr("%1 s").arg(whole + QLocale().decimalPoint() + rest);
+    case AgeFigures::Form::Seconds: return Units::tr("%1 s").arg(whole);
+    case AgeFigures::Form::Minutes: return Units::tr("%1 min %2 s").arg(whole, padded);
+    case AgeFigures::Form::Hours: return Units::tr("%1 h %2 min").arg(whole, padded);
+    case AgeFigures::Form::Days: return Units::tr("%1 d %2 h").arg(whole, padded);
   }
-  const auto whole = static_cast<qint64>(std::min(seconds, 1e12));
-  if (whole < 100) return Units::tr("%1 s").arg(whole);
-  if (whole < 100 * 60) return Units::tr("%1 min").arg(whole / 60);
-  if (whole < 48 * 3600) return Units::tr("%1 h").arg(whole / 3600);
-  return Units::tr("%1 d").arg(whole / 86400);
+  return {};
 }
 
 QString elidedPin(const QString& name, const QFontMetricsF& metrics, double room) {

@@ -8,7 +8,7 @@
 #include <QRectF>
 #include <QString>
 
-#include "base/time.h"
+#include "base/age.h"
 
 class QFontMetricsF;
 class QPainter;
@@ -18,7 +18,7 @@ namespace deckpipe {
 // "47.3", "−5.5" (U+2212), "0.0": one decimal, the person's decimal sign, never a negative zero, no unit.
 QString degreesText(double degrees);
 
-// "0.4 s", "42 s", "12 min", "3 h", "5 d": short, for beside a value. Below zero counts as zero.
+// "0.4 s", "95 s", "1 min 45 s" (base/age.h): short, for beside a value.
 QString ageText(Duration age);
 
 // A device's name in `room` pixels: whole if it fits. A PIN keeps its first four characters, the type, and its

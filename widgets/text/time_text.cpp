@@ -47,13 +47,17 @@ QString elapsedText(Duration elapsed) {
 }
 
 QString briefAge(Duration age) {
-  const double seconds = std::max(0.0, std::chrono::duration<double>(age).count());
-  if (seconds < 9.95) return AgeWords::tr("%1 s").arg(oneDecimal(seconds));
-  const auto whole = static_cast<qint64>(seconds);
-  if (whole < 100) return AgeWords::tr("%1 s").arg(whole);
-  if (whole < 100 * 60) return AgeWords::tr("%1 min").arg(whole / 60);
-  if (whole < 48 * 3600) return AgeWords::tr("%1 h").arg(whole / 3600);
-  return AgeWords::tr("%1 d").arg(whole / 86400);
+  const AgeFigures figures = ageFigures(age);
+  const QString rest = QString::number(figures.rest), whole = QString::number(figures.whole);
+  const QString padded = rest.rightJustified(2, QLatin1Char('0'));
+  switch (figures.form) {
+    case AgeFigures::Form::Tenths: return AgeWords::tr("%1 s").arg(whole + QLocale().decimalPoint() + rest);
+    case AgeFigures::Form::Seconds: return AgeWords::tr("%1 s").arg(whole);
+    case AgeFigures::Form::Minutes: return AgeWords::tr("%1 min %2 s").arg(whole, padded);
+    case AgeFigures::Form::Hours: return AgeWords::tr("%1 h %2 min").arg(whole, padded);
+    case AgeFigures::Form::Days: return AgeWords::tr("%1 d %2 h").arg(whole, padded);
+  }
+  return {};
 }
 
 QString agoText(Duration age) { return AgeWords::tr("%1 ago").arg(briefAge(age)); }

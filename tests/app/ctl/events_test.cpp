@@ -179,7 +179,7 @@ TEST(EventsOfTheTool, SayLongTimesInWordsForPeople) {
       "(1700003500.100000) can0 18EFFF80#83C051\n",
       false);
   ASSERT_EQ(r.lines().size(), 2) << r.out.constData();
-  EXPECT_TRUE(r.lines()[1].endsWith("back, after 58 min")) << r.out.constData();
+  EXPECT_TRUE(r.lines()[1].endsWith("back, after 58 min 19 s")) << r.out.constData();
 }
 
 TEST(EventsOfTheTool, NameTheRateOfALoad) {

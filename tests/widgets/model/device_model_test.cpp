@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
         HealthCase{"NoAnswer", [](Heard& b) { b.monitor().hear("18EF80F9", "02").pass(2s).statuses(); },
                    "no answer", "Asked for its faults 2.0 s ago, and no answer came."},
         HealthCase{"Idle", [](Heard& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle, heard",
-                   "Last heard 60 min ago; no periodic message is expected of it."},
+                   "Last heard 1 h 00 min ago; no periodic message is expected of it."},
         HealthCase{"TwoAtOneAddress",
                    [](Heard& b) {
                      b.note({.value = note::LinkUp{}}).monitor().faults();
@@ -266,7 +266,7 @@ TEST_F(DeviceTable, LetsAgesRunWithTheCursor) {
   EXPECT_EQ(text(0, Model::AgeColumn), QStringLiteral("1.5 s"));
   m_bus.pass(1h);
   show();
-  EXPECT_EQ(text(0, Model::AgeColumn), QStringLiteral("60 min"));
+  EXPECT_EQ(text(0, Model::AgeColumn), QStringLiteral("1 h 00 min"));
 }
 
 // Backwards too: rows come and go as the cursor moves, always as a model may.

@@ -87,7 +87,7 @@ TEST(DevicePageOf, DrawsNothingAsCurrentWhileTheLinkIsDown) {
     EXPECT_TRUE(group.isStale) << group.key.toStdString();
     EXPECT_EQ(group.age, down) << group.key.toStdString();
   }
-  EXPECT_EQ(fact(page, "Fault bits").value, QStringLiteral("none set\nasked 4.1 s ago, link down since"));
+  EXPECT_EQ(fact(page, "Fault bits").value, QStringLiteral("none set\nasked 4.0 s ago, link down since"));
   EXPECT_EQ(fact(page, "Fault bits").tone, Severity::Unknown);
 
   const DevicePageValues stick = pageOf(bus, addressKey(0x33));

@@ -32,11 +32,11 @@ TEST(DegreesText, KeepsTenthsThatBinaryCannotHold) {
 TEST(AgeText, GrowsCoarserWithAge) {
   EXPECT_EQ(ageText(0s), QStringLiteral("0.0 s"));
   EXPECT_EQ(ageText(2400ms), QStringLiteral("2.4 s"));
-  EXPECT_EQ(ageText(9960ms), QStringLiteral("9 s"));
+  EXPECT_EQ(ageText(9960ms), QStringLiteral("9.9 s"));
   EXPECT_EQ(ageText(99s), QStringLiteral("99 s"));
-  EXPECT_EQ(ageText(100s), QStringLiteral("1 min"));
-  EXPECT_EQ(ageText(3h), QStringLiteral("3 h"));
-  EXPECT_EQ(ageText(72h), QStringLiteral("3 d"));
+  EXPECT_EQ(ageText(105s), QStringLiteral("1 min 45 s"));
+  EXPECT_EQ(ageText(65min), QStringLiteral("1 h 05 min"));
+  EXPECT_EQ(ageText(75h), QStringLiteral("3 d 03 h"));
   EXPECT_EQ(ageText(-1s), QStringLiteral("0.0 s"));
 }
 
@@ -61,6 +61,35 @@ TEST(ElidedPin, ElidesOtherNamesInTheMiddle) {
   const QString text = elidedPin(name, metrics, metrics.horizontalAdvance(name) / 2);
   EXPECT_TRUE(text.startsWith(QStringLiteral("Front"))) << text.toStdString();
   EXPECT_TRUE(text.endsWith(QStringLiteral("side"))) << text.toStdString();
+}
+
+// What is written of an age, read back in seconds.
+double secondsIn(const QString& text) {
+  double seconds = 0;
+  const QStringList words = text.split(QLatin1Char(' '));
+  for (qsizetype i = 0; i + 1 < words.size(); i += 2) {
+    const QString unit = words[i + 1];
+    const double factor = unit == QStringLiteral("s")     ? 1
+                          : unit == QStringLiteral("min") ? 60
+                          : unit == QStringLiteral("h")   ? 3600
+                                                          : 86400;
+    seconds += words[i].toDouble() * factor;
+  }
+  return seconds;
+}
+
+TEST(AgeText, NeverRunsBackwardsNorAheadInThreeDays) {
+  double last = 0;
+  Duration step = 7ms;
+  for (Duration age{0}; age < 72h; age += step) {
+    if (age > 20s) step = 193ms;
+    if (age > 200s) step = 7s;
+    const double written = secondsIn(ageText(age));
+    ASSERT_GE(written, last) << ageText(age).toStdString();
+    ASSERT_LE(written, std::chrono::duration<double>(age).count() + 1e-9) << ageText(age).toStdString();
+    last = written;
+  }
+  EXPECT_GE(last, 71 * 3600);
 }
 
 QFont sized(int pixels) {

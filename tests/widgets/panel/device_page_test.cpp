@@ -355,9 +355,9 @@ TEST_F(FullDialTest, IsOfferedForMonitorsAlone) {
 
 // Two rooms that share nothing write ages; they write them alike.
 TEST(Ages, AreWrittenAlikeByTheDialAndByThePanels) {
-  for (const Duration age :
-       {Duration(-1s), Duration(0s), Duration(100ms), Duration(9949ms), Duration(9950ms), Duration(99s),
-        Duration(100s), Duration(99min), Duration(100min), Duration(47h), Duration(48h), Duration(1000h)})
+  for (const Duration age : {Duration(-1s), Duration(0s), Duration(100ms), Duration(9949ms), Duration(9950ms),
+                             Duration(99s), Duration(100s), Duration(105s), Duration(99min), Duration(100min),
+                             Duration(47h), Duration(48h), Duration(1000h)})
     EXPECT_EQ(ageText(age), briefAge(age)) << age.count();
 }
 

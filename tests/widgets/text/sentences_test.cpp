@@ -58,13 +58,16 @@ TEST_P(Ages, AreShort) {
   EXPECT_EQ(briefAge(GetParam().age).toStdString(), GetParam().brief);
   EXPECT_EQ(calmAge(GetParam().age).toStdString(), GetParam().calm);
 }
-INSTANTIATE_TEST_SUITE_P(
-    InWords, Ages,
-    testing::Values(AgeRow{"Negative", -3s, "0.0 s", "< 1 s"}, AgeRow{"Tenth", 100ms, "0.1 s", "< 1 s"},
-                    AgeRow{"BelowTen", 9940ms, "9.9 s", "9.9 s"}, AgeRow{"Seconds", 42s, "42 s", "42 s"},
-                    AgeRow{"Minutes", 200s, "3 min", "3 min"}, AgeRow{"Hours", 3h, "3 h", "3 h"},
-                    AgeRow{"Days", 72h, "3 d", "3 d"}),
-    [](const auto& row) { return std::string(row.param.name); });
+INSTANTIATE_TEST_SUITE_P(InWords, Ages,
+                         testing::Values(AgeRow{"Negative", -3s, "0.0 s", "< 1 s"},
+                                         AgeRow{"Tenth", 100ms, "0.1 s", "< 1 s"},
+                                         AgeRow{"BelowTen", 9940ms, "9.9 s", "9.9 s"},
+                                         AgeRow{"Seconds", 42s, "42 s", "42 s"},
+                                         AgeRow{"UpTo99Seconds", 99'999ms, "99 s", "99 s"},
+                                         AgeRow{"Minutes", 105s, "1 min 45 s", "1 min 45 s"},
+                                         AgeRow{"Hours", 65min, "1 h 05 min", "1 h 05 min"},
+                                         AgeRow{"Days", 75h, "3 d 03 h", "3 d 03 h"}),
+                         [](const auto& row) { return std::string(row.param.name); });
 
 TEST(AgeText, TellsWhatWasNeverHeardFromALogWithoutTimes) {
   EXPECT_EQ(ageText(Age()), QStringLiteral("not heard"));

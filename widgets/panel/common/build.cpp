@@ -56,7 +56,8 @@ QFont strongFont(const QFont& font, double size) {
 
 int widestAge(const QFont& font) {
   double width = 0;
-  for (const Duration longest : {Duration(500ms), Duration(99s), Duration(99min), Duration(47h)})
+  for (const Duration longest :
+       {Duration(500ms), Duration(99s), Duration(59min + 59s), Duration(47h + 59min), Duration(99 * 24h)})
     width = std::max(width, figuresWidth(font, calmAge(longest)));
   return static_cast<int>(std::ceil(width));
 }
