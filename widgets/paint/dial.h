@@ -33,7 +33,8 @@ class Dial : public QWidget {
   void setPhase(double phase);
 
   QSize sizeHint() const override { return {640, 360}; }
-  QSize minimumSizeHint() const override { return {200, 120}; }
+  // The smallest form that is read at arm's length.
+  QSize minimumSizeHint() const override { return {200, 112}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -29,6 +29,77 @@ double freeCorner(const QSizeF& box, double radius) {
   return root > 0 ? (a + b - std::sqrt(root)) / 2 : std::min(a, b);
 }
 
+// From here on the numbers stand beside the drawings: below them they would take more from the circle.
+constexpr double kBesideAspect = 2.6;  // width over height
+constexpr double kBesideShare = 0.45;  // of the width, at most, for the texts
+
+// A column: the title, the number, under it condition and source, then the sign and word of a chip.
+void placeColumn(DialViewLayout& view, QRectF& chip, const DialLayout& dial) {
+  const QRectF& all = view.texts;
+  const double line = std::ceil(dial.textSize * kLine);
+  const double valueHeight = std::ceil(dial.valueSize * kValueLine);
+  const double needed = valueHeight + 3 * line;
+  const bool hasTitle = needed + line <= all.height();
+  double y = std::max(all.top(), all.center().y() - (needed + (hasTitle ? line : 0)) / 2);
+  const auto row = [&](double height) {
+    const QRectF slot(all.left(), y, all.width(), height);
+    y += height;
+    return slot;
+  };
+  if (hasTitle) view.title = row(line);
+  view.value = row(valueHeight);
+  view.condition = row(line);
+  view.source = row(line);
+  chip = row(line);
+  chip.setWidth(std::min(chip.width(), kChipWidth * dial.textSize));
+}
+
+DialLayout layOutBeside(DialLayout dial, double pad) {
+  dial.beside = true;
+  const QRectF inner = dial.bounds.adjusted(pad, pad, -pad, -pad);
+  const double gap = pad * 2;
+  dial.textSize = std::floor(std::max(12.0, std::min(inner.height() * 0.065, inner.width() * 0.021)));
+  dial.valueSize =
+      std::floor(std::max(12.0, std::min(inner.height() * 0.26, inner.width() * kBesideShare /
+                                                                    (kRotationFigures + kElevationFigures))));
+  const double rotationTexts = std::max(kRotationFigures * dial.valueSize, kChipWidth * dial.textSize);
+  const double elevationTexts = std::max(kElevationFigures * dial.valueSize, kChipWidth * dial.textSize);
+  const double free = inner.width() - rotationTexts - elevationTexts - 3 * gap;
+  const double line = std::ceil(dial.textSize * kLine);
+  const double labelWidth = std::ceil(dial.textSize * kLabelWidth);
+  const double labelGap = std::ceil(dial.textSize * 0.35);
+  double radius = std::min(inner.height() / 2 - line - labelGap,
+                           (free - 3 * (labelWidth + labelGap)) / (kPlanWidth + kSideWidth));
+  if (radius >= 60) {
+    dial.labelWidth = labelWidth;
+    dial.labelHeight = line;
+    dial.labelGap = labelGap;
+  } else {
+    radius = std::min(inner.height() / 2, free / (kPlanWidth + kSideWidth)) - 1;
+  }
+  radius = std::floor(std::max(radius, 1.0));
+  const double labels = std::max(1.0, dial.labelWidth + dial.labelGap);
+  const double planNeed = kPlanWidth * radius + 2 * labels, sideNeed = kSideWidth * radius + labels;
+  const double slack = std::max(0.0, free - planNeed - sideNeed) / 3;
+  double x = inner.left() + slack;
+  const auto take = [&](double width, double gapAfter) {
+    const QRectF part(x, inner.top(), width, inner.height());
+    x += width + gapAfter;
+    return part;
+  };
+  dial.rotation.drawing = take(planNeed, gap);
+  dial.rotation.texts = take(rotationTexts, gap + slack);
+  dial.elevation.drawing = take(sideNeed, gap);
+  dial.elevation.texts = take(elevationTexts, 0);
+  dial.rotation.radius = dial.elevation.radius = radius;
+  dial.rotation.pivot = dial.rotation.drawing.center();
+  dial.elevation.pivot =
+      QPointF(dial.elevation.drawing.left() + labels + radius, dial.elevation.drawing.center().y());
+  placeColumn(dial.rotation, dial.enableChip, dial);
+  placeColumn(dial.elevation, dial.stowedChip, dial);
+  return dial;
+}
+
 void placeTexts(DialViewLayout& view, const DialLayout& dial) {
   const double figures = view.kind == DialAxisKind::Rotation ? kRotationFigures : kElevationFigures;
   const double line = std::ceil(dial.textSize * kLine);
@@ -68,6 +139,7 @@ DialLayout layOutDial(const QRectF& bounds) {
   if (w < 40 || h < 30) return dial;  // no instrument fits; the widget's minimum is far above
 
   const double pad = std::clamp(std::min(w, h) * 0.03, 4.0, 32.0);
+  if (w >= 440 && w > kBesideAspect * h) return layOutBeside(dial, pad);
   const QRectF inner = bounds.adjusted(pad, pad, -pad, -pad);
   const double gap = pad * 2;
   const double free = inner.width() - gap;

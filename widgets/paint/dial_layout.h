@@ -4,9 +4,11 @@
 // sizes below.
 //
 // Full: under the drawings, for each axis, left the title over the age, right the number, below them
-// condition and source. Compact (down to 200 px): number, condition and source under one another. With less
-// room the title and the limits' labels go first, then the source, then the condition. A null rectangle is
-// not drawn. No rectangle of one view reaches into the other.
+// condition and source. Beside (much wider than high, down to 112 px of height): the same under one another
+// to the right of each drawing, which has all of the height. Compact (down to 200 px): number, condition and
+// source under one another below the drawings. With less room the title and the limits' labels go first, then
+// the source, then the condition. A null rectangle is not drawn. No rectangle of one view reaches into the
+// other.
 #pragma once
 
 #include <QPointF>
@@ -19,13 +21,13 @@ enum class DialAxisKind { Rotation, Elevation };
 struct DialViewLayout {
   DialAxisKind kind = DialAxisKind::Rotation;
   QRectF drawing;  // with the margin for its labels
-  QRectF texts;    // below; wider or narrower than the drawing, for both numbers have the same size
+  QRectF texts;    // below or beside; as wide as the number needs, for both numbers have the same size
   QPointF pivot;   // the monitor
   double radius = 0;
 
   QRectF title;
   QRectF value;      // number, right aligned
-  QRectF age;        // null in compact: the condition's place then serves both
+  QRectF age;        // null but in full: the condition's place then serves both
   QRectF condition;  // hard stop, or the reason why there is no value
   QRectF source;     // who commands
 };
@@ -42,6 +44,7 @@ struct DialLayout {
   double labelHeight = 0;
   double labelGap = 0;  // between the circle and a label
   bool compact = false;
+  bool beside = false;
 };
 
 DialLayout layOutDial(const QRectF& bounds);

@@ -80,7 +80,7 @@ void DialReadout::drawValue(const DialView& view) {
 
 DialReadout::Note DialReadout::ageNote(const DialAxis& axis) const {
   Note note;
-  const bool compactSway = axis.isOscillating && m_layout.compact;
+  const bool compactSway = axis.isOscillating && (m_layout.compact || m_layout.beside);
   note.bare = !axis.isStale && !compactSway;
   note.glyph = axis.isStale ? Glyph::Stale : Glyph::Oscillating;
   note.ink = note.textInk = axis.isStale ? m_colours.stale.ink : m_colours.textSecondary;
@@ -137,7 +137,7 @@ void DialReadout::drawSource(const DialView& view) {
     else
       note.turned = speed > 0 ? -90 : 90;
   }
-  drawNote(view.source, note, !m_layout.compact);
+  drawNote(view.source, note, !m_layout.compact && !m_layout.beside);
 }
 
 void DialReadout::drawNote(const QRectF& slot, const Note& note, bool right) {
@@ -203,7 +203,7 @@ void DialReadout::drawChip(const QRectF& slot, const Note& note, const Tone* pla
     drawGlyph(m_painter, plate ? slot.adjusted(inset, inset, -inset, -inset) : slot, note.glyph, note.ink,
               Qt::transparent, m_colours.stroke);
   else
-    drawNote(inner, note, &slot == &m_layout.stowedChip);
+    drawNote(inner, note, &slot == &m_layout.stowedChip && !m_layout.beside);
 }
 
 }  // namespace deckpipe

@@ -320,9 +320,28 @@ INSTANTIATE_TEST_SUITE_P(Sizes, DialAtSize,
                          testing::Values(Size{"Square200", {0, 0, 200, 200}},
                                          Size{"Flat200", {0, 0, 200, 120}}, Size{"Usual", {0, 0, 640, 400}},
                                          Size{"Page", {0, 0, 640, 360}}, Size{"Tall", {0, 0, 480, 900}},
-                                         Size{"Wide", {0, 0, 1200, 260}}, Size{"Shifted", {50, 70, 800, 500}},
+                                         Size{"Wide", {0, 0, 1200, 260}}, Size{"Low", {0, 0, 656, 128}},
+                                         Size{"Lowest", {0, 0, 480, 112}},
+                                         Size{"LowOnAPage", {0, 0, 554, 160}},
+                                         Size{"Shifted", {50, 70, 800, 500}},
                                          Size{"Full", {0, 0, 1920, 1080}}, Size{"Wall", {0, 0, 3000, 1500}}),
                          [](const auto& size) { return size.param.name; });
+
+TEST(DialLayout, PutsTheNumbersBesideTheDrawingsWhereHeightIsShort) {
+  for (const QRectF& bounds : {QRectF(0, 0, 656, 128), QRectF(0, 0, 554, 154), QRectF(0, 0, 480, 112)}) {
+    const DialLayout dial = layOutDial(bounds);
+    EXPECT_GE(dial.rotation.radius, bounds.height() * 0.36) << bounds.width();
+    EXPECT_GE(dial.valueSize, 24) << bounds.width();
+    EXPECT_GE(dial.textSize, 12) << bounds.width();
+    for (const DialViewLayout* view : {&dial.rotation, &dial.elevation}) {
+      EXPECT_GE(view->value.left(), view->drawing.right());
+      EXPECT_FALSE(view->condition.isNull());
+      EXPECT_FALSE(view->source.isNull());
+    }
+    EXPECT_TRUE(dial.rotation.texts.contains(dial.enableChip)) << "a word, not a sign alone";
+    EXPECT_TRUE(dial.elevation.texts.contains(dial.stowedChip));
+  }
+}
 
 TEST(DialLayout, SmallSizesDropTextsInsteadOfSqueezingThem) {
   const DialLayout square = layOutDial({0, 0, 200, 200}), flat = layOutDial({0, 0, 200, 120});

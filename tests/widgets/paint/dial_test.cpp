@@ -86,7 +86,7 @@ TEST_P(DialInTheme, ANeedleIsPaintedForAFreshReadingOnly) {
 }
 
 TEST_P(DialInTheme, NoTwoStatesLookAlikeEvenWithoutColour) {
-  for (const QSize size : {QSize(640, 360), QSize(200, 200), QSize(200, 120)}) {
+  for (const QSize size : {QSize(640, 360), QSize(480, 112), QSize(200, 200), QSize(200, 120)}) {
     std::vector<std::vector<bool>> pictures;
     const auto samples = dialSamples();
     for (const DialSample& sample : samples)

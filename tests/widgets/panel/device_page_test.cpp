@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "paint/dial.h"
+#include "paint/dial_layout.h"
 #include "paint/figures.h"
 #include "paint/status_lamp.h"
 #include "panel/page/fact_list.h"
@@ -240,6 +241,31 @@ TEST_F(PageTest, ShowsDialAndStopsWithoutScrollingOnASmallScreen) {
     EXPECT_LE(w->mapTo(scroll->viewport(), QPoint(0, w->height())).y(), scroll->viewport()->height()) << name;
   }
   EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0);
+}
+
+// A page as low as its window may leave it, with a notice and the trace open: the dial comes first.
+TEST_F(PageTest, ShowsTheDialAndItsNumbersWithoutScrollingHoweverLowThePageIs) {
+  m_bus.monitor();
+  for (const Density density : {Density::Desk, Density::Field}) {
+    const test::Look look(Theme::Light, density);
+    show();
+    for (const QSize size : {QSize(1030, 500), QSize(1030, 250), QSize(974, 186), QSize(688, 240),
+                             QSize(688, 186), QSize(480, 186)}) {
+      m_page.resize(size);
+      settle();
+      const auto* viewport = find<QScrollArea>("pageScroll")->viewport();
+      const auto* dial = find<Dial>("dial");
+      const QRect shown(dial->mapTo(viewport, QPoint()), dial->size());
+      EXPECT_TRUE(viewport->rect().contains(shown)) << size.width() << 'x' << size.height();
+      const DialLayout layout = layOutDial(QRectF(dial->rect()));
+      for (const DialViewLayout* view : {&layout.rotation, &layout.elevation}) {
+        EXPECT_TRUE(layout.bounds.contains(view->value)) << size.width() << 'x' << size.height();
+        EXPECT_TRUE(layout.bounds.contains(view->drawing)) << size.width() << 'x' << size.height();
+        EXPECT_GE(view->value.height(), 22) << size.width() << 'x' << size.height();
+        EXPECT_GE(view->radius, 36) << size.width() << 'x' << size.height();
+      }
+    }
+  }
 }
 
 TEST_F(PageTest, HasNamesForReaders) {

@@ -9,12 +9,13 @@ namespace deckpipe {
 namespace {
 
 constexpr int kPageMargin = 16;
+constexpr int kTightMargin = 8;  // above and below the dial where height is short
+constexpr int kTightRoom = 420;
 constexpr int kPartGap = 16;     // between parts under one another
 constexpr int kSideGap = 24;     // between the dial and what stands beside it
 constexpr int kFactGap = 32;     // between columns of facts
 constexpr int kFactWidth = 288;  // the least that a column of facts is read in
 constexpr int kNarrow = 740;     // below this, one column
-constexpr int kMinDial = 240;    // still read at arm's length
 constexpr int kWideDial = 480;   // both drawings with their limits
 constexpr int kMinBeside = 480;  // two columns of switches
 
@@ -71,32 +72,24 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
   const auto take = [&](QWidget* part, const QRect& rect) { all.push_back({part, rect}); };
   const int inner = std::max(0, width - 2 * kPageMargin);
   const bool isWide = width >= kNarrow;
-  int y = kPageMargin;
-
-  // What stands below, to know what it leaves.
-  int belowHeight = 0;
-  for (const QWidget* part : m_parts.below) belowHeight += kPartGap + heightOf(*part, inner);
+  const int top = m_parts.dial != nullptr && m_room < kTightRoom ? kTightMargin : kPageMargin;
+  int y = top;
 
   if (m_parts.dial != nullptr || !m_parts.sticks.empty()) {
     int mainWidth = 0, mainHeight = 0;
     if (m_parts.dial != nullptr) {
       // No wider than its height can use: the words beside it need the room.
-      const int usable = std::max(kWideDial, (m_room - 2 * kPageMargin) * 7 / 4);
+      const int usable = std::max(kWideDial, (m_room - 2 * top) * 7 / 4);
       mainWidth = isWide ? std::min(inner * 5 / 9, usable) : inner;
+      // All of the room that is seen without scrolling, whatever else there is.
+      const int least = m_parts.dial->minimumSizeHint().height();
+      mainHeight = std::clamp(m_room - 2 * top, least, std::max(least, mainWidth * 11 / 16));
+      take(m_parts.dial, QRect(kPageMargin, y, mainWidth, mainHeight));
     } else {
       placeSticks(inner, y, mainWidth, mainHeight, take);
     }
     const int besideLeft = isWide ? kPageMargin + mainWidth + kSideGap : kPageMargin;
     const int besideWidth = isWide ? inner - mainWidth - kSideGap : inner;
-    const int besideHeight = stack(m_parts.beside, 0, 0, besideWidth, [](QWidget*, const QRect&) {});
-    if (m_parts.dial != nullptr) {
-      const int most = std::max(kMinDial, mainWidth * 11 / 16);
-      const int left = m_room - 2 * kPageMargin - belowHeight;
-      // As high as what stands beside it, but seen whole without scrolling.
-      const int wanted = std::min(std::max(left, isWide ? besideHeight : 0), m_room - 2 * kPageMargin);
-      mainHeight = std::clamp(wanted, kMinDial, most);
-      take(m_parts.dial, QRect(kPageMargin, y, mainWidth, mainHeight));
-    }
     const int besideTop = isWide ? y : y + mainHeight + kPartGap;
     const int besideEnd = stack(m_parts.beside, besideLeft, besideTop, besideWidth, take);
     y = std::max(y + mainHeight, besideEnd) + kPartGap;
