@@ -279,6 +279,16 @@ still go out, unless the interface was taken down.</numerusform>
     </message>
 </context>
 <context>
+    <name>deckpipe::FaultLines</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::FileSendBar</name>
     <message numerus="yes">
         <source>%n packets skipped, %1 sent again</source>

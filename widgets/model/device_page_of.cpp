@@ -36,6 +36,15 @@ QString traceFilterOf(const DeviceRow& row, const QString& channel) {
   return filter.isEmpty() || channel.isEmpty() ? filter : filter + QStringLiteral(" and ch=") + channel;
 }
 
+std::vector<PageReason> reasonsOf(const Health& health, Instant now) {
+  if (health.isFine())
+    return {{Page::tr("It has no faults, and its messages come in time."), Severity::Fine}};
+  std::vector<PageReason> reasons;
+  for (const HealthReason& reason : healthReasons(health, now))
+    reasons.push_back({reason.text, kHealthCauses[reason.cause].severity});
+  return reasons;
+}
+
 void describeDevice(DevicePageValues& page, const State& state, const Device& d) {
   if (isMonitor(d)) page.dial = dialOf(state, d);
   page.stops = stopsOf(state, d);
@@ -79,12 +88,10 @@ DevicePageValues devicePageOf(const LogView& view, const DeviceKey& key, const D
   page.traceFilter = traceFilterOf(*row, page.channel);
   page.age = ageOf(state, row->channel, now - row->age.value_or(0ns));
   page.health = row->health;
-  page.reasons = healthSentences(row->health, now);
+  page.reasons = reasonsOf(row->health, now);
 
   const Device* device = findDevice(state, key);
   if (device != nullptr) describeDevice(page, state, *device);
-  // Behind what is always as high: its lines come and go.
-  page.facts.push_back(healthFacts(row->health, device, now));
   if (row->key.kind == DeviceKey::Kind::Node) return page;
   if (const Joystick* stick = state.channel(row->channel).joysticks.find(row->address);
       stick != nullptr && row->isJoystick)

@@ -73,6 +73,13 @@ struct PageStick : StickValues {
   friend bool operator==(const PageStick&, const PageStick&) = default;
 };
 
+// Why a device is as it is, in a sentence.
+struct PageReason {
+  QString text{};
+  Severity tone = Severity::Plain;
+  friend bool operator==(const PageReason&, const PageReason&) = default;
+};
+
 struct DevicePageValues {
   bool isFound = false;  // otherwise only `key` says anything
   DeviceKey key{};
@@ -85,7 +92,7 @@ struct DevicePageValues {
   QString traceFilter{};  // lets only its frames into the trace; empty where it holds no address
   Age age;
   Health health;
-  QStringList reasons{};  // sentences, the worst first; all of them stand in the facts too
+  std::vector<PageReason> reasons{};  // at least one, the worst first
 
   std::optional<DialValues> dial;
   std::vector<PageStick> sticks{};  // a joystick's own, then its grip

@@ -79,19 +79,6 @@ QString heartbeatText(std::uint8_t state) {
 
 }  // namespace
 
-PageFactGroup healthFacts(const Health& health, const Device* device, Instant now) {
-  PageFactGroup group{pageGroupKey(PageGroup::Health), Facts::tr("Health"), {}};
-  // One fact of several lines: a cause that comes or goes makes no part of the page.
-  PageFact fact = plain(Facts::tr("Reasons"), healthSentences(health, now).join(QLatin1Char('\n')),
-                        health.severity() == Severity::Silent ? Severity::Unknown : health.severity());
-  if (health.isFine()) {
-    fact.value = Facts::tr("It has no faults, and its messages come in time.");
-    if (device != nullptr) fact.age = ageAt(device->faults().at, now);
-  }
-  group.facts.push_back(fact);
-  return group;
-}
-
 PageFactGroup faultsOf(const State& state, const Device& d) {
   PageFactGroup group{pageGroupKey(PageGroup::Faults), Facts::tr("Faults"), {}};
   const Answers answers(state, d);

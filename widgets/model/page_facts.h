@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The facts of a page: health, faults and versions as answered, with their ages; who the node is and how its claims
+// The facts of a page: faults and versions as answered, with their ages; who the node is and how its claims
 // went; what a joystick's timing is.
 #pragma once
 
@@ -7,8 +7,6 @@
 
 namespace deckpipe {
 
-// Every cause of the health, a line each, the worst first. `device` null: a node that is no Akron device.
-PageFactGroup healthFacts(const Health& health, const Device* device, Instant now);
 // Answers are drawn as old if the device restarted or fell silent after them, or the link went down.
 PageFactGroup faultsOf(const State& state, const Device& device);
 PageFactGroup versionsOf(const State& state, const Device& device);

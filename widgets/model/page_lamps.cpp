@@ -127,7 +127,7 @@ std::optional<PageLampGroup> permissiveOf(const State& state, const Device& d) {
 // Draws a group of a device's lamps; nothing where the device has no such group.
 using Drawing = std::optional<PageLampGroup> (*)(const State&, const Device&);
 constexpr EnumTable<PageGroup, Drawing> kDrawings{{
-    {PageGroup::Health, nullptr},  // page_facts.h
+    {PageGroup::Health, nullptr},  // DevicePageValues::reasons
     {PageGroup::Dial, nullptr},    // page_dial.h
     {PageGroup::Stops, nullptr},   // stopsOf()
     {PageGroup::Status, statusOf},

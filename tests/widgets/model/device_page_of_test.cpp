@@ -381,23 +381,14 @@ TEST(DevicePageOf, DrawsAnAnswerAsOldAfterASilenceAndAfterARestart) {
 TEST(DevicePageOf, ListsEveryCauseOfTheHealth) {
   Heard bus;
   bus.monitor("01FFF4FFF4000000").hear("18EFFF80", "834051");
-  const auto lines = [&] {
-    const DevicePageValues page = pageOf(bus);
-    std::string text;
-    for (const PageFactGroup& group : page.facts) {
-      if (group.key != QStringLiteral("health")) continue;
-      for (const PageFact& fact : group.facts)
-        text += fact.label.toStdString() + " | " + fact.value.toStdString() + '\n';
-    }
-    return text;
-  };
-  EXPECT_EQ(lines(),
-            "Reasons | Sensor error: rotation, elevation.\n"
-            "Enable is off: it cannot move.\n"
-            "Its faults were never asked.\n");
-  EXPECT_EQ(pageOf(bus).reasons.size(), 3);
+  using Reasons = std::vector<PageReason>;
+  EXPECT_EQ(pageOf(bus).reasons,
+            (Reasons{{QStringLiteral("Sensor error: rotation, elevation."), Severity::Fault},
+                     {QStringLiteral("Enable is off: it cannot move."), Severity::Warning},
+                     {QStringLiteral("Its faults were never asked."), Severity::Unknown}}));
   bus.statuses().faults();
-  EXPECT_EQ(lines(), "Reasons | It has no faults, and its messages come in time.\n");
+  EXPECT_EQ(pageOf(bus).reasons,
+            (Reasons{{QStringLiteral("It has no faults, and its messages come in time."), Severity::Fine}}));
 }
 
 TEST(DevicePageOf, SaysThatAShortFaultAnswerHasNoErrorCode) {

@@ -98,7 +98,7 @@ TEST_F(PageTest, ShowsAMonitor) {
   EXPECT_EQ(lamp("stopPlus5")->state(), Status2::On);
   EXPECT_EQ(lamp("stopPlus5")->accessibleName(), QStringLiteral("Discharge valve, Open stop"));
   EXPECT_EQ(lamp("outputsLamp1")->state(), Status2::On);
-  EXPECT_TRUE(isShown("healthFacts"));
+  EXPECT_EQ(text("reason1"), QStringLiteral("It has no faults, and its messages come in time."));
   EXPECT_TRUE(isShown("faultsFacts"));
   EXPECT_TRUE(isShown("versionsFacts"));
 }
@@ -213,10 +213,11 @@ TEST_F(PageTest, LaysOutWithoutOverlapAtAnySize) {
 TEST_F(PageTest, MovesNothingWhileValuesChangeTheirWidth) {
   m_bus.monitor();
   show();
+  const auto* reasons = find<QWidget>("faultLines");  // keeps its place; its lines come and go
   const auto places = [&] {
     QList<QRect> rects;
     for (const QWidget* w : m_page.findChildren<QWidget*>()) {
-      if (w->isVisible() && !w->objectName().startsWith(QStringLiteral("qt_")))
+      if (w->isVisible() && !reasons->isAncestorOf(w) && !w->objectName().startsWith(QStringLiteral("qt_")))
         rects << QRect(w->mapTo(&m_page, QPoint()), w->size());
     }
     return rects;
@@ -261,11 +262,46 @@ TEST_F(PageTest, ShowsTheDialAndItsNumbersWithoutScrollingHoweverLowThePageIs) {
       for (const DialViewLayout* view : {&layout.rotation, &layout.elevation}) {
         EXPECT_TRUE(layout.bounds.contains(view->value)) << size.width() << 'x' << size.height();
         EXPECT_TRUE(layout.bounds.contains(view->drawing)) << size.width() << 'x' << size.height();
-        EXPECT_GE(view->value.height(), 22) << size.width() << 'x' << size.height();
-        EXPECT_GE(view->radius, 36) << size.width() << 'x' << size.height();
+        EXPECT_GE(view->value.height(), 18) << size.width() << 'x' << size.height();
+        EXPECT_GE(view->radius, 30) << size.width() << 'x' << size.height();
       }
     }
   }
+}
+
+// With three causes and with none: two lines right under the dial, and nothing below moves.
+TEST_F(PageTest, SaysWhatIsWrongRightUnderTheDial) {
+  m_bus.monitor();
+  show();
+  const auto* dial = find<Dial>("dial");
+  const auto* lines = find<QWidget>("faultLines");
+  const QRect fine = lines->geometry();
+  EXPECT_EQ(fine.left(), dial->geometry().left());
+  EXPECT_GT(fine.top(), dial->geometry().bottom());
+  EXPECT_LE(fine.top(), dial->geometry().bottom() + 9);
+  EXPECT_FALSE(isShown("moreReasons"));
+  const auto* viewport = find<QScrollArea>("pageScroll")->viewport();
+  EXPECT_LE(lines->mapTo(viewport, QPoint(0, lines->height())).y(), viewport->height());
+  m_bus.monitor("01FFF4FFF4000000").hear("18EFFF80", "834051");
+  show();
+  EXPECT_EQ(lines->geometry(), fine);
+  EXPECT_EQ(text("reason1"), QStringLiteral("Sensor error: rotation, elevation."));
+  EXPECT_TRUE(isShown("reason2"));
+  ASSERT_GT(m_page.values().reasons.size(), 2u);
+  EXPECT_FALSE(isShown("reason3"));
+  auto* more = find<QAbstractButton>("moreReasons");
+  EXPECT_TRUE(more->isVisible());
+  EXPECT_GE(more->height(), 32);
+  QTest::mouseClick(more, Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(isShown("reason3"));
+  EXPECT_GT(lines->height(), fine.height());
+  for (std::size_t i = 0; i < m_page.values().reasons.size(); ++i) {
+    EXPECT_EQ(text(qPrintable(QStringLiteral("reason%1").arg(i + 1))), m_page.values().reasons[i].text);
+  }
+  QTest::mouseClick(more, Qt::LeftButton);
+  settle();
+  EXPECT_EQ(lines->geometry(), fine);
 }
 
 TEST_F(PageTest, HasNamesForReaders) {
@@ -314,6 +350,7 @@ TEST_F(PageTest, HasTheWholePinInItsHeadOrItsTwoEnds) {
       EXPECT_TRUE(isWhole || (width < 400 && title->text() == QStringLiteral("1032…801035")))
           << width << ' ' << title->text().toStdString();
       EXPECT_EQ(title->toolTip(), QString::fromLatin1(kPinA));
+      EXPECT_LE(find<QAbstractButton>("fullButton")->geometry().right(), width) << width;
     }
   }
 }

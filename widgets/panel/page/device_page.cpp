@@ -10,6 +10,7 @@
 #include "paint/dial.h"
 #include "panel/common/build.h"
 #include "panel/page/fact_list.h"
+#include "panel/page/fault_lines.h"
 #include "panel/page/full_dial.h"
 #include "panel/page/lamp_grid.h"
 #include "panel/page/page_content.h"
@@ -36,6 +37,7 @@ DevicePage::DevicePage(QWidget* parent)
       m_content(new PageContent),
       m_scroll(makeScroll(this, "pageScroll", m_content)),
       m_dial(new Dial(m_content)),
+      m_reasons(new FaultLines(m_content)),
       m_sticks{new StickBox(QStringLiteral("stick"), m_content),
                new StickBox(QStringLiteral("grip"), m_content)},
       m_stops(new StopsGrid(m_content)) {
@@ -95,7 +97,7 @@ void DevicePage::showValues() {
 void DevicePage::explain() {
   if (m_explained == m_values.key) return;
   m_explained = m_values.key;
-  QStringList keys;
+  QStringList keys{pageGroupKey(PageGroup::Health)};
   if (m_values.dial) keys += pageGroupKey(PageGroup::Dial);
   for (const PageLampGroup& group : m_values.lamps) keys += group.key;
   for (const PageFactGroup& group : m_values.facts) keys += group.key;
@@ -115,6 +117,8 @@ QString DevicePage::missingText() const {
 
 void DevicePage::showParts() {
   PageContent::Parts parts;
+  m_reasons->setReasons(m_values.reasons);
+  parts.reasons = m_reasons;
   if (m_values.dial) {
     m_dial->setValues(*m_values.dial);
     parts.dial = m_dial;

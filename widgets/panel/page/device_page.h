@@ -19,6 +19,7 @@ namespace deckpipe {
 
 class Dial;
 class FactList;
+class FaultLines;
 class FullDial;
 class LampGrid;
 class PageContent;
@@ -73,6 +74,7 @@ class DevicePage : public QWidget {
   DeviceKey m_explained;
   QPointer<FullDial> m_full;  // the window owns it, and may end before this page does
   Dial* m_dial;
+  FaultLines* m_reasons;
   std::vector<StickBox*> m_sticks;  // a joystick's stick and its grip
   StopsGrid* m_stops;
   std::vector<LampGrid*> m_lamps;

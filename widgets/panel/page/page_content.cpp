@@ -11,6 +11,7 @@ namespace {
 constexpr int kPageMargin = 16;
 constexpr int kTightMargin = 8;  // above and below the dial where height is short
 constexpr int kTightRoom = 420;
+constexpr int kReasonGap = 8;    // between the dial and what is wrong
 constexpr int kPartGap = 16;     // between parts under one another
 constexpr int kSideGap = 24;     // between the dial and what stands beside it
 constexpr int kFactGap = 32;     // between columns of facts
@@ -74,6 +75,14 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
   const bool isWide = width >= kNarrow;
   const int top = m_parts.dial != nullptr && m_room < kTightRoom ? kTightMargin : kPageMargin;
   int y = top;
+  // At `at`, if the page has them; returns where they end.
+  const auto takeReasons = [&](int at, int reasonsWidth) {
+    if (m_parts.reasons == nullptr) return at;
+    const int reasonsHeight = heightOf(*m_parts.reasons, reasonsWidth);
+    take(m_parts.reasons, QRect(kPageMargin, at, reasonsWidth, reasonsHeight));
+    return at + reasonsHeight;
+  };
+  if (m_parts.dial == nullptr && m_parts.reasons != nullptr) y = takeReasons(y, inner) + kPartGap;
 
   if (m_parts.dial != nullptr || !m_parts.sticks.empty()) {
     int mainWidth = 0, mainHeight = 0;
@@ -81,10 +90,13 @@ std::vector<PageContent::Place> PageContent::places(int width, int& height) cons
       // No wider than its height can use: the words beside it need the room.
       const int usable = std::max(kWideDial, (m_room - 2 * top) * 7 / 4);
       mainWidth = isWide ? std::min(inner * 5 / 9, usable) : inner;
-      // All of the room that is seen without scrolling, whatever else there is.
+      // All of the room that is seen without scrolling, but for what is wrong.
+      const int said =
+          m_parts.reasons == nullptr ? 0 : kReasonGap + m_parts.reasons->minimumSizeHint().height();
       const int least = m_parts.dial->minimumSizeHint().height();
-      mainHeight = std::clamp(m_room - 2 * top, least, std::max(least, mainWidth * 11 / 16));
+      mainHeight = std::clamp(m_room - 2 * top - said, least, std::max(least, mainWidth * 11 / 16));
       take(m_parts.dial, QRect(kPageMargin, y, mainWidth, mainHeight));
+      mainHeight = takeReasons(y + mainHeight + kReasonGap, mainWidth) - y;
     } else {
       placeSticks(inner, y, mainWidth, mainHeight, take);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the parts of a page stand: dial or sticks with what belongs beside it, then further lamps, then facts
+// Where the parts of a page stand: the dial over what is wrong with the device, or its sticks; beside it what
+// belongs there, then further lamps, then facts
 // in columns; all under one another where it is narrow. Used by DevicePage inside its scroll area.
 //
 // By hand, not by nested layouts: half of the parts have a height that depends on their width, and Qt's box
@@ -19,6 +20,7 @@ class PageContent : public QWidget {
  public:
   struct Parts {
     QWidget* dial = nullptr;       // grows with the room there is
+    QWidget* reasons = nullptr;    // right under the dial; without one, before all else
     std::vector<QWidget*> sticks;  // of their own width; beside one another where there is room
     std::vector<QWidget*> beside, below, facts;
     friend bool operator==(const Parts&, const Parts&) = default;

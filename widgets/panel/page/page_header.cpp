@@ -76,19 +76,16 @@ PageHeader::PageHeader(QWidget* parent)
     : QWidget(parent),
       m_title(named(new QLabel(this), "pageTitle", tr("Device"))),
       m_type(named(new QLabel(this), "pageType", tr("Type"))),
-      m_place(named(new QLabel(this), "pageAddress", tr("Address"))),
+      m_place(named(new ElidedLabel(this), "pageAddress", tr("Address"))),
       m_age(named(new QLabel(this), "pageAge", tr("Last heard"))),
       m_sign(new GlyphLabel(this)),
       m_word(named(new QLabel(this), "pageHealth", tr("Health"))),
-      m_reason(named(new QLabel(this), "pageReason", tr("Reason of the health"))),
       m_trace(named(new QToolButton(this), "traceButton", tr("Only this device in the trace"))),
       m_full(new FullButton(this)) {
   setObjectName(QStringLiteral("pageHeader"));
   m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  for (QLabel* label : {m_type, m_place, m_age, m_reason}) setInk(*label, Ink::Secondary);
-
-  m_reason->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  for (QLabel* label : {m_title, m_type, m_reason}) {
+  for (QLabel* label : {m_type, m_place, m_age}) setInk(*label, Ink::Secondary);
+  for (QLabel* label : {m_title, m_type}) {
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     label->installEventFilter(this);
   }
@@ -99,7 +96,7 @@ PageHeader::PageHeader(QWidget* parent)
   grid->setVerticalSpacing(4);
   // The title takes all that it needs, the type what is left.
   grid->addLayout(inRow(16, {{m_title, 100}, {m_type, 1, Qt::AlignBottom}}), 0, 0);
-  grid->addLayout(inRow(16, {inRow(8, {m_sign, m_word}), m_place, m_age, {m_reason, 1}}), 1, 0);
+  grid->addLayout(inRow(16, {inRow(8, {m_sign, m_word}), m_place, m_age, LayoutPart::rest()}), 1, 0);
   grid->addWidget(m_trace, 0, 1, 2, 1);
   grid->addWidget(m_full, 0, 2, 2, 1);
   m_trace->setText(tr("Its frames"));
@@ -116,15 +113,25 @@ PageHeader::PageHeader(QWidget* parent)
 void PageHeader::setFonts() {
   m_title->setFont(strongFont(font(), 1.4));
   m_word->setFont(strongFont(font()));
-  int widest = 0;
+  m_widestWord = 0;
   for (const HealthCause cause : kAllOf<HealthCause>)
-    widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(healthWord(cause)));
-  m_word->setMinimumWidth(widest);
+    m_widestWord = std::max(m_widestWord, m_word->fontMetrics().horizontalAdvance(healthWord(cause)));
   const QFont small = secondaryFont(font());
-  for (QLabel* label : {m_place, m_age, m_reason}) label->setFont(small);
+  for (QLabel* label : {m_place, m_age}) label->setFont(small);
   m_age->setMinimumWidth(m_age->fontMetrics().horizontalAdvance(tr("heard %1 ago").arg(QString())) +
                          widestAge(small));
   showTexts();
+  fitLine();
+}
+
+void PageHeader::fitLine() {
+  int room = width() - 32;
+  for (const QWidget* button : {static_cast<QWidget*>(m_trace), static_cast<QWidget*>(m_full)}) {
+    if (!button->isHidden()) room -= button->sizeHint().width() + 16;
+  }
+  room -= m_sign->sizeHint().width() + 8 + m_widestWord + 16 + m_place->sizeHint().width();
+  m_word->setMinimumWidth(room >= 0 ? m_widestWord : 0);  // no word moves the place
+  m_age->setVisible(room >= 16 + m_age->minimumWidth());
 }
 
 void PageHeader::changeEvent(QEvent* event) {
@@ -150,20 +157,12 @@ void PageHeader::setPage(const DevicePageValues& page) {
   setText(*m_place, page.channel.isEmpty() ? page.address : tr("%1 on %2").arg(page.address, page.channel));
   const bool isAgo = page.age.kind == Age::Kind::Ago;
   setText(*m_age, isAgo ? tr("heard %1 ago").arg(ageText(page.age)) : ageText(page.age));
-  if (page.health == m_health && page.reasons == m_reasons && !m_word->text().isEmpty()) return;
+  if (page.health == m_health && !m_word->text().isEmpty()) return;
   m_health = page.health;
-  m_reasons = page.reasons;
-  showHealth();
-}
-
-void PageHeader::showHealth() {
   const Ink ink = inkOf(m_health.severity());
   m_sign->setGlyph(healthGlyph(m_health.severity()), ink);
   setText(*m_word, healthWord(m_health));
   setInk(*m_word, ink);
-  showTexts();
-  m_reason->setToolTip(m_reasons.join(QLatin1Char('\n')));
-  m_word->setToolTip(m_reason->toolTip());
 }
 
 void PageHeader::showTexts() {
@@ -171,30 +170,22 @@ void PageHeader::showTexts() {
   m_title->setMaximumWidth(static_cast<int>(std::ceil(title.horizontalAdvance(m_titleText))));
   setText(*m_title, elidedPin(m_titleText, title, m_title->width()));
   setText(*m_type, m_type->fontMetrics().elidedText(m_typeText, Qt::ElideRight, m_type->width()));
-  const QFontMetrics metrics = m_reason->fontMetrics();
-  QString reasons = m_reasons.join(QLatin1Char(' '));
-  const QStringList words = healthWords(m_health);
-  if (words.size() > 1 && metrics.horizontalAdvance(reasons) > m_reason->width()) {
-    // The words of the others, as many as have room; the page has their sentences.
-    const QString first =
-        tr("%1 Also: %2", "the worst reason, the words of the others").arg(m_reasons.front());
-    const int room = m_reason->width() - metrics.horizontalAdvance(first.arg(QString()));
-    reasons = first.arg(wordsThatFit(words.sliced(1), QFontMetricsF(m_reason->font()), room));
-  }
-  setText(*m_reason, metrics.elidedText(reasons, Qt::ElideRight, m_reason->width()));
 }
 
 bool PageHeader::eventFilter(QObject* watched, QEvent* event) {
-  if ((watched == m_title || watched == m_type || watched == m_reason) && event->type() == QEvent::Resize)
-    showTexts();
+  if ((watched == m_title || watched == m_type) && event->type() == QEvent::Resize) showTexts();
   return QWidget::eventFilter(watched, event);
 }
 
-void PageHeader::setFullOffered(bool isOffered) { m_full->setVisible(isOffered); }
+void PageHeader::setFullOffered(bool isOffered) {
+  m_full->setVisible(isOffered);
+  fitLine();
+}
 
 void PageHeader::setTraceOffered(bool isOffered) {
   m_isTraceOffered = isOffered;
   m_trace->setVisible(isOffered && width() >= kRoomForTrace);
+  fitLine();
 }
 
 // What is said of the device goes before a button that the View menu has too.

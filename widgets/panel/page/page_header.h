@@ -29,6 +29,9 @@ class PageHeader : public QWidget {
   // Keys go to the page below.
   void setMarked(bool isMarked);
 
+  // Its texts give way: the page is never wider for them.
+  QSize minimumSizeHint() const override { return {240, QWidget::minimumSizeHint().height()}; }
+
  Q_SIGNALS:
   void fullRequested();
   // The device's frames are wanted in the trace.
@@ -42,12 +45,12 @@ class PageHeader : public QWidget {
 
  private:
   void setFonts();
-  void showHealth();
+  // Gives up the age, then the place's end, before the words of the health.
+  void fitLine();
   // As much of the texts as has room; the tooltips say all.
   void showTexts();
 
   Health m_health;
-  QStringList m_reasons;
   QString m_titleText;
   QString m_typeText;
   QLabel* m_title;
@@ -56,9 +59,9 @@ class PageHeader : public QWidget {
   QLabel* m_age;
   GlyphLabel* m_sign;
   QLabel* m_word;
-  QLabel* m_reason;
   QToolButton* m_trace;
   FullButton* m_full;
+  int m_widestWord = 0;
   bool m_isTraceOffered = false;
   bool m_isMarked = false;
 };
