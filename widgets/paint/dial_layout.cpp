@@ -29,6 +29,24 @@ double freeCorner(const QSizeF& box, double radius) {
   return root > 0 ? (a + b - std::sqrt(root)) / 2 : std::min(a, b);
 }
 
+// Radius of both circles in drawings that are so high and share `free` of the width. They have labels if that leaves a
+// circle worth looking at, otherwise the circles have all of the room.
+double layOutCircles(DialLayout& dial, double height, double free) {
+  const double line = std::ceil(dial.textSize * kLine);
+  const double labelWidth = std::ceil(dial.textSize * kLabelWidth);
+  const double labelGap = std::ceil(dial.textSize * 0.35);
+  double radius = std::min(height / 2 - line - labelGap,
+                           (free - 3 * (labelWidth + labelGap)) / (kPlanWidth + kSideWidth));
+  if (radius >= 60) {
+    dial.labelWidth = labelWidth;
+    dial.labelHeight = line;
+    dial.labelGap = labelGap;
+  } else {
+    radius = std::min(height / 2, free / (kPlanWidth + kSideWidth)) - 1;
+  }
+  return std::floor(std::max(radius, 1.0));
+}
+
 // From here on the numbers stand beside the drawings: below them they would take more from the circle.
 constexpr double kBesideAspect = 2.6;  // width over height
 constexpr double kBesideShare = 0.45;  // of the width, at most, for the texts
@@ -65,19 +83,7 @@ DialLayout layOutBeside(DialLayout dial, double pad) {
   const double rotationTexts = std::max(kRotationFigures * dial.valueSize, kChipWidth * dial.textSize);
   const double elevationTexts = std::max(kElevationFigures * dial.valueSize, kChipWidth * dial.textSize);
   const double free = inner.width() - rotationTexts - elevationTexts - 3 * gap;
-  const double line = std::ceil(dial.textSize * kLine);
-  const double labelWidth = std::ceil(dial.textSize * kLabelWidth);
-  const double labelGap = std::ceil(dial.textSize * 0.35);
-  double radius = std::min(inner.height() / 2 - line - labelGap,
-                           (free - 3 * (labelWidth + labelGap)) / (kPlanWidth + kSideWidth));
-  if (radius >= 60) {
-    dial.labelWidth = labelWidth;
-    dial.labelHeight = line;
-    dial.labelGap = labelGap;
-  } else {
-    radius = std::min(inner.height() / 2, free / (kPlanWidth + kSideWidth)) - 1;
-  }
-  radius = std::floor(std::max(radius, 1.0));
+  const double radius = layOutCircles(dial, inner.height(), free);
   const double labels = std::max(1.0, dial.labelWidth + dial.labelGap);
   const double planNeed = kPlanWidth * radius + 2 * labels, sideNeed = kSideWidth * radius + labels;
   const double slack = std::max(0.0, free - planNeed - sideNeed) / 3;
@@ -160,21 +166,8 @@ DialLayout layOutDial(const QRectF& bounds) {
     below = std::ceil(dial.valueSize * kValueLine) + line * 1.2 + pad / 2;
   }
 
-  // With labels if that leaves a circle worth looking at, otherwise all of the room for the circle.
   const double height = inner.height() - below;
-  const double labelWidth = std::ceil(dial.textSize * kLabelWidth);
-  const double labelGap = std::ceil(dial.textSize * 0.35);
-  double radius = std::min(height / 2 - line - labelGap,
-                           (free - 3 * (labelWidth + labelGap)) / (kPlanWidth + kSideWidth));
-  if (radius >= 60) {
-    dial.labelWidth = labelWidth;
-    dial.labelHeight = line;
-    dial.labelGap = labelGap;
-  } else {
-    radius = std::min(height / 2, free / (kPlanWidth + kSideWidth)) - 1;
-  }
-  radius = std::floor(std::max(radius, 1.0));
-
+  const double radius = layOutCircles(dial, height, free);
   const double planNeed = kPlanWidth * radius + 2 * (dial.labelWidth + dial.labelGap);
   const double sideNeed = kSideWidth * radius + dial.labelWidth + dial.labelGap;
   const double slack = std::max(0.0, free - planNeed - sideNeed);
