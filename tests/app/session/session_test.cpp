@@ -112,19 +112,24 @@ TEST_F(OpenedLog, KeepsAMarkBesideItAtOnce) {
   EXPECT_EQ(marksIn(path).size(), 2);
 }
 
-TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
-  QTemporaryDir dir;
-  const QString path = writeLog(dir, kThreeFrames);
+void openBesideForeignSidecar(Session& session, const QString& path) {
   QFile file(path + QStringLiteral(".deckpipe-notes"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("of somebody else\n");
   file.close();
-  Session session;
   session.openLog(path);
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+}
+
+TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
+  QTemporaryDir dir;
+  const QString path = writeLog(dir, kThreeFrames);
+  Session session;
+  openBesideForeignSidecar(session, path);
   session.mark({1, Instant{11'000'000'000}}, QStringLiteral("mine"));
   EXPECT_TRUE(session.snapshot().source.unkeptMarks);
+  QFile file(path + QStringLiteral(".deckpipe-notes"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_EQ(file.readAll(), QByteArray("of somebody else\n"));
   session.setSaved(session.snapshot().view.document, 3, 0);
@@ -139,14 +144,8 @@ TEST(SessionMarks, NeverReplaceASidecarThatCouldNotBeRead) {
 TEST(SessionMarks, ThatCannotBeKeptAreNotLeftForALogThatIsBeingTried) {
   QTemporaryDir dir, other;
   const QString path = writeLog(dir, kThreeFrames);
-  QFile file(path + QStringLiteral(".deckpipe-notes"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("of somebody else\n");
-  file.close();
   Session session;
-  session.openLog(path);
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return session.snapshot().source.progress == SourceStatus::Progress::Done; }, kPatience));
+  openBesideForeignSidecar(session, path);
   session.openLog(writeLog(other, kThreeFrames));
   session.mark({1, Instant{11'000'000'000}}, QStringLiteral("mine"));
   QTest::qWait(300);
