@@ -56,8 +56,8 @@ Notice unreadable(const Snapshot& snapshot) {
   return notice;
 }
 
-// The notice about a log's clock: without times, ages, rates and load are not shown; where it goes back, they are no
-// measure.
+// The notice about a log's clock. Without times, ages, rates and load are not shown. Where the clock goes back, they
+// are no measure.
 Notice clockNotice(const LogDocument& log) {
   if (!log.frames.hasTimes()) {
     return {Severity::Warning, NoticeText::tr("This log has no times, only an order. Ages, rates, load and "

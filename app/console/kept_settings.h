@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the console keeps in its settings beside the layout: how the window looks, by the keys that the
+// The console keeps three things in its settings beside the layout: how the window looks, by the keys that the
 // command line knows too; the logs that were opened last; the person's own labels.
 #pragma once
 

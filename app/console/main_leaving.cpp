@@ -74,8 +74,7 @@ void MainWindow::closeSource() {
   });
 }
 
-// Quitting would break these off; a line each. A recording that the disk takes is kept, and is not among
-// them.
+// A line for each work that quitting would break off. A recording that the disk takes is kept, and is none of them.
 QStringList MainWindow::runningWork() const {
   QStringList work;
   const ServiceStatus& services = *m_snapshot.services;

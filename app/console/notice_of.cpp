@@ -82,7 +82,7 @@ Notice sourceNotice(const Snapshot& snapshot, const BusRates& rates) {
   return snapshot.source.kind == From::File ? fileNotice(snapshot) : linkNotice(snapshot, rates);
 }
 
-// What lasts as long as its cause: the worst of it.
+// The worst notice that stands as long as its cause does.
 Notice standingNotice(const Snapshot& snapshot, const BusRates& rates) {
   Notice source = sourceNotice(snapshot, rates);
   if (!source.text.isEmpty() && source.tone == Severity::Fault) return source;
@@ -101,7 +101,7 @@ Notice standingNotice(const Snapshot& snapshot, const BusRates& rates) {
   return leftRecordingNotice(*snapshot.leftRecording);
 }
 
-// What came of the last thing that a person wanted, until the person does another.
+// The answer to the last thing that a person wanted. It goes when the person does another.
 Notice answerNotice(const Snapshot& snapshot) {
   Notice answer = unsentNotice(snapshot.notSent);
   if (const auto& log = snapshot.notOpened; log && (log->error || answer.text.isEmpty()))
@@ -110,7 +110,7 @@ Notice answerNotice(const Snapshot& snapshot) {
   return answer;
 }
 
-// Of a fault and of what is worse than the answer nothing is hidden by an answer; with them it is said as well.
+// An answer stands instead of a notice that is no fault and no worse than it. Beside all others it is said as well.
 bool hides(const Notice& answer, const Notice& standing) {
   if (standing.text.isEmpty()) return true;
   const auto weight = [](Severity tone) {

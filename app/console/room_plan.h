@@ -6,14 +6,14 @@
 
 namespace deckpipe {
 
-// What the window likes to have on a desk. Logical pixels, without its frame.
+// Size that the window has on a desk, without its frame, in logical pixels.
 inline constexpr QSize kUsualWindow{1366, 720};
 
 // Size of the first window, without its frame, on a screen that has `available` left beside its panels. A
 // window that gets less than the usual size is better maximised.
 QSize firstSize(const QRect& available);
-// Where a window is put that was left at `geometry`, without its frame: there, if its screen has that place,
-// otherwise as near and as large as the screen allows.
+// Place of a window that was left at `geometry`, without its frame: the same, if its screen has it, otherwise as near
+// and as large as the screen allows.
 QRect fitted(const QRect& geometry, const QRect& available);
 
 }  // namespace deckpipe

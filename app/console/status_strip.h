@@ -27,7 +27,7 @@ class StatusStrip : public QWidget {
   void setSnapshot(const Snapshot& snapshot);
   // Those that are shown.
   const BusRates& rates() const { return m_rates; }
-  // Of what never goes.
+  // The size of those cells that are never hidden.
   QSize minimumSizeHint() const override;
 
  Q_SIGNALS:

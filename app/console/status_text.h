@@ -32,7 +32,7 @@ StatusFact sentFact(const Snapshot& snapshot);
 // The warning about so many frames, before their link is left.
 QString waitingText(std::uint64_t frames);
 StatusFact recordingFact(const Snapshot& snapshot);
-// What became of a file that a recording gave up, and why a recording is not written at the moment.
+// These say what became of a file that a recording gave up, and why a recording is not written at the moment.
 QString givenUpText(const JournalFault& file);
 QString recordingFaultText(const JournalStatus& recording);
 StatusFact completenessFact(const Snapshot& snapshot);

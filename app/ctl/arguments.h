@@ -7,7 +7,7 @@
 //   const double seconds = arguments.seconds("seconds");
 //   if (arguments.areBad()) return kBadUsage;
 //
-// What cannot be used is said on standard error, the first of it alone. A value that was read then means nothing.
+// The first argument that cannot be used is said on standard error. After that a value that was read means nothing.
 #pragma once
 
 #include <QCommandLineParser>

@@ -29,8 +29,8 @@ class Decoder {
         m_drives(std::move(drives)) {}
 
   // Everything that has come since the last call, and out with it. False where standard output takes no more. Stamps
-  // of 0 say nothing unless another one follows them: they wait for it, or for `isWhole`, the end of the log. Where no frame
-  // has a time, no stamp is one.
+  // of 0 say nothing unless another one follows them: they wait for it, or for `isWhole`, the end of the log. Where no
+  // frame has a time, no stamp is one.
   bool decodeNew(bool isWhole) {
     const std::uint64_t count = m_frames.count();
     m_hasTimes = m_frames.hasTimes();

@@ -193,7 +193,7 @@ std::string spoken(std::string_view key) {
   return text;
 }
 
-// What stands behind the word for a note: ": fault, no answer"
+// The text behind the word for a note: ": fault, no answer"
 std::string detailText(const NoteValue& value) {
   std::string text;
   const auto say = [&text](std::string_view what) {

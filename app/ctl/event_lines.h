@@ -34,7 +34,7 @@ class EventLines {
   bool m_asJson;
 };
 
-// What a note says beside its time, its channel and whom it is about.
+// Adds the fields of a note beside its time, its channel and whom it is about.
 void addNoteFields(JsonLine& line, const NoteValue& value);
 
 // The paragraph of --help with every key and what it means.

@@ -33,7 +33,8 @@ std::string_view ageWord(AnswerAge age) {
   return {};
 }
 
-// The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93 s ago, silent since".
+// The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93 s ago, silent
+// since".
 std::string faultsText(const State& state, const Device& device, bool hasTimes) {
   if (!device.faults().isKnown()) return {};
   const FaultStatus faults = device.faults().value();

@@ -22,7 +22,8 @@ class InfoReport {
   // Counts what has come since the last call.
   void countNew();
   enum class Times : std::uint8_t { Known, Deltas, None };
-  // Evaluates the notes. Call it once, after the whole log was read. `times`: Deltas if those of its frames look like differences.
+  // Evaluates the notes. Call it once, after the whole log was read. `times`: Deltas if those of its frames look like
+  // differences.
   void takeNotes(Times times);
   std::string text(const std::string& file, const SkippedPlaces& skipped) const;
   std::string json(const std::string& file, const SkippedPlaces& skipped, LastLine lastLine) const;

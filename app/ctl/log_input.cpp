@@ -172,7 +172,7 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) {
   saySkipped(content);
   if (hasDeltas())
     complain(name(), "its times look like differences, each to the frame before; --deltas adds them up");
-  // Of fractions that were not read, that is said already.
+  // Fractions that were not read are said already.
   if (content.count(Skipped::Fraction) == 0 && timeGrainOf(frames) == TimeGrain::Seconds)
     complain(name(),
              "its times are good to the second only; nothing that takes less is told of gaps and time-outs");

@@ -14,8 +14,8 @@ namespace deckpipe {
 // thread only tries to lock it.
 std::mutex& serialBusMutex();
 
-// The keys of all plugins that are installed, whether their maker's library is there or not. The call waits
-// for serialBusMutex().
+// The keys of all plugins that are installed, whether their maker's library is there or not. The call waits for
+// serialBusMutex().
 QStringList installedPlugins();
 
 // The plugin for network interfaces of Linux.

@@ -37,8 +37,8 @@ class Recorder {
   // log is kept in memory, and that is tried again.
   void end();
   bool hasEnded() const;
-  // The first so many frames were saved elsewhere. A recording is marked as saved once it has ended with no
-  // frame more.
+  // The first so many frames were saved elsewhere. A recording is marked as saved once it has ended without
+  // another frame.
   void setSaved(std::uint64_t frames);
 
  private:

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one object that the window talks to: opens a source (log file, adapter, demo), moves the cursor, and
 // makes a snapshot on its tick. It composes store, bus thread, walker and simulator; it lives on the window's
-// thread. It waits for no bus, nor for a bus to end. A link that is opened next waits until the old bus has
-// ended.
+// thread. It waits for no bus, nor for a bus to end: a link that is opened next waits until the old bus has ended.
 //
 // With a link the bus thread's tick is the session's, so that what the bus thread published is drawn at once.
 // The session's own timer ticks where there is no link, or where the bus thread has missed its tick.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the state at a cursor on a thread of its own, and builds keyframes, events and the index of roles when
-// there is nothing else to do. The session asks on its tick and takes what is there: the window never waits for a
-// walk.
+// there is nothing else to do. The session asks on its tick and takes what is there, so the window waits for no walk.
 #pragma once
 
 #include <cstdint>

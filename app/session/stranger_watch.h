@@ -37,8 +37,7 @@ struct Stranger {
   friend bool operator==(const Stranger&, const Stranger&) = default;
 };
 
-// Another console, which has function 129 in its NAME, is no stranger as long as it sends no joystick
-// message.
+// Another console, which has function 129 in its NAME, is no stranger as long as it sends no joystick message.
 class StrangerWatch {
  public:
   static constexpr Duration kListen = 1s;

@@ -9,9 +9,8 @@
 //   constexpr EnumTable<Gear, int> kTeeth{{{Gear::Low, 40}, {Gear::High, 20}}};
 //   kTeeth[Gear::High]
 //
-// A row that is left out, doubled or out of order does not compile. An enum counts its enumerators by a last
-// one called `Count`, or by kLastOf, which is specialised right below it. One that stands behind either does not
-// compile.
+// A row that is left out, doubled or out of order does not compile. An enum counts its enumerators by a last one
+// called `Count`, or by kLastOf, which is specialised right below it. One that stands behind either does not compile.
 #pragma once
 
 #include <array>

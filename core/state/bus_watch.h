@@ -20,8 +20,8 @@ class BusWatch {
  public:
   // Load, in percent of a whole second, that is told as high, and below which it is normal again.
   static constexpr std::int64_t kHigh = 80, kNormal = 60;
-  // A bus that carried more of the assumed rate in one second runs at another one. Up to there the estimate of stuff bits errs, and what
-  // an adapter handed over late is counted in the second in which it came.
+  // A bus that carried more of the assumed rate in one second runs at another one. Up to there the estimate of stuff
+  // bits errs, and what an adapter handed over late is counted in the second in which it came.
   static constexpr std::int64_t kFaster = 130;
   static constexpr Duration kErrorPause = 1s;  // that ends a burst of error frames
 

@@ -18,7 +18,8 @@ inline bool isLinkDown(const State& state, Channel channel) {
   return isLinkDown(state.channel(channel), state.cursor().time);
 }
 
-// Whether the link went down after something that was heard at `at`: whether it still holds shows once it is heard again.
+// Whether the link went down after something that was heard at `at`. Whether that still holds shows once it is heard
+// again.
 inline bool isCutOff(const State& state, Channel channel, Instant at) {
   const Instant down = state.channel(channel).linkDown;
   return at != kNotYet && at <= down && state.cursor().time > down;

@@ -158,8 +158,8 @@ Shared sharedAt(const Subject& s, Address address) {
   for (const Device& d : s.state.devices().all()) {
     if (d.kind != Device::Kind::Pin && d.kind != Device::Kind::Address) continue;
     if (&s.state.channel(d.channel) != &s.channel || d.address != address) continue;
-    // Two that say different things are one, heard by two loggers, if what these wrote was put into one log with more than
-    // a period between. Only a log whose link is known was not made so.
+    // Two that say different things are one, heard by two loggers, if what these wrote was put into one log with more
+    // than a period between. Only a log whose link is known was not made so.
     const bool isFromOneLink = s.channel.link != ChannelLink::Unknown;
     if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor)
       found(d.doubledSince, !d.isOnlyEqual && isFromOneLink);
