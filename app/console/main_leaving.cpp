@@ -107,10 +107,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!work.isEmpty()) {
     event->ignore();
     return ask({"quitQuestion", tr("Quit Deckpipe"), work.join(QLatin1Char('\n')), tr("Quit"), tr("Stay")},
-               [this] {
-                 m_mayClose = true;
-                 close();
-               });
+               [this] { quit(); });
   }
   saveLayout();
   QMainWindow::closeEvent(event);
