@@ -130,6 +130,23 @@
     </message>
 </context>
 <context>
+    <name>Overview</name>
+    <message numerus="yes">
+        <source>%n fault(s)</source>
+        <translation>
+            <numerusform>%n fault</numerusform>
+            <numerusform>%n faults</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n monitor(s): %1</source>
+        <translation>
+            <numerusform>%n monitor: %1</numerusform>
+            <numerusform>%n monitors: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Row</name>
     <message numerus="yes">
         <source>%Ln frames on channels beyond the first %1: their devices are not listed</source>

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
+#include <map>
 
 #include "model/device_details.h"
 #include "model/page_dial.h"
@@ -55,13 +57,32 @@ std::vector<OverviewMonitor> overviewOf(const LogView& view, const DeviceLabels&
     m.detail = detailOf(view, row);
     m.health = row.health;
     m.reasons = healthSentences(row.health, state.cursor().time);
+    if (row.health.severity() >= Severity::Warning) m.trouble = m.reasons.front();
     m.age = ageOf(state, d.channel, d.lastHeard);
     m.dial = dialOf(state, d);
     const PageStops stops = stopsOf(state, d);
     m.stops = stopsText(stops);
     m.areStopsStale = stops.isStale;
   }
+  // Causes stand in the order of their gravity; in the same trouble the order of first appearance holds.
+  std::ranges::stable_sort(monitors, {}, [](const OverviewMonitor& m) { return m.health.worst(); });
   return monitors;
+}
+
+QString overviewSummary(const std::vector<OverviewMonitor>& monitors) {
+  std::map<HealthCause, int> counts;
+  for (const OverviewMonitor& m : monitors) {
+    const bool isFault = m.health.severity() == Severity::Fault;
+    ++counts[isFault ? HealthCause::FaultsNamed : m.health.worst()];
+  }
+  QStringList parts;
+  for (const auto& [cause, count] : counts) {
+    parts << (cause == HealthCause::FaultsNamed
+                  ? Overview::tr("%n fault(s)", nullptr, count)
+                  : Overview::tr("%1 %2", "count of monitors, health").arg(count).arg(healthWord(cause)));
+  }
+  return Overview::tr("%n monitor(s): %1", nullptr, static_cast<int>(monitors.size()))
+      .arg(parts.join(QStringLiteral(", ")));
 }
 
 }  // namespace deckpipe

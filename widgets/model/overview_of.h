@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All monitors of a bus as plain values, in order of first appearance: what each tile of the overview shows.
-// A pure function of the view, like a page.
+// All monitors of a bus as plain values, those with the gravest trouble first, and how many have which: what the
+// overview shows. A pure function of the view, like a page.
 #pragma once
 
 #include <vector>
@@ -17,6 +17,7 @@ struct OverviewMonitor {
   QString detail{};    // type, address, channel if there are several
   Health health;
   QStringList reasons{};  // sentences, the worst first
+  QString trouble{};      // the worst of them, if it is a warning or graver
   Age age;
   QString stops{};  // the hard stops that it stands at, of axes 3 to 5, which the dial does not show
   bool areStopsStale = false;
@@ -25,5 +26,9 @@ struct OverviewMonitor {
 };
 
 std::vector<OverviewMonitor> overviewOf(const LogView& view, const DeviceLabels& labels = {});
+
+// "30 monitors: 1 silent, 1 fault, 1 disabled, 27 fine": each monitor counts once, by its worst cause, and all that
+// are faults count together.
+QString overviewSummary(const std::vector<OverviewMonitor>& monitors);
 
 }  // namespace deckpipe

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "widgets/model/heard.h"
 
 namespace deckpipe {
@@ -53,6 +55,54 @@ TEST(OverviewOf, DrawsNothingAsCurrentWhileTheLinkIsDown) {
   EXPECT_TRUE(monitor.dial.rotation.isStale && monitor.dial.elevation.isStale);
   EXPECT_FALSE(monitor.dial.rotation.command);
   EXPECT_FALSE(monitor.dial.enable);
+}
+
+std::string announcementOfMonitor(int i) {
+  char pin[16];
+  std::snprintf(pin, sizeof pin, "1032AE%09d", i);
+  return announcementOf(pin);
+}
+
+// Thirty that are fine, but for the fourth (disabled), the seventh and the twentieth (faults).
+Heard thirtyMonitors() {
+  Heard bus;
+  for (int i = 0; i < 30; ++i) {
+    char from[9];
+    std::snprintf(from, sizeof from, "18EFFF%02X", 0x80u + static_cast<unsigned>(i));
+    const std::string answer = "18EFF9" + std::string(from + 6), ask = "18EF" + std::string(from + 6) + "F9";
+    bus.hear(from, announcementOfMonitor(i))
+        .hear(from, i == 19 ? kSensorError : kPosition)
+        .hear(from, kRotationLimits)
+        .hear(from, kElevationLimits)
+        .hear(from, i == 3 ? "834051" : kOutputs)
+        .hear(ask, "02")
+        .hear(answer, i == 6 ? "02002000000000" : "02000000000000");
+  }
+  return bus;
+}
+
+TEST(OverviewOf, PutsMonitorsInTroubleFirstTheGravestBeforeTheOthers) {
+  const std::vector<OverviewMonitor> monitors = overviewOf(thirtyMonitors().view());
+  ASSERT_EQ(monitors.size(), 30u);
+  EXPECT_EQ(monitors[0].title, QStringLiteral("1032AE000000006"));
+  EXPECT_EQ(monitors[0].trouble, QStringLiteral("It answered: Internal fuse."));
+  EXPECT_EQ(monitors[1].title, QStringLiteral("1032AE000000019"));
+  EXPECT_EQ(monitors[2].title, QStringLiteral("1032AE000000003"));
+  EXPECT_EQ(monitors[2].trouble, QStringLiteral("Enable is off: it cannot move."));
+  for (int i = 3; i < 30; ++i) EXPECT_TRUE(monitors[static_cast<std::size_t>(i)].trouble.isEmpty()) << i;
+  EXPECT_EQ(monitors[3].title, QStringLiteral("1032AE000000000")) << "the others in order of appearance";
+  EXPECT_EQ(monitors[29].title, QStringLiteral("1032AE000000029"));
+}
+
+TEST(OverviewOf, CountsEachMonitorByItsWorstTrouble) {
+  Heard bus = thirtyMonitors();
+  EXPECT_EQ(overviewSummary(overviewOf(bus.view())),
+            QStringLiteral("30 monitor(s): 2 fault(s), 1 disabled, 27 fine"));
+  bus.pass(5s);
+  EXPECT_EQ(overviewSummary(overviewOf(bus.view())), QStringLiteral("30 monitor(s): 30 silent"));
+  Heard one;
+  one.monitor();
+  EXPECT_EQ(overviewSummary(overviewOf(one.view())), QStringLiteral("1 monitor(s): 1 not asked"));
 }
 
 TEST(OverviewOf, PutsTheLabelBeforeThePin) {

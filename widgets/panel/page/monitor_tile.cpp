@@ -132,15 +132,22 @@ void MonitorTile::paintEvent(QPaintEvent*) {
   p.setPen(health);
   p.drawText(QPointF(wordsLeft, second), words);
 
-  if (m_monitor.stops.isEmpty()) return;
+  // At the foot the trouble in words, then the stops in what it leaves.
   const double foot = height() - kTilePad / 2.0 - lineHeight(small) / 2.0;
-  const QColor ink = m_monitor.areStopsStale ? c.stale.ink : c.text;
-  drawGlyph(p, QRectF(left, foot - kTileSign / 2, kTileSign, kTileSign),
-            m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop, ink, Qt::transparent, c.stroke);
-  p.setPen(ink);
-  const double textLeft = left + kTileSign + kTileGap / 2;
-  p.drawText(QPointF(textLeft, foot + smallMetrics.capHeight() / 2),
-             smallMetrics.elidedText(m_monitor.stops, Qt::ElideRight, right - textLeft));
+  const auto drawFoot = [&](double from, Glyph glyph, const QColor& ink, const QString& text) {
+    const double textLeft = from + kTileSign + kTileGap / 2;
+    if (text.isEmpty() || right <= textLeft) return from;
+    drawGlyph(p, QRectF(from, foot - kTileSign / 2, kTileSign, kTileSign), glyph, ink, Qt::transparent,
+              c.stroke);
+    p.setPen(ink);
+    const QString shown = smallMetrics.elidedText(text, Qt::ElideRight, right - textLeft);
+    p.drawText(QPointF(textLeft, foot + smallMetrics.capHeight() / 2), shown);
+    return textLeft + smallMetrics.horizontalAdvance(shown) + kTileGap;
+  };
+  const double stopsLeft =
+      drawFoot(left, healthGlyph(m_monitor.health.severity()), health, m_monitor.trouble);
+  drawFoot(stopsLeft, m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop,
+           m_monitor.areStopsStale ? c.stale.ink : c.text, m_monitor.stops);
 }
 
 }  // namespace deckpipe

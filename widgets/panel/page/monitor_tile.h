@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One monitor on the overview: its name, its health, its dial, the other stops that it stands at. A button:
+// One monitor on the overview: its name, its health, its dial, its trouble and the other stops that it stands at. A button:
 // pressed it asks for the monitor's page. Used by OverviewPanel alone.
 #pragma once
 

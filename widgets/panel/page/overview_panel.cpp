@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <algorithm>
+#include <utility>
 
 #include "panel/common/build.h"
 #include "panel/common/untracked_label.h"
@@ -43,6 +44,7 @@ OverviewGrid overviewGrid(int count, const QSize& room) {
 OverviewPanel::OverviewPanel(QWidget* parent)
     : QWidget(parent),
       m_empty(makeMessage(this, "noMonitors", {})),
+      m_summary(named(new QLabel(this), "overviewSummary", tr("How many monitors have which trouble"))),
       m_untracked(new UntrackedLabel(QStringLiteral("untrackedMonitors"), this)),
       m_scroll(named(new QScrollArea(this), "overviewScroll", tr("Monitors"))),
       m_content(new QWidget) {
@@ -53,7 +55,9 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   m_scroll->setFocusPolicy(Qt::NoFocus);  // the tiles have it
   m_scroll->setWidget(m_content);
   m_scroll->installEventFilter(this);
-  inColumn(this, {0, 0, 0, 0}, 0, {{m_empty, 1}, {m_scroll, 1}, m_untracked});
+  m_summary->setContentsMargins(OverviewGrid::kGap, OverviewGrid::kGap / 2, OverviewGrid::kGap, 0);
+  m_summary->setWordWrap(true);
+  inColumn(this, {0, 0, 0, 0}, 0, {m_summary, {m_empty, 1}, {m_scroll, 1}, m_untracked});
   refresh();
 }
 
@@ -68,32 +72,58 @@ void OverviewPanel::showEvent(QShowEvent* event) {
   refresh();
 }
 
-void OverviewPanel::addTile() {
+MonitorTile* OverviewPanel::newTile() {
   auto* tile = new MonitorTile(m_content);
-  tile->setObjectName(QStringLiteral("monitorTile%1").arg(m_tiles.size() + 1));
-  tile->setAnimated(m_view.isMoving);
   tile->installEventFilter(this);
   connect(tile, &QAbstractButton::clicked, this, [this, tile] { Q_EMIT pageRequested(tile->monitor().key); });
-  m_tiles.push_back(tile);
+  return tile;
+}
+
+// A click lands on the tile that was aimed at.
+void OverviewPanel::keepPlaces(std::vector<OverviewMonitor>& monitors) const {
+  std::ranges::stable_sort(monitors, {}, [this](const OverviewMonitor& m) {
+    return std::ranges::find(m_tiles, m.key, [](const MonitorTile* tile) { return tile->monitor().key; });
+  });
+}
+
+void OverviewPanel::giveTiles(const std::vector<OverviewMonitor>& monitors) {
+  std::vector<MonitorTile*> others = m_tiles;
+  std::vector<MonitorTile*> tiles;
+  for (const OverviewMonitor& m : monitors) {
+    const auto own = std::ranges::find_if(
+        others, [&](const MonitorTile* tile) { return tile != nullptr && tile->monitor().key == m.key; });
+    tiles.push_back(own != others.end() ? std::exchange(*own, nullptr) : newTile());
+    tiles.back()->setMonitor(m);
+    tiles.back()->setChosen(m.key == m_view.device);
+    tiles.back()->setAnimated(m_view.isMoving);
+  }
+  if (tiles == m_tiles) return;
+  for (MonitorTile* gone : others) {
+    if (gone == nullptr) continue;
+    gone->hide();
+    gone->deleteLater();
+  }
+  m_tiles = std::move(tiles);
+  for (int i = 0; i < count(); ++i) {
+    MonitorTile* tile = m_tiles[static_cast<std::size_t>(i)];
+    tile->setObjectName(QStringLiteral("monitorTile%1").arg(i + 1));
+    if (i > 0) setTabOrder(m_tiles[static_cast<std::size_t>(i) - 1], tile);
+    tile->show();
+  }
+  layOut();
 }
 
 void OverviewPanel::refresh() {
-  const std::vector<OverviewMonitor> monitors = overviewOf(m_view.log, m_view.labels);
-  const int count = static_cast<int>(monitors.size());
-  while (m_tiles.size() < monitors.size()) addTile();
-  for (std::size_t i = 0; i < monitors.size(); ++i) {
-    m_tiles[i]->setMonitor(monitors[i]);
-    m_tiles[i]->setChosen(monitors[i].key == m_view.device);
-    m_tiles[i]->setAnimated(m_view.isMoving);
-  }
+  std::vector<OverviewMonitor> monitors = overviewOf(m_view.log, m_view.labels);
+  const bool isEmpty = monitors.empty();
+  setText(*m_summary, isEmpty ? QString() : overviewSummary(monitors));
+  if (m_content->underMouse()) keepPlaces(monitors);
+  giveTiles(monitors);
   m_untracked->setView(m_view.log);
-  if (count == 0) setText(*m_empty, emptyText());
-  m_empty->setVisible(count == 0);
-  m_scroll->setVisible(count != 0);
-  if (count == m_count) return;
-  m_count = count;
-  for (std::size_t i = 0; i < m_tiles.size(); ++i) m_tiles[i]->setVisible(i < monitors.size());
-  layOut();
+  if (isEmpty) setText(*m_empty, emptyText());
+  m_empty->setVisible(isEmpty);
+  m_summary->setVisible(!isEmpty);
+  m_scroll->setVisible(!isEmpty);
 }
 
 QString OverviewPanel::emptyText() const {
@@ -107,14 +137,14 @@ QString OverviewPanel::emptyText() const {
 // The scroll bar takes its width only where it is needed.
 void OverviewPanel::layOut() {
   QSize room = m_scroll->size();
-  OverviewGrid grid = overviewGrid(m_count, room);
-  if (grid.height(m_count) > room.height()) {
+  OverviewGrid grid = overviewGrid(count(), room);
+  if (grid.height(count()) > room.height()) {
     room.rwidth() -= m_scroll->verticalScrollBar()->sizeHint().width();
-    grid = overviewGrid(m_count, room);
+    grid = overviewGrid(count(), room);
   }
   m_columns = grid.columns;
-  m_content->resize(room.width(), grid.height(m_count));
-  for (int i = 0; i < m_count; ++i) m_tiles[static_cast<std::size_t>(i)]->setGeometry(grid.place(i));
+  m_content->resize(room.width(), grid.height(count()));
+  for (int i = 0; i < count(); ++i) m_tiles[static_cast<std::size_t>(i)]->setGeometry(grid.place(i));
 }
 
 bool OverviewPanel::moveFocus(int from, int key) {
@@ -125,10 +155,10 @@ bool OverviewPanel::moveFocus(int from, int key) {
     case Qt::Key_Up: to = from - m_columns; break;
     case Qt::Key_Down: to = from + m_columns; break;
     case Qt::Key_Home: to = 0; break;
-    case Qt::Key_End: to = m_count - 1; break;
+    case Qt::Key_End: to = count() - 1; break;
     default: return false;
   }
-  if (to >= 0 && to < m_count) {
+  if (to >= 0 && to < count()) {
     MonitorTile* tile = m_tiles[static_cast<std::size_t>(to)];
     tile->setFocus(Qt::OtherFocusReason);
     m_scroll->ensureWidgetVisible(tile, OverviewGrid::kGap, OverviewGrid::kGap);

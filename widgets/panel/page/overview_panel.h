@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All monitors at once, a tile each, as large as all fit. The window gives it each new view; it says when a
-// person asks for a monitor's page by click, Enter or Space. Arrow keys, Home and End go from tile to tile.
+// All monitors at once, a tile each, as large as all fit, those in trouble first under a line that counts them. The
+// window gives it each new view; it says when a person asks for a monitor's page by click, Enter or Space. Arrow keys,
+// Home and End go from tile to tile. A tile belongs to its monitor and takes the focus along; while the pointer is
+// among the tiles they keep their places.
 #pragma once
 
 #include <QRect>
@@ -59,19 +61,22 @@ class OverviewPanel : public QWidget {
 
  private:
   void refresh();
-  void addTile();
+  MonitorTile* newTile();
+  void giveTiles(const std::vector<OverviewMonitor>& monitors);
+  void keepPlaces(std::vector<OverviewMonitor>& monitors) const;
   void layOut();
+  int count() const { return static_cast<int>(m_tiles.size()); }
   bool moveFocus(int from, int key);
   QString emptyText() const;
 
   PanelView m_view;
-  int m_count = 0;    // tiles in use, the first ones
   int m_columns = 1;  // as laid out
   QLabel* m_empty;
+  QLabel* m_summary;
   UntrackedLabel* m_untracked;
   QScrollArea* m_scroll;
   QWidget* m_content;
-  std::vector<MonitorTile*> m_tiles;
+  std::vector<MonitorTile*> m_tiles;  // in the order of their places
 };
 
 }  // namespace deckpipe
