@@ -2,12 +2,14 @@
 #include "model/device_page_of.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "model/device_details.h"
 #include "model/page_arbitration.h"
 #include "model/page_dial.h"
 #include "model/page_facts.h"
 #include "model/page_lamps.h"
+#include "model/page_motion.h"
 #include "model/page_stick.h"
 #include "state/current.h"
 #include "text/device_text.h"
@@ -46,7 +48,12 @@ std::vector<PageReason> reasonsOf(const Health& health, Instant now) {
 }
 
 void describeDevice(DevicePageValues& page, const State& state, const Device& d) {
-  if (isMonitor(d)) page.dial = dialOf(state, d);
+  if (isMonitor(d)) {
+    page.dial = dialOf(state, d);
+    for (PageReason& reason : motionReasons(state, d, *page.dial)) page.reasons.push_back(std::move(reason));
+    std::ranges::stable_sort(page.reasons, std::ranges::greater(), &PageReason::tone);
+    if (std::optional<PageStick> stick = leadingStick(state, d)) page.sticks.push_back(std::move(*stick));
+  }
   page.stops = stopsOf(state, d);
   page.lamps = lampsOf(state, d);
   page.facts.push_back(faultsOf(state, d));

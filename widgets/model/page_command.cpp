@@ -27,6 +27,12 @@ void take(PageCommands& commands, const BasicJoystick& stick, const QString& sou
 
 }  // namespace
 
+PageCommands commandsOf(const Joystick& stick) {
+  PageCommands commands;
+  take(commands, stick.basic.value(), joystickName(stick.source), stick.source);
+  return commands;
+}
+
 PageCommands joystickCommands(const State& state, Channel channel) {
   PageCommands commands;
   const Joysticks& joysticks = state.channel(channel).joysticks;

@@ -11,6 +11,8 @@ namespace deckpipe {
 struct PageCommands {
   std::optional<DialAxis::Command> rotation, elevation;
 };
+// What one joystick asks for, whoever comes before it.
+PageCommands commandsOf(const Joystick& stick);
 // What the joysticks of a channel command together.
 PageCommands joystickCommands(const State& state, Channel channel);
 // "right at 50 %", for the rotation; up and down for the elevation.

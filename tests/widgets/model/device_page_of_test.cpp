@@ -643,6 +643,55 @@ TEST(DevicePageOf, SaysHowTheTraceIsFilteredToTheDevice) {
   EXPECT_EQ(pageOf(bus, nodeKey(0x24)).traceFilter, QStringLiteral("node=24 and ch=can0"));
 }
 
+struct MotionCase {
+  const char* name;
+  const char* position;  // of a monitor limited to 30.0° left and 45.0° right
+  const char* stick;     // of joystick 33
+  const char* reason;    // empty: none
+};
+class MotionReasons : public testing::TestWithParam<MotionCase> {};
+
+TEST_P(MotionReasons, NamesWhatSpeaksAgainstACommandedMotion) {
+  const auto [name, position, stick, reason] = GetParam();
+  Heard bus;
+  bus.monitor(position).faults().hear("0CFDD633", stick);
+  const std::vector<PageReason> reasons = pageOf(bus).reasons;
+  const bool isTold = reasons.front().tone == Severity::Warning;
+  EXPECT_EQ(isTold ? reasons.front().text.toStdString() : std::string(), reason);
+}
+INSTANTIATE_TEST_SUITE_P(
+    DevicePageOf, MotionReasons,
+    testing::Values(
+        MotionCase{"NothingCommanded", "011C040371000041", kRestingStick, ""},
+        MotionCase{"AtTheSoftLimit", "011C040371000041", kStickRightBack,
+                   "Commanded right at 50 %: its soft limit on that side is at 45.0°, it stands at 44.8°."},
+        MotionCase{"FarFromTheSoftLimit", "010C040371000041", kStickRightBack, ""},
+        MotionCase{"AwayFromTheSoftLimit", "011C040371000041", kStickLeft, ""},
+        MotionCase{"AtTheHardStop", "010C040371400041", kStickRightBack,
+                   "Commanded right at 50 %: it stands at its hard stop on that side."}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(DevicePageOf, ShowsTheStickThatCommandsAMonitorAndWhoIsOutranked) {
+  Heard bus;
+  bus.monitor("0100000371000041").faults().hear("0CFDD634", kStickLeft).hear("0CFDD633", kRestingStick);
+  EXPECT_EQ(pageOf(bus).sticks.at(0).title, QStringLiteral("Joystick 34")) << "33 asks for nothing";
+  EXPECT_EQ(pageOf(bus).sticks.at(0).xText, QStringLiteral("100.0 % left"));
+  bus.hear("0CFDD633", kStickRightBack);
+  DevicePageValues page = pageOf(bus);
+  EXPECT_EQ(page.sticks.at(0).title, QStringLiteral("Joystick 33"));
+  EXPECT_EQ(
+      page.reasons.at(0),
+      (PageReason{QStringLiteral("Joystick 34 asks for left at 100 % in vain: Joystick 33 comes first."),
+                  Severity::Warning}));
+  bus.hear("0CFDD634", kRestingStick);
+  page = pageOf(bus);
+  EXPECT_EQ(page.reasons.at(0).tone, Severity::Fine);
+  bus.hear("0CFDD633", kRestingStick);
+  EXPECT_EQ(pageOf(bus).sticks.at(0).title, QStringLiteral("Joystick 33")) << "both rest: the first in rank";
+  bus.pass(200ms);
+  EXPECT_TRUE(pageOf(bus).sticks.empty()) << "stopped sending";
+}
+
 TEST(DevicePageOf, IsNotFoundWhereNothingWasHeardOfTheDevice) {
   Heard bus;
   EXPECT_FALSE(pageOf(bus).isFound);

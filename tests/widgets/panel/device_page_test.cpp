@@ -98,7 +98,10 @@ TEST_F(PageTest, ShowsAMonitor) {
   EXPECT_EQ(lamp("stopPlus5")->state(), Status2::On);
   EXPECT_EQ(lamp("stopPlus5")->accessibleName(), QStringLiteral("Discharge valve, Open stop"));
   EXPECT_EQ(lamp("outputsLamp1")->state(), Status2::On);
-  EXPECT_EQ(text("reason1"), QStringLiteral("It has no faults, and its messages come in time."));
+  EXPECT_EQ(text("reason1").toStdString(),
+            "Commanded right at 50 %: its soft limit on that side is at 45.0°, it stands at 47.3°.");
+  EXPECT_EQ(text("reason2"), QStringLiteral("It has no faults, and its messages come in time."));
+  EXPECT_TRUE(isShown("stick"));
   EXPECT_TRUE(isShown("faultsFacts"));
   EXPECT_TRUE(isShown("versionsFacts"));
 }
@@ -141,9 +144,9 @@ TEST_P(PageOfKind, HasTheParts) {
   FAIL() << "no such scene";
 }
 INSTANTIATE_TEST_SUITE_P(OfEachKind, PageOfKind,
-                         testing::Values(KindCase{"fresh", true, false, true, "outputsLamps"},
-                                         KindCase{"forestry", true, false, true, "outputsLamps"},
-                                         KindCase{"no_pin", true, false, true, "statusLamps"},
+                         testing::Values(KindCase{"fresh", true, true, true, "outputsLamps"},
+                                         KindCase{"forestry", true, true, true, "outputsLamps"},
+                                         KindCase{"no_pin", true, true, true, "statusLamps"},
                                          KindCase{"riser", false, false, false, "riserLamps"},
                                          KindCase{"io_module", false, false, false, "inputsLamps"},
                                          KindCase{"joystick", false, true, false, "switchesLamps"},

@@ -125,8 +125,7 @@ void DevicePage::showParts() {
   }
   for (std::size_t i = 0; i < m_values.sticks.size() && i < m_sticks.size(); ++i) {
     m_sticks[i]->setStick(m_values.sticks[i]);
-    // A monitor that sends joystick messages, if there is one, shows its stick below.
-    (parts.dial == nullptr ? parts.sticks : parts.below).push_back(m_sticks[i]);
+    if (parts.dial == nullptr) parts.sticks.push_back(m_sticks[i]);
   }
   if (!m_values.stops.axes.empty()) {
     m_stops->setStops(m_values.stops);
@@ -137,6 +136,11 @@ void DevicePage::showParts() {
     if (i == m_lamps.size()) m_lamps.push_back(new LampGrid(m_content));
     m_lamps[i]->setGroup(m_values.lamps[i]);
     (hasMain && standsBeside(m_values.lamps[i]) ? parts.beside : parts.below).push_back(m_lamps[i]);
+  }
+  // The stick that commands a monitor stands beside its dial.
+  if (parts.dial != nullptr) {
+    for (std::size_t i = 0; i < m_values.sticks.size() && i < m_sticks.size(); ++i)
+      parts.beside.push_back(m_sticks[i]);
   }
   for (std::size_t i = 0; i < m_values.facts.size(); ++i) {
     if (i == m_facts.size()) m_facts.push_back(new FactList(m_content));
