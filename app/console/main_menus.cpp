@@ -20,7 +20,7 @@ namespace deckpipe {
 
 void MainWindow::makeMenus() {
   makeFileMenu();
-  menuBar()->addMenu(m_sending->menu());
+  m_menus->addMenu(m_sending->menu());
   m_sending->menu()->addSeparator();
   addNamed(m_sending->menu(), "askDeviceAction", tr("Ask the chosen &device…"),
            QKeySequence(Qt::CTRL | Qt::Key_R), m_workspace, &Workspace::showRequests);
@@ -30,7 +30,7 @@ void MainWindow::makeMenus() {
 }
 
 void MainWindow::makeFileMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  QMenu* menu = m_menus->addMenu(tr("&File"));
   addNamed(menu, "openLogAction", tr("&Open log…"), QKeySequence::Open, this, &MainWindow::openLogByHand);
   m_saveAction = addNamed(menu, "saveLogAction", tr("&Save log as…"), QKeySequence::Save, this,
                           &MainWindow::saveLogByHand);
@@ -55,7 +55,7 @@ void MainWindow::makeFileMenu() {
 }
 
 void MainWindow::makeViewMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  QMenu* menu = m_menus->addMenu(tr("&View"));
   m_themes = new QActionGroup(this);
   for (const NamedTheme& theme : namedThemes()) {
     QAction* action = addNamed(menu, (QByteArray(theme.key) + "ThemeAction").constData(),
@@ -88,7 +88,7 @@ void MainWindow::makeViewMenu() {
 }
 
 void MainWindow::makeEventsMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&Events"));
+  QMenu* menu = m_menus->addMenu(tr("&Events"));
   EventPanel* events = m_workspace->events();
   addNamed(menu, "nextEventAction", tr("&Next event"), QKeySequence(Qt::Key_F8), events,
            &EventPanel::goToNext);
@@ -99,7 +99,7 @@ void MainWindow::makeEventsMenu() {
 }
 
 void MainWindow::makeHelpMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  QMenu* menu = m_menus->addMenu(tr("&Help"));
   m_helpAction = addNamed(menu, "explainAction", tr("&Explain what has the focus"),
                           QKeySequence::HelpContents, m_workspace, &Workspace::showHelp);
   QAction* pointed = QWhatsThis::createAction(this);  // Shift+F1, then a click

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -58,6 +59,7 @@ LabelsByPin byPin(const DeviceLabels& labels) {
 MainWindow::MainWindow(Session& session, QWidget* parent)
     : QMainWindow(parent),
       m_session(session),
+      m_menus(new QMenuBar(this)),
       m_status(new StatusStrip(this)),
       m_notice(new NoticeBar(this)),
       m_pages(new QStackedWidget(this)),
@@ -82,8 +84,11 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   m_pages->addWidget(m_recordings->page());
   for (const ExtraPage* page : std::initializer_list<ExtraPage*>{m_settings, about, m_recordings->page()})
     connect(page, &ExtraPage::closeRequested, this, [this] { showExtra(nullptr); });
+  auto* top = new QWidget(this);
+  inRow(top, {0, 0, 0, 0}, 8, {m_menus, {m_notice, 1}});
+  setMenuWidget(top);
   auto* central = new QWidget(this);
-  inColumn(central, {0, 0, 0, 0}, 0, {m_status, m_notice, {m_pages, 1}, m_markBar, m_saveBar, m_transport});
+  inColumn(central, {0, 0, 0, 0}, 0, {m_status, {m_pages, 1}, m_markBar, m_saveBar, m_transport});
   setCentralWidget(central);
   m_sending = new SendingActions(m_session, this);
   const ClaimSettings claim = claimSettings();

@@ -14,6 +14,7 @@
 
 class QActionGroup;
 class QFileDialog;
+class QMenuBar;
 class QStackedWidget;
 
 namespace deckpipe {
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow {
   Density m_density = Density::Desk;
   SettingsLabels m_labels;
   Notice m_addressNotice;  // until the settings were looked at
+  QMenuBar* m_menus;
   StatusStrip* m_status;
   NoticeBar* m_notice;
   QStackedWidget* m_pages;

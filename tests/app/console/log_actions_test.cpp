@@ -214,7 +214,7 @@ TEST_F(LogActions, ASidecarThatDoesNotFitIsSaidWithItsLine) {
 TEST_F(LogActions, OfferToSaveAPartOnlyWhereThereIsOne) {
   openLog(kTruck);
   const auto isOffered = [this](const char* action) {
-    Q_EMIT m_window.menuBar()->actions().first()->menu()->aboutToShow();
+    Q_EMIT only<QMenuBar>()->actions().first()->menu()->aboutToShow();
     return named<QAction>(action)->isEnabled();
   };
   EXPECT_FALSE(isOffered("saveSelectionAction"));

@@ -238,7 +238,7 @@ TEST_F(Looks, WhatsThisExplainsWhatIsPointedAt) {
   auto* follow = named<QWidget>("traceFollow");
   EXPECT_TRUE(follow->whatsThis().isEmpty());
   EXPECT_TRUE(request(follow, {4, 4})) << "by its tool tip";
-  EXPECT_FALSE(request(m_window.menuBar(), {600, 4})) << "nothing is said of what says nothing";
+  EXPECT_FALSE(request(only<QMenuBar>(), {600, 4})) << "nothing is said of what says nothing";
 }
 
 TEST_F(Looks, F1ExplainsWhatHasTheFocus) {

@@ -7,9 +7,12 @@
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
+#include <QToolButton>
 
 #include "panel/common/notice_bar.h"
 #include "support/child.h"
@@ -91,7 +94,7 @@ TEST_F(PageToConnect, SaysThatThereIsNoAdapter) {
   EXPECT_FALSE(test::child<QWidget>(page, "noAdapters")->isVisible());
 }
 
-TEST(BarOfNotices, TakesNoRoomWithoutWordsAndActsOnAClick) {
+TEST(BarOfNotices, ActsOnAClickAndKeepsItsHeightWithoutWords) {
   NoticeBar bar;
   bar.resize(900, 60);
   EXPECT_TRUE(bar.isHidden());
@@ -102,8 +105,37 @@ TEST(BarOfNotices, TakesNoRoomWithoutWordsAndActsOnAClick) {
   QSignalSpy actions(&bar, &NoticeBar::actionRequested);
   QTest::mouseClick(test::child<QPushButton>(bar, "noticeAction"), Qt::LeftButton);
   EXPECT_EQ(actions.size(), 1);
+  const int height = bar.sizeHint().height();
   bar.setNotice({});
   EXPECT_TRUE(bar.isHidden());
+  EXPECT_TRUE(bar.sizePolicy().retainSizeWhenHidden());
+  EXPECT_EQ(bar.sizeHint().height(), height);
+}
+
+TEST(BarOfNotices, UnfoldsWhatHasNoRoomInItsLine) {
+  NoticeBar bar;
+  bar.resize(900, 40);
+  Notice notice{Severity::Fault, QStringLiteral("The link is lost.")};
+  bar.setNotice(notice);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar));
+  auto* more = test::child<QToolButton>(bar, "noticeMore");
+  EXPECT_FALSE(more->isVisible());
+  bar.resize(100, 40);
+  EXPECT_TRUE(more->isVisible()) << "too narrow for the words";
+  bar.resize(900, 40);
+  EXPECT_FALSE(more->isVisible());
+  notice.command = QStringLiteral("sudo ip link set can0 up");
+  bar.setNotice(notice);
+  EXPECT_TRUE(more->isVisible()) << "the command is told there";
+  auto* copy = test::child<QPushButton>(bar, "noticeCopy");
+  QTimer::singleShot(0, &bar, [&] {
+    EXPECT_TRUE(test::child<QLabel>(bar, "noticeWhole")->isVisible());
+    QTest::mouseClick(copy, Qt::LeftButton);
+    more->menu()->close();
+  });
+  QTest::mouseClick(more, Qt::LeftButton);
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), notice.command);
+  EXPECT_FALSE(copy->isVisible());
 }
 
 }  // namespace
