@@ -19,9 +19,8 @@
 #include "session/known_sidecars.h"
 #include "session/mark_keeper.h"
 #include "session/part_writer.h"
+#include "session/whole_file.h"
 #include "state/log_view.h"
-
-class QSaveFile;
 
 namespace deckpipe {
 
@@ -69,7 +68,7 @@ class LogSaving : public QObject {
 
  private:
   void write(const std::stop_token& stop);
-  bool writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_token& stop);
+  bool writeFrames(WholeFile& file, LogWriter& writer, const std::stop_token& stop);
   // The reason why not; empty if it is there, or none is needed.
   QString writeSidecar(const std::string& text);
 

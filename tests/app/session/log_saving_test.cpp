@@ -13,6 +13,7 @@
 #include "log/candump.h"
 #include "log/journal_file.h"
 #include "protocol/typed.h"
+#include "support/file_size_limit.h"
 #include "support/frames.h"
 #include "support/logs.h"
 #include "support/patience.h"
@@ -203,6 +204,19 @@ TEST_F(SavedPartTest, WhatPassesAFilterBeginsSoTooAndIsMarkedFrameByFrameWhenSav
   const auto read = reopened();
   EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "1 added", "2 added"}));
   EXPECT_EQ(read->notes.all()[0].value, NoteValue(note::Added{1}));
+}
+
+TEST_F(LogSavingTest, SaysWhyADiskTakesOnlyAPartOfIt) {
+  const test::FileSizeLimit limit(100'000);
+  for (const char* name : {"part.log", "part.deckpipe"}) {
+    LogSaving saving(log, dir.filePath(QString::fromLatin1(name)));
+    QSignalSpy ended(&saving, &LogSaving::ended);
+    ASSERT_TRUE(ended.wait(kPatience));
+    EXPECT_EQ(ended.at(0).at(0).value<LogSaving::Outcome>(), LogSaving::Outcome::Failed);
+    EXPECT_EQ(ended.at(0).at(1).toString(), QStringLiteral("File too large"));
+  }
+  EXPECT_EQ(writeWholeFile(path, std::string(150'000, 'x')), QStringLiteral("File too large"));
+  EXPECT_TRUE(QDir(dir.path()).isEmpty());
 }
 
 // Without the claim the second monitor's status would be the first one's.
