@@ -420,6 +420,16 @@ Other devices in the list: %n.</numerusform>
     </message>
 </context>
 <context>
+    <name>deckpipe::TraceView</name>
+    <message numerus="yes">
+        <source>%Ln more selected rows are not copied: save the selection instead.</source>
+        <translation>
+            <numerusform>%Ln more selected row is not copied: save the selection instead.</numerusform>
+            <numerusform>%Ln more selected rows are not copied: save the selection instead.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::TransportBar</name>
     <message numerus="yes">
         <source>%1 s, %Ln frames, %2/s</source>
