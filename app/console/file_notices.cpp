@@ -129,6 +129,18 @@ Notice damageNotice(const ReadSummary& read) {
   return {Severity::Warning, said.join(QLatin1Char(' '))};
 }
 
+QString lastLineText(LastLine line) {
+  switch (line) {
+    case LastLine::Whole: return {};
+    case LastLine::Open: return NoticeText::tr("The last line of this log has no line end: it may be cut.");
+    case LastLine::LeftOut:
+      return NoticeText::tr(
+          "The last line of this log has no line end, and its frame has fewer "
+          "bytes than before: it is cut and was left out.");
+  }
+  return {};
+}
+
 // What is missing of a log that was read.
 Notice readingNotice(const ReadSummary& read) {
   if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
@@ -143,10 +155,7 @@ Notice readingNotice(const ReadSummary& read) {
   if (read.goesOn)
     return {Severity::Warning,
             NoticeText::tr("This recording still goes on: what came since it was opened is not here.")};
-  if (read.lastLine == LastLine::LeftOut)
-    return {Severity::Warning,
-            NoticeText::tr("The last line of this log has no line end, and its frame has fewer "
-                           "bytes than before: it is cut and was left out.")};
+  if (read.lastLine == LastLine::LeftOut) return {Severity::Warning, lastLineText(read.lastLine)};
   if (read.isOpenEnded)
     return {Severity::Warning, NoticeText::tr("This recording has no end: its last second may be missing.")};
   return {};
@@ -191,9 +200,7 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
     return {Severity::Warning, missing.text};
   if (Notice notice = clockNotice(*snapshot.view.document); !notice.text.isEmpty()) return notice;
-  if (source.read.lastLine == LastLine::Open)
-    return {Severity::Plain, NoticeText::tr("The last line of this log has no line end: it may be cut.")};
-  return {};
+  return {Severity::Plain, lastLineText(source.read.lastLine)};
 }
 
 }  // namespace deckpipe

@@ -27,6 +27,17 @@ void complain(const std::string& name, const std::string& text) {
   std::fprintf(stderr, "deckpipectl: %s: %s\n", name.c_str(), text.c_str());
 }
 
+std::string_view textOf(LastLine line) {
+  switch (line) {
+    case LastLine::Whole: return {};
+    case LastLine::Open: return "the last line has no line end: it may be cut";
+    case LastLine::LeftOut:
+      return "the last line has no line end, and its frame has fewer bytes than before: it is cut and was "
+             "left out";
+  }
+  return {};
+}
+
 std::string textOf(const ReadError& error) {
   std::string text;
   if (error.kind == ReadError::Kind::UnknownFormat) {
@@ -128,10 +139,7 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
         std::to_string(damage.firstAt) + "; " + counted(damage.bytes, "byte", "bytes") +
         " could not be read");
   if (damage.frames > 0) say("at least " + framesThat(damage.frames, "is missing", "are missing"));
-  if (summary.lastLine == LastLine::Open) say("the last line has no line end: it may be cut");
-  if (summary.lastLine == LastLine::LeftOut)
-    say("the last line has no line end, and its frame has fewer bytes than before: it is cut and was left "
-        "out");
+  if (const auto text = textOf(summary.lastLine); !text.empty()) say(std::string(text));
   if (summary.cutBytes == 1) say("the last byte is not whole and was left out");
   if (summary.cutBytes > 1)
     say("the last " + std::to_string(summary.cutBytes) + " bytes are not whole and were left out");

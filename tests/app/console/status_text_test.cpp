@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/console/window_scenes.h"
 #include "console/notice_of.h"
 #include "support/logs.h"
@@ -611,6 +613,22 @@ TEST(NoticeText, NamesTheLinesOfALogThatAreUnreadable) {
   EXPECT_TRUE(says(text, "2 lines")) << text;
   EXPECT_TRUE(says(text, "line 2: ")) << text;
   EXPECT_TRUE(says(text, "line 3: ")) << text;
+}
+
+TEST(NoticeText, SaysOfDifferencesOfCutLinesAndOfLostFractions) {
+  const Snapshot deltas =
+      file("(0.0) can0 123#\n(0.1) can0 123#\n(0.1) can0 123#\n(0.1) can0 123#\n(0.1) can0 123#\n");
+  EXPECT_TRUE(says(notice(deltas), "look like differences")) << notice(deltas);
+  EXPECT_EQ(noticeOf(deltas, ratesAt(deltas.view)).action, Notice::Action::AddUpTimes);
+  Snapshot cut = file(kTruck);
+  std::set<std::string> told;
+  for (const LastLine line : kAllOf<LastLine>) {
+    cut.source.read.lastLine = line;
+    EXPECT_TRUE(told.insert(notice(cut)).second) << kLastLineKeys[line];
+    EXPECT_EQ(notice(cut).empty(), line == LastLine::Whole) << kLastLineKeys[line];
+  }
+  const Snapshot fractions = file("(1.4011223344) can0 123#\n(2.0) can0 123#\n");
+  EXPECT_TRUE(says(notice(fractions), "more than nine decimals")) << notice(fractions);
 }
 
 TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {
