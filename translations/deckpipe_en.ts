@@ -42,13 +42,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln frames were added here when this part was saved: who held which address</source>
-        <translation>
-            <numerusform>%Ln frame was added here when this part was saved: who held which address</numerusform>
-            <numerusform>%Ln frames were added here when this part was saved: who held which address</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>No more error frames; there were %Ln</source>
         <translation>
             <numerusform>No more error frames; there was %Ln</numerusform>
@@ -368,10 +361,10 @@ Other devices in the list: %n.</numerusform>
 <context>
     <name>deckpipe::SaveBar</name>
     <message numerus="yes">
-        <source>; %Ln frames were added before them: who held which address</source>
+        <source>; %Ln frames were added to them: who held which address</source>
         <translation>
-            <numerusform>; %Ln frame was added before them: who held which address</numerusform>
-            <numerusform>; %Ln frames were added before them: who held which address</numerusform>
+            <numerusform>; %Ln frame was added to them: who held which address</numerusform>
+            <numerusform>; %Ln frames were added to them: who held which address</numerusform>
         </translation>
     </message>
 </context>

@@ -83,6 +83,23 @@ Notice clockNotice(const LogDocument& log) {
   return {};
 }
 
+QString quotedFilters(const std::vector<std::string>& filters) {
+  QStringList quoted;
+  for (const std::string& filter : filters)
+    quoted += NoticeText::tr("“%1”", "a filter").arg(QString::fromStdString(filter));
+  return quoted.join(QStringLiteral(", "));
+}
+
+Notice filterNotice(const LogDocument& log) {
+  const std::vector<std::string> filters = log.notes.filters();
+  if (filters.empty()) return {};
+  return {
+      Severity::Warning,
+      NoticeText::tr("This log was saved through the filter %1: what did not pass it is missing, so load, "
+                     "silence, late messages and missing answers are not told.")
+          .arg(quotedFilters(filters))};
+}
+
 QString reasonText(const SidecarFault& fault) {
   using Kind = SidecarFault::Kind;
   const QString detail = QString::fromStdString(fault.detail);
@@ -191,6 +208,7 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
   if (snapshot.view.frameCount == 0) return {Severity::Warning, NoticeText::tr("This log holds no frames.")};
+  if (Notice notice = filterNotice(*snapshot.view.document); !notice.text.isEmpty()) return notice;
   if (const auto cut = snapshot.view.document->skipped.content().count(Skipped::Fraction); cut > 0)
     return {Severity::Warning,
             NoticeText::tr("%Ln times of this log are written with more than nine decimals: "

@@ -177,6 +177,9 @@ StatusFact completenessFact(const Snapshot& snapshot) {
                              : StatusText::tr("%Ln gaps, %1 in all", nullptr, outages.count))
              .arg(briefAge(outages.length)),
          StatusText::tr("The link was down in between: what was sent on the bus then is missing here."));
+  if (!snapshot.view.document->notes.filters().empty())
+    miss(StatusText::tr("Filtered"),
+         StatusText::tr("The log was saved through a filter: frames that did not pass it are missing."));
   if (source.unreadable > 0)
     miss(StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable)),
          StatusText::tr("Lines that are no frames are left out; what they were is said below the strip."));

@@ -185,6 +185,8 @@ void InfoReport::appendNotes(std::string& out) const {
     out += "  " + std::string(m_frames.channelName(at.channel)) + " was " + printable(at.words) + "\n";
   if (m_added != 0)
     out += "  " + framesThat(m_added, "was", "were") + " added when it was saved: who held which address\n";
+  for (const std::string& filter : m_notes.filters())
+    out += "  saved through the filter '" + printable(filter) + "': what did not pass it is missing\n";
   if (m_missed != 0) out += "  " + framesThat(m_missed, "came and is", "came and are") + " not in it\n";
   if (m_marks != 0) out += "  " + counted(m_marks, "mark", "marks") + "\n";
 }
@@ -276,6 +278,8 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
   JsonLine line;
   line.add("file", file).add("frames", m_frames.count()).addJson("span", span);
   line.add("delta_times", m_times == Times::Deltas).addList("adapters", adapters).add("added", m_added);
+  const std::vector<std::string> filters = m_notes.filters();
+  line.add("filters", std::vector<std::string_view>(filters.begin(), filters.end()));
   line.add("last_line", kLastLineKeys[lastLine])
       .add("missed", m_missed)
       .add("marks", m_marks)

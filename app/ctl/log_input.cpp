@@ -19,6 +19,7 @@
 #include "log/log_stream.h"
 #include "log/sidecar.h"
 #include "log/time_grain.h"
+#include "output.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -175,6 +176,13 @@ bool LogInput::sayMissed() const {
 
 bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }
 
+void LogInput::sayFiltered() const {
+  for (const std::string& filter : notes.filters())
+    complain(name(), "it was saved through the filter '" + printable(filter) +
+                         "': what did not pass it is missing, so silence, late messages and missing answers "
+                         "are not told");
+}
+
 ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) {
   const SkippedPlaces content = skipped.content();
   saySkipped(content);
@@ -184,6 +192,7 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) {
   if (content.count(Skipped::Fraction) == 0 && timeGrainOf(frames) == TimeGrain::Seconds)
     complain(name(),
              "its times are good to the second only; nothing that takes less is told of gaps and time-outs");
+  sayFiltered();
   if (outcome) lastLine = outcome.value().lastLine;
   if (!outcome) {
     complain(name(), textOf(outcome.error()));
