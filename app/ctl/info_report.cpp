@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "info_report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include "counts.h"
 #include "json_line.h"
+#include "log/time_grain.h"
 #include "node_lines.h"
 #include "output.h"
 #include "report/trace_text.h"
@@ -205,8 +207,9 @@ std::string InfoReport::spanText() const {
              "--deltas adds them up),";
     case Times::Known: break;
   }
-  char text[40];
-  std::snprintf(text, sizeof text, "over %.6f s", spanSeconds());
+  char text[80];
+  const bool isCoarse = timeGrainOf(m_frames) == TimeGrain::Seconds;
+  std::snprintf(text, sizeof text, isCoarse ? "over about %.0f s" : "over %.6f s", spanSeconds());
   return text;
 }
 

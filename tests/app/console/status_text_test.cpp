@@ -533,6 +533,35 @@ TEST(LoadFact, IsUnknownWithoutTimes) {
   EXPECT_TRUE(says(recordingFact(timeless).story.toStdString(), "without times"));
 }
 
+TEST(LoadFact, IsUnknownWhereTimesAreGoodToTheSecondOnly) {
+  std::string text;
+  for (int i = 0; i < 200; ++i)
+    text += "(" + std::to_string(10 + i / 100) + ".000000) can" + std::to_string(i % 2) +
+            " 18EFFF80#011D940371000041\n";
+  const Snapshot coarse = file(text.c_str());
+  const BusRates rates = ratesAt(coarse.view);
+  EXPECT_EQ(loadFact(coarse, rates).text.toStdString(), "Load –");
+  EXPECT_EQ(rateFact(rates).text.toStdString(), "– frames/s");
+  EXPECT_TRUE(says(rateFact(rates).story.toStdString(), "good to the second only"));
+  EXPECT_FALSE(says(loadFact(coarse, rates).story.toStdString(), " % of ")) << "of no channel";
+}
+
+TEST(FilteredLog, IsSaidAndNothingOfItIsCalledCompleteOrALoad) {
+  Snapshot snapshot = file(kTruck);
+  auto& log = const_cast<LogDocument&>(*snapshot.view.document);
+  log.notes.append({.frame = 0, .time = log.frames.timeAt(0), .value = note::Filtered{"pgn=EF00 and sa=80"}});
+  auto state = std::make_shared<State>();
+  advance(*state, log.frames, log.notes, snapshot.view.cursor);
+  snapshot.view.state = state;
+  EXPECT_TRUE(says(notice(snapshot), "saved through the filter “pgn=EF00 and sa=80”")) << notice(snapshot);
+  const StatusFact complete = completenessFact(snapshot);
+  EXPECT_EQ(complete.text.toStdString(), "Filtered");
+  EXPECT_EQ(complete.tone, Severity::Warning);
+  const BusRates rates = ratesAt(snapshot.view);
+  EXPECT_EQ(loadFact(snapshot, rates).text.toStdString(), "Load –");
+  EXPECT_TRUE(says(rateFact(rates).story.toStdString(), "saved through a filter"));
+}
+
 TEST(LoadFact, IsUnknownOfALogTooShortToTell) {
   const Snapshot brief = file("(1.000) can0 18EFFF80#011D940371000041\n(1.050) can0 18EFFF80#83C051\n");
   const BusRates rates = ratesAt(brief.view);

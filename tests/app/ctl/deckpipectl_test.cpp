@@ -467,6 +467,12 @@ TEST(Simulate, ReplacesMarksOfAPersonOnlyIfItIsTold) {
   EXPECT_FALSE(QFile::exists(notes));
 }
 
+TEST(Info, TellsNoSpanFinerThanTheTimesOfALog) {
+  QByteArray log;
+  for (int i = 0; i < 20; ++i) log += "(" + QByteArray::number(1'700'000'000 + i) + ") can0 123#\n";
+  EXPECT_TRUE(run(words("info -"), log).out.contains("  20 frames over about 19 s on 1 channel\n"));
+}
+
 TEST(Simulate, WritesTheSameLogForTheSameSeedAndInfoKnowsItsDevices) {
   QTemporaryDir dir;
   const QString a = dir.filePath(QStringLiteral("a.log")), b = dir.filePath(QStringLiteral("b.log"));

@@ -617,6 +617,16 @@ const std::vector<EventCase> kCases{
        s.goOn(3s);
      },
      {}},
+    {"ABusWhoseTimesAreGoodToTheSecond",
+     [](Story& s) {
+       s.note(note::LinkUp{{}, {}, 500'000});
+       for (int second = 0; second < 3; ++second) {
+         for (int i = 0; i < 3'400; ++i) s.hear("18FEF100", "1122334455667788");
+         s.pass(1s);
+       }
+       s.pass(3s);
+     },
+     {}},
     {"ABusThatCarriesMoreThanTheAssumedRateAllows",
      [](Story& s) {
        s.monitor();
