@@ -213,6 +213,13 @@ std::string InfoReport::spanText() const {
   return text;
 }
 
+// Of channels beyond those that a store names.
+std::uint64_t InfoReport::framesOfOthers() const {
+  std::uint64_t frames = 0;
+  for (const auto& [key, count] : m_byId) frames += key.channel == FrameStore::kOtherChannels ? count : 0;
+  return frames;
+}
+
 double InfoReport::spanSeconds() const {
   if (m_frames.count() == 0) return 0;
   return std::chrono::duration<double>(m_frames.lastTime() - m_frames.timeAt(0)).count();
@@ -221,8 +228,12 @@ double InfoReport::spanSeconds() const {
 std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipped) const {
   std::string out = file + "\n";
   char line[160];
+  constexpr std::size_t kNamed = FrameStore::kOtherChannels;
   out += "  " + framesText(m_frames.count()) + " " + spanText() + " on " +
-         counted(m_frames.channelCount(), "channel", "channels") + "\n";
+         counted(std::min(m_frames.channelCount(), kNamed), "channel", "channels") + "\n";
+  if (const std::uint64_t others = framesOfOthers(); others != 0)
+    out += "  " + framesThat(others, "is", "are") + " of further channels, which are all taken for one: '" +
+           std::string(FrameStore::kOtherChannelsName) + "'\n";
   appendNotes(out);
   if (m_timeJumps != 0) out += "  " + framesText(m_timeJumps) + " whose time goes back or leaps\n";
   if (skipped.unreadable() != 0)
@@ -280,6 +291,7 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
   }
   JsonLine line;
   line.add("file", file).add("frames", m_frames.count()).addJson("span", span);
+  line.add("of_further_channels", framesOfOthers());
   line.add("delta_times", m_times == Times::Deltas).addList("adapters", adapters).add("added", m_added);
   const std::vector<std::string> filters = m_notes.filters();
   line.add("filters", std::vector<std::string_view>(filters.begin(), filters.end()));

@@ -562,6 +562,12 @@ TEST(FilteredLog, IsSaidAndNothingOfItIsCalledCompleteOrALoad) {
   EXPECT_TRUE(says(rateFact(rates).story.toStdString(), "saved through a filter"));
 }
 
+TEST(CompletenessFact, SaysThatInterfacesHaveNoNameOfTheirOwn) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += "(1.5) can" + std::to_string(i) + " 123#\n";
+  EXPECT_EQ(completenessFact(file(text.c_str())).text.toStdString(), "Interfaces unnamed");
+}
+
 TEST(LoadFact, IsUnknownOfALogTooShortToTell) {
   const Snapshot brief = file("(1.000) can0 18EFFF80#011D940371000041\n(1.050) can0 18EFFF80#83C051\n");
   const BusRates rates = ratesAt(brief.view);

@@ -467,6 +467,17 @@ TEST(Simulate, ReplacesMarksOfAPersonOnlyIfItIsTold) {
   EXPECT_FALSE(QFile::exists(notes));
 }
 
+TEST(Info, CountsTheFramesOfChannelsThatItCannotTellApart) {
+  QByteArray log;
+  for (int i = 0; i < 300; ++i) log += "(1.5) can" + QByteArray::number(i) + " 123#\n";
+  const Outcome text = run(words("info -"), log);
+  EXPECT_TRUE(
+      text.out.contains("  300 frames over 0.000000 s on 255 channels\n"
+                        "  45 frames are of further channels, which are all taken for one: 'other'\n"))
+      << text.out.left(300).constData();
+  EXPECT_EQ(run(words("info --json -"), log).objects()[0][QLatin1String("of_further_channels")].toInt(), 45);
+}
+
 TEST(Info, TellsNoSpanFinerThanTheTimesOfALog) {
   QByteArray log;
   for (int i = 0; i < 20; ++i) log += "(" + QByteArray::number(1'700'000'000 + i) + ") can0 123#\n";
