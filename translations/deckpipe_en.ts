@@ -42,13 +42,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln frames were added here when this part was saved: who held which address</source>
-        <translation>
-            <numerusform>%Ln frame was added here when this part was saved: who held which address</numerusform>
-            <numerusform>%Ln frames were added here when this part was saved: who held which address</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>No more error frames; there were %Ln</source>
         <translation>
             <numerusform>No more error frames; there was %Ln</numerusform>
@@ -385,10 +378,10 @@ Other devices in the list: %n.</numerusform>
 <context>
     <name>deckpipe::SaveBar</name>
     <message numerus="yes">
-        <source>; %Ln frames were added before them: who held which address</source>
+        <source>; %Ln frames were added to them: who held which address</source>
         <translation>
-            <numerusform>; %Ln frame was added before them: who held which address</numerusform>
-            <numerusform>; %Ln frames were added before them: who held which address</numerusform>
+            <numerusform>; %Ln frame was added to them: who held which address</numerusform>
+            <numerusform>; %Ln frames were added to them: who held which address</numerusform>
         </translation>
     </message>
 </context>
@@ -433,6 +426,16 @@ Other devices in the list: %n.</numerusform>
         <translation>
             <numerusform>%1; 1 frame of a further identifier has none</numerusform>
             <numerusform>%1; %Ln frames of further identifiers have none</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>deckpipe::TraceView</name>
+    <message numerus="yes">
+        <source>%Ln more selected rows are not copied: save the selection instead.</source>
+        <translation>
+            <numerusform>%Ln more selected row is not copied: save the selection instead.</numerusform>
+            <numerusform>%Ln more selected rows are not copied: save the selection instead.</numerusform>
         </translation>
     </message>
 </context>

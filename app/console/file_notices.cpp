@@ -83,6 +83,23 @@ Notice clockNotice(const LogDocument& log) {
   return {};
 }
 
+QString quotedFilters(const std::vector<std::string>& filters) {
+  QStringList quoted;
+  for (const std::string& filter : filters)
+    quoted += NoticeText::tr("“%1”", "a filter").arg(QString::fromStdString(filter));
+  return quoted.join(QStringLiteral(", "));
+}
+
+Notice filterNotice(const LogDocument& log) {
+  const std::vector<std::string> filters = log.notes.filters();
+  if (filters.empty()) return {};
+  return {
+      Severity::Warning,
+      NoticeText::tr("This log was saved through the filter %1: what did not pass it is missing, so load, "
+                     "silence, late messages and missing answers are not told.")
+          .arg(quotedFilters(filters))};
+}
+
 QString reasonText(const SidecarFault& fault) {
   using Kind = SidecarFault::Kind;
   const QString detail = QString::fromStdString(fault.detail);
@@ -129,6 +146,18 @@ Notice damageNotice(const ReadSummary& read) {
   return {Severity::Warning, said.join(QLatin1Char(' '))};
 }
 
+QString lastLineText(LastLine line) {
+  switch (line) {
+    case LastLine::Whole: return {};
+    case LastLine::Open: return NoticeText::tr("The last line of this log has no line end: it may be cut.");
+    case LastLine::LeftOut:
+      return NoticeText::tr(
+          "The last line of this log has no line end, and its frame has fewer "
+          "bytes than before: it is cut and was left out.");
+  }
+  return {};
+}
+
 // What is missing of a log that was read.
 Notice readingNotice(const ReadSummary& read) {
   if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
@@ -143,10 +172,7 @@ Notice readingNotice(const ReadSummary& read) {
   if (read.goesOn)
     return {Severity::Warning,
             NoticeText::tr("This recording still goes on: what came since it was opened is not here.")};
-  if (read.lastLine == LastLine::LeftOut)
-    return {Severity::Warning,
-            NoticeText::tr("The last line of this log has no line end, and its frame has fewer "
-                           "bytes than before: it is cut and was left out.")};
+  if (read.lastLine == LastLine::LeftOut) return {Severity::Warning, lastLineText(read.lastLine)};
   if (read.isOpenEnded)
     return {Severity::Warning, NoticeText::tr("This recording has no end: its last second may be missing.")};
   return {};
@@ -182,6 +208,7 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.unreadable > 0) return unreadable(snapshot);
   if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
   if (snapshot.view.frameCount == 0) return {Severity::Warning, NoticeText::tr("This log holds no frames.")};
+  if (Notice notice = filterNotice(*snapshot.view.document); !notice.text.isEmpty()) return notice;
   if (const auto cut = snapshot.view.document->skipped.content().count(Skipped::Fraction); cut > 0)
     return {Severity::Warning,
             NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
@@ -191,9 +218,7 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
     return {Severity::Warning, missing.text};
   if (Notice notice = clockNotice(*snapshot.view.document); !notice.text.isEmpty()) return notice;
-  if (source.read.lastLine == LastLine::Open)
-    return {Severity::Plain, NoticeText::tr("The last line of this log has no line end: it may be cut.")};
-  return {};
+  return {Severity::Plain, lastLineText(source.read.lastLine)};
 }
 
 }  // namespace deckpipe

@@ -273,7 +273,9 @@ void MainWindow::savePartByHand(std::uint64_t begin, std::uint64_t end, const Tr
   if (document == nullptr) return;
   QFileDialog* dialog = saveDialog(tr("Save these frames"));
   connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
-    save(document, path, {begin, end, frameTest(document, filter), byPin(m_workspace->labels())});
+    save(
+        document, path,
+        {begin, end, frameTest(document, filter), filter.text().toStdString(), byPin(m_workspace->labels())});
   });
   dialog->open();
 }

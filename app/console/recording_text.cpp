@@ -6,6 +6,7 @@
 #include <map>
 
 #include "log/link_gaps.h"
+#include "model/field_text.h"
 #include "status_text.h"
 #include "text/plural.h"
 #include "text/time_text.h"
@@ -177,6 +178,14 @@ StatusFact completenessFact(const Snapshot& snapshot) {
                              : StatusText::tr("%Ln gaps, %1 in all", nullptr, outages.count))
              .arg(briefAge(outages.length)),
          StatusText::tr("The link was down in between: what was sent on the bus then is missing here."));
+  if (!snapshot.view.document->notes.filters().empty())
+    miss(StatusText::tr("Filtered"),
+         StatusText::tr("The log was saved through a filter: frames that did not pass it are missing."));
+  if (snapshot.view.document->frames.channelCount() > FrameStore::kOtherChannels)
+    miss(StatusText::tr("Interfaces unnamed"),
+         StatusText::tr("Frames of interfaces beyond the first %1 are held under one name, “%2”.")
+             .arg(FrameStore::kOtherChannels)
+             .arg(toQString(FrameStore::kOtherChannelsName)));
   if (source.unreadable > 0)
     miss(StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable)),
          StatusText::tr("Lines that are no frames are left out; what they were is said below the strip."));

@@ -5,7 +5,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
-#include <QSaveFile>
 #include <QSettings>
 #include <algorithm>
 #include <mutex>
@@ -15,6 +14,7 @@
 
 #include "log/journal_file.h"
 #include "panel/connect/recordings_page.h"
+#include "session/whole_file.h"
 #include "status_text.h"
 
 namespace deckpipe {
@@ -74,16 +74,22 @@ QString copyFile(const QString& path, const QString& as) {
   };
   if (QFileInfo(as).dir() == QFileInfo(path).dir())
     return failed(RecordingsList::tr("it would be one of the recordings; choose another folder"));
+  // The name would go to the copy, and what is received to a file without one.
+  if (isBeingWritten(QFile::encodeName(as).toStdString()))
+    return failed(RecordingsList::tr("it is a recording that goes on"));
   QFile from(path);
-  QSaveFile to(as);  // the copy appears whole or not at all
-  if (!from.open(QIODevice::ReadOnly)) return failed(from.errorString());
-  if (!to.open(QIODevice::WriteOnly)) return failed(to.errorString());
+  const auto unread = [&from, &path] {
+    return RecordingsList::tr("%1 cannot be read: %2").arg(path, from.errorString());
+  };
+  WholeFile to(as);
+  if (!from.open(QIODevice::ReadOnly)) return unread();
+  if (!to.open()) return failed(to.reason());
   constexpr qint64 kPiece = 1 << 20;
   for (QByteArray piece = from.read(kPiece); !piece.isEmpty(); piece = from.read(kPiece)) {
-    if (to.write(piece) != piece.size()) return failed(to.errorString());
+    if (!to.write({piece.constData(), static_cast<std::size_t>(piece.size())})) return failed(to.reason());
   }
-  if (from.error() != QFileDevice::NoError) return failed(from.errorString());
-  if (!to.commit()) return failed(to.errorString());
+  if (from.error() != QFileDevice::NoError) return unread();
+  if (!to.commit()) return failed(to.reason());
   if (const JournalFault fault = markJournalSaved(QFile::encodeName(path).toStdString()))
     return RecordingsList::tr("Saved %1, but the recording cannot be marked as saved: %2")
         .arg(as, QString::fromStdString(fault.detail));
@@ -174,8 +180,8 @@ void RecordingsList::start(std::function<QString()> deed) {
     const QString outcome = deed ? deed() : QString();
     std::vector<Recording> recordings = recordingsIn(folder);
     if (tidyTo) {
-      const QStringList gone = recordingsToDelete(recordings, *tidyTo, QDateTime::currentDateTime());
-      for (const QString& path : gone) QFile::remove(path);
+      QStringList gone = recordingsToDelete(recordings, *tidyTo, QDateTime::currentDateTime());
+      gone.removeIf([](const QString& path) { return !QFile::remove(path); });
       std::erase_if(recordings, [&](const Recording& recording) { return gone.contains(recording.path); });
     }
     const std::lock_guard guard(work->lock);

@@ -10,6 +10,7 @@
 #include "panel/common/build.h"
 #include "panel/common/labels.h"
 #include "status_text.h"
+#include "text/plural.h"
 
 namespace deckpipe {
 namespace {
@@ -27,8 +28,8 @@ QString outcomeText(const LogSaving& saving, LogSaving::Outcome outcome, const Q
   if (outcome == LogSaving::Outcome::Failed) return SaveBar::tr("%1 cannot be saved: %2").arg(path, reason);
   QString text = SaveBar::tr("Saved %1 to %2").arg(frameCountText(saving.written()), path);
   if (saving.added() > 0)
-    text += SaveBar::tr("; %Ln frames were added before them: who held which address", nullptr,
-                        static_cast<int>(saving.added()));
+    text += SaveBar::tr("; %Ln frames were added to them: who held which address", nullptr,
+                        forPlural(saving.added()));
   if (!reason.isEmpty()) {
     text += SaveBar::tr("; its marks, notes and labels cannot be saved: %1").arg(reason);
   } else if (!saving.sidecar().isEmpty()) {

@@ -71,6 +71,8 @@ StatusCell* StatusStrip::addCell(const char* name, const QString& label, const Q
 
 bool StatusStrip::ratesAreDue(const LogView& view) const {
   if (m_ratesOf.lock() != view.document || view.cursor.time < m_ratesAt.time) return true;
+  // Notes come once all frames of a file are there.
+  if (view.state->isFiltered() != (m_rates.basis == BusRates::Basis::Filtered)) return true;
   return view.cursor.time - m_ratesAt.time >= kCalm ||
          (!view.atEnd && view.cursor.frames != m_ratesAt.frames);
 }

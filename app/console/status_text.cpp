@@ -99,9 +99,18 @@ QString readErrorWords(const ReadError& error) {
 
 // Says why BusRates are not known.
 QString whyNoRates(const BusRates& rates) {
-  return rates.basis == BusRates::Basis::NoTimes
-             ? StatusText::tr("Without times neither load nor rate is known.")
-             : StatusText::tr("Too little of the log lies before the cursor to tell load and rate.");
+  switch (rates.basis) {
+    case BusRates::Basis::NoTimes: return StatusText::tr("Without times neither load nor rate is known.");
+    case BusRates::Basis::Coarse:
+      return StatusText::tr(
+          "The times of this log are good to the second only: load and rate of a second "
+          "are not known.");
+    case BusRates::Basis::Filtered:
+      return StatusText::tr("This log was saved through a filter: what else was on the bus is not known.");
+    case BusRates::Basis::TooShort:
+    case BusRates::Basis::Times: break;
+  }
+  return StatusText::tr("Too little of the log lies before the cursor to tell load and rate.");
 }
 
 Severity sourceTone(const SourceStatus& source) {
@@ -212,7 +221,8 @@ StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates) {
     fact.text = busiest.isAssumed ? StatusText::tr("Load %1 % if %2 kbit/s").arg(percent).arg(rate)
                                   : loadWords(percent);
   }
-  if (const auto& document = snapshot.view.document; document && document->frames.channelCount() > 1) {
+  if (const auto& document = snapshot.view.document;
+      rates.isKnown() && document && document->frames.channelCount() > 1) {
     for (std::uint8_t i = 0; i < std::min<std::size_t>(document->frames.channelCount(), kMaxChannels); ++i) {
       const BusLoad load = loadOf(rates, state, {i}, snapshot.source.bitRate);
       if (!load.isKnown()) continue;

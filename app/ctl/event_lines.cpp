@@ -76,7 +76,7 @@ constexpr const char* kNotesHelp =
     "unlocked, own_address (reason),\n"
     "drive_said, drive_unsaid, asked (ask), ask_ended (ask, end), ask_waits (ask), still_waits (frames), "
     "pipe (file),\n"
-    "left_out (frames, reason), label (text), added (frames)";
+    "left_out (frames, reason), label (text), filtered (text)";
 
 std::string faultKey(std::int64_t bit) {
   const auto found =

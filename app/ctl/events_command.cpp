@@ -38,7 +38,8 @@ class EventTeller {
   bool tellUntil(Cursor end, std::uint64_t noteEnd) {
     m_found.clear();
     m_walk.advance(m_frames, m_notes, end, m_found);
-    const std::vector<Note> notes = m_notes.between(m_told, noteEnd);
+    std::vector<Note> notes = m_notes.between(m_told, noteEnd);
+    std::erase_if(notes, [](const Note& note) { return !isEvent(note.value); });
     m_told = noteEnd;
     auto note = notes.begin();
     for (const Event& event : m_found) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "info_report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include "counts.h"
 #include "json_line.h"
+#include "log/time_grain.h"
 #include "node_lines.h"
 #include "output.h"
 #include "report/trace_text.h"
@@ -185,6 +187,8 @@ void InfoReport::appendNotes(std::string& out) const {
     out += "  " + std::string(m_frames.channelName(at.channel)) + " was " + printable(at.words) + "\n";
   if (m_added != 0)
     out += "  " + framesThat(m_added, "was", "were") + " added when it was saved: who held which address\n";
+  for (const std::string& filter : m_notes.filters())
+    out += "  saved through the filter '" + printable(filter) + "': what did not pass it is missing\n";
   if (m_missed != 0) out += "  " + framesThat(m_missed, "came and is", "came and are") + " not in it\n";
   if (m_marks != 0) out += "  " + counted(m_marks, "mark", "marks") + "\n";
 }
@@ -203,9 +207,17 @@ std::string InfoReport::spanText() const {
              "--deltas adds them up),";
     case Times::Known: break;
   }
-  char text[40];
-  std::snprintf(text, sizeof text, "over %.6f s", spanSeconds());
+  char text[80];
+  const bool isCoarse = timeGrainOf(m_frames) == TimeGrain::Seconds;
+  std::snprintf(text, sizeof text, isCoarse ? "over about %.0f s" : "over %.6f s", spanSeconds());
   return text;
+}
+
+// Of channels beyond those that a store names.
+std::uint64_t InfoReport::framesOfOthers() const {
+  std::uint64_t frames = 0;
+  for (const auto& [key, count] : m_byId) frames += key.channel == FrameStore::kOtherChannels ? count : 0;
+  return frames;
 }
 
 double InfoReport::spanSeconds() const {
@@ -216,8 +228,12 @@ double InfoReport::spanSeconds() const {
 std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipped) const {
   std::string out = file + "\n";
   char line[160];
+  constexpr std::size_t kNamed = FrameStore::kOtherChannels;
   out += "  " + framesText(m_frames.count()) + " " + spanText() + " on " +
-         counted(m_frames.channelCount(), "channel", "channels") + "\n";
+         counted(std::min(m_frames.channelCount(), kNamed), "channel", "channels") + "\n";
+  if (const std::uint64_t others = framesOfOthers(); others != 0)
+    out += "  " + framesThat(others, "is", "are") + " of further channels, which are all taken for one: '" +
+           std::string(FrameStore::kOtherChannelsName) + "'\n";
   appendNotes(out);
   if (m_timeJumps != 0) out += "  " + framesText(m_timeJumps) + " whose time goes back or leaps\n";
   if (skipped.unreadable() != 0)
@@ -275,7 +291,10 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
   }
   JsonLine line;
   line.add("file", file).add("frames", m_frames.count()).addJson("span", span);
+  line.add("of_further_channels", framesOfOthers());
   line.add("delta_times", m_times == Times::Deltas).addList("adapters", adapters).add("added", m_added);
+  const std::vector<std::string> filters = m_notes.filters();
+  line.add("filters", std::vector<std::string_view>(filters.begin(), filters.end()));
   line.add("last_line", kLastLineKeys[lastLine])
       .add("missed", m_missed)
       .add("marks", m_marks)

@@ -45,6 +45,7 @@ class InfoReport {
   std::string_view labelOf(const Device& device) const;
   void appendNotes(std::string& out) const;
   Frame frameOf(const Key& key) const;
+  std::uint64_t framesOfOthers() const;
   double spanSeconds() const;
   std::string spanText() const;
   Cursor endOfRecording() const;

@@ -19,12 +19,24 @@
 #include "log/log_stream.h"
 #include "log/sidecar.h"
 #include "log/time_grain.h"
+#include "output.h"
 
 namespace deckpipe::ctl {
 namespace {
 
 void complain(const std::string& name, const std::string& text) {
   std::fprintf(stderr, "deckpipectl: %s: %s\n", name.c_str(), text.c_str());
+}
+
+std::string_view textOf(LastLine line) {
+  switch (line) {
+    case LastLine::Whole: return {};
+    case LastLine::Open: return "the last line has no line end: it may be cut";
+    case LastLine::LeftOut:
+      return "the last line has no line end, and its frame has fewer bytes than before: it is cut and was "
+             "left out";
+  }
+  return {};
 }
 
 std::string textOf(const ReadError& error) {
@@ -128,10 +140,7 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
         std::to_string(damage.firstAt) + "; " + counted(damage.bytes, "byte", "bytes") +
         " could not be read");
   if (damage.frames > 0) say("at least " + framesThat(damage.frames, "is missing", "are missing"));
-  if (summary.lastLine == LastLine::Open) say("the last line has no line end: it may be cut");
-  if (summary.lastLine == LastLine::LeftOut)
-    say("the last line has no line end, and its frame has fewer bytes than before: it is cut and was left "
-        "out");
+  if (const auto text = textOf(summary.lastLine); !text.empty()) say(std::string(text));
   if (summary.cutBytes == 1) say("the last byte is not whole and was left out");
   if (summary.cutBytes > 1)
     say("the last " + std::to_string(summary.cutBytes) + " bytes are not whole and were left out");
@@ -167,6 +176,13 @@ bool LogInput::sayMissed() const {
 
 bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }
 
+void LogInput::sayFiltered() const {
+  for (const std::string& filter : notes.filters())
+    complain(name(), "it was saved through the filter '" + printable(filter) +
+                         "': what did not pass it is missing, so silence, late messages and missing answers "
+                         "are not told");
+}
+
 ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) {
   const SkippedPlaces content = skipped.content();
   saySkipped(content);
@@ -176,6 +192,7 @@ ExitStatus LogInput::ended(const Result<ReadSummary, ReadError>& outcome) {
   if (content.count(Skipped::Fraction) == 0 && timeGrainOf(frames) == TimeGrain::Seconds)
     complain(name(),
              "its times are good to the second only; nothing that takes less is told of gaps and time-outs");
+  sayFiltered();
   if (outcome) lastLine = outcome.value().lastLine;
   if (!outcome) {
     complain(name(), textOf(outcome.error()));

@@ -52,6 +52,7 @@ struct LogInput {
   bool m_hasBytes = false;  // the file or pipe is not empty
   // Says which parts of a recording or its notes are missing; false if any is.
   bool sayMissing(const ReadSummary& summary) const;
+  void sayFiltered() const;
   // Says how many frames came that are not in the log; true if it cannot hold some of them.
   bool sayMissed() const;
 };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // deckpipectl simulate: the simulator on an interface in real time, or into a log at once.
 #include <QCoreApplication>
-#include <QFileInfo>
-#include <QSaveFile>
+#include <QFile>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <limits>
+#include <system_error>
 
 #include "command.h"
 #include "counts.h"
@@ -14,12 +15,14 @@
 #include "link_words.h"
 #include "live_options.h"
 #include "log/log_format.h"
+#include "log/sidecar.h"
 #include "misbehave_option.h"
 #include "moves_monitors.h"
 #include "output.h"
 #include "session/mark_keeper.h"
 #include "session/simulator_runner.h"
 #include "session/stop_signals.h"
+#include "session/whole_file.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -64,7 +67,8 @@ ExitStatus written(const QString& path, std::uint64_t frames) {
   return kNotWhole;
 }
 
-ExitStatus writeLog(simulator::StandardSimulator& simulator, double seconds, const QString& path) {
+ExitStatus writeLog(simulator::StandardSimulator& simulator, double seconds, const QString& path,
+                    bool replacesNotes) {
   const LogFormat& format = formatToWrite(path.toStdString());
   std::uint64_t frames = 0;
   noteStopSignals();
@@ -77,24 +81,40 @@ ExitStatus writeLog(simulator::StandardSimulator& simulator, double seconds, con
     return isWhole ? written(path, frames) : kNotWhole;
   }
   // A regular file is replaced when all of it is there; a pipe or device is written to as it stands.
-  const QFileInfo target(path);
-  QSaveFile whole(path);
-  QFile asItStands(path);
-  const bool replaces = !target.exists() || target.isFile();
-  QFileDevice& file = replaces ? static_cast<QFileDevice&>(whole) : asItStands;
-  const auto write = [&](const std::string& text) {
-    return file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
+  const auto fail = [](const QString& file, const QString& reason) {
+    std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(file), qPrintable(reason));
+    return kNotWhole;
   };
-  const bool isWhole = file.open(QIODevice::WriteOnly) &&
-                       simulateInto(simulator, seconds, format, frames, write) &&
-                       (replaces ? whole.commit() : asItStands.flush());
-  if (isWhole) {
-    // The sidecar of a log that was there before is of no other log.
-    QFile::remove(sidecarOf(path));
-    return written(path, frames);
+  std::error_code none;
+  const auto target = std::filesystem::status(QFile::encodeName(path).toStdString(), none);
+  if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) return fail(path, file.errorString());
+    QString reason;
+    simulateInto(simulator, seconds, format, frames, [&](const std::string& text) {
+      reason = writeAll(file, text);
+      return reason.isEmpty();
+    });
+    return reason.isEmpty() ? written(path, frames) : fail(path, reason);
   }
-  std::fprintf(stderr, "deckpipectl: %s: %s\n", qPrintable(path), qPrintable(file.errorString()));
-  return kNotWhole;
+  // A person's marks and labels of the log that is there. They may come while this is written.
+  const auto hasNotes = [&] { return !replacesNotes && hasSidecar(QFile::encodeName(path).toStdString()); };
+  const auto refuse = [&] {
+    return badUsage(QStringLiteral("%1: the marks and labels of the log that is there would be lost; "
+                                   "--replace-notes replaces both")
+                        .arg(sidecarOf(path)));
+  };
+  if (hasNotes()) return refuse();
+  WholeFile file(path);
+  const bool isWritten =
+      file.open() && simulateInto(simulator, seconds, format, frames,
+                                  [&](const std::string& text) { return file.write(text); });
+  if (isWritten && hasNotes()) return refuse();
+  if (!isWritten || !file.commit()) return fail(path, file.reason());
+  // The sidecar of the log that was there before is of no other log.
+  QFile sidecar(sidecarOf(path));
+  if (sidecar.exists() && !sidecar.remove()) return fail(sidecar.fileName(), sidecar.errorString());
+  return written(path, frames);
 }
 
 ExitStatus runOnInterface(SimulatorRunner& runner, const LinkSettings& settings, bool movesMonitors) {
@@ -148,6 +168,8 @@ Akron device, a joystick, or somebody at an address of its own.)");
       bitRateOption(),
       movesMonitorsOption(),
       {"log", "Write a log instead (" + formatNames(LogUse::Write) + "); - is standard output.", "FILE"},
+      {"replace-notes",
+       "Replace a log that has a file of marks, notes and labels beside it, and remove that."},
       {"seconds", "Length of the log; 60 by default.", "N", "60"},
       {"seed", "The same seed gives the same truck; 1 by default.", "S", "1"},
       {"monitors",
@@ -205,7 +227,8 @@ Akron device, a joystick, or somebody at an address of its own.)");
   }
   plan.apply(runner.simulator());
   runner.simulator().simulator.fill({}, percent / 100, rate > 0 ? rate : 250'000);
-  if (toLog) return writeLog(runner.simulator(), seconds, arguments.text("log"));
+  if (toLog)
+    return writeLog(runner.simulator(), seconds, arguments.text("log"), arguments.has("replace-notes"));
   return runOnInterface(runner, link, arguments.has("moves-monitors"));
 }
 

@@ -2,7 +2,6 @@
 #include "session/log_saving.h"
 
 #include <QFile>
-#include <QSaveFile>
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -47,13 +46,13 @@ void LogSaving::write(const std::stop_token& stop) {
   if (isBeingWritten(QFile::encodeName(m_path).toStdString())) return end(Outcome::IsGrowing, {});
   const QString sidecar = sidecarOf(m_path);
   if (!m_sidecars->mayReplace(sidecar)) return end(Outcome::SidecarUnknown, {});
-  QSaveFile file(m_path);
-  if (!file.open(QIODevice::WriteOnly)) return end(Outcome::Failed, file.errorString());
+  WholeFile file(m_path);
+  if (!file.open()) return end(Outcome::Failed, file.reason());
   const auto writer = m_format.makeWriter();
   if (!writeFrames(file, *writer, stop)) return end(Outcome::Cancelled, {});
+  if (!file.reason().isEmpty()) return end(Outcome::Failed, file.reason());
   if (!m_sidecars->mayReplace(sidecar)) return end(Outcome::SidecarUnknown, {});
-  // A failed write is remembered by the file and fails the commit.
-  if (!file.commit()) return end(Outcome::Failed, file.errorString());
+  if (!file.commit()) return end(Outcome::Failed, file.reason());
   const QString reason = writeSidecar(writer->beside());
   const bool isWhole = m_isToEnd && m_part.begin == 0 && !m_part.passes;
   if (reason.isEmpty()) m_sidecars->wrote(sidecar, isWhole ? m_document : nullptr);
@@ -73,11 +72,11 @@ QString LogSaving::writeSidecar(const std::string& text) {
   return reason;
 }
 
-// False: given up.
-bool LogSaving::writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_token& stop) {
+// False: given up. After a fault nothing more is written.
+bool LogSaving::writeFrames(WholeFile& file, LogWriter& writer, const std::stop_token& stop) {
   std::string text;
   text.reserve(kBlock + 256);
-  const PartWriter::Span span{m_part.begin, m_part.end, m_isToEnd, bool(m_part.passes)};
+  const PartWriter::Span span{m_part.begin, m_part.end, m_isToEnd, bool(m_part.passes), m_part.filter};
   PartWriter part(*m_document, span, m_part.labels, writer, text);
   const std::uint64_t first = m_part.passes ? 0 : m_part.begin;
   for (std::uint64_t i = first; i < m_part.end; ++i) {
@@ -94,11 +93,11 @@ bool LogSaving::writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_
       return false;
     }
     if (text.size() < kBlock) continue;
-    file.write(text.data(), static_cast<qint64>(text.size()));
+    if (!file.write(text)) return true;
     text.clear();
   }
   part.end();
-  file.write(text.data(), static_cast<qint64>(text.size()));
+  file.write(text);
   m_written.store(part.written(), std::memory_order_relaxed);
   m_added.store(part.added(), std::memory_order_relaxed);
   return !stop.stop_requested();

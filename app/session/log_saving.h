@@ -13,15 +13,15 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "log/log_format.h"
 #include "session/known_sidecars.h"
 #include "session/mark_keeper.h"
 #include "session/part_writer.h"
+#include "session/whole_file.h"
 #include "state/log_view.h"
-
-class QSaveFile;
 
 namespace deckpipe {
 
@@ -30,6 +30,7 @@ struct SavedPart {
   std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
   // Which of them; empty: all. Asked on the saving's thread, of every frame from the log's first on.
   std::function<bool(std::uint64_t frame)> passes{};
+  std::string filter{};  // that test as the person wrote it
   LabelsByPin labels{};
 };
 
@@ -51,7 +52,7 @@ class LogSaving : public QObject {
   QString path() const { return m_path; }
   // Nothing where that shows only as they are looked through.
   std::optional<std::uint64_t> frames() const;
-  // Known once it is saved: frames of the log, and frames that were added before them.
+  // Known once it is saved: frames of the log, and frames that were added to them.
   std::uint64_t written() const { return m_written.load(std::memory_order_relaxed); }
   std::uint64_t added() const { return m_added.load(std::memory_order_relaxed); }
   // The file beside it that was written too; empty without one.
@@ -69,7 +70,7 @@ class LogSaving : public QObject {
 
  private:
   void write(const std::stop_token& stop);
-  bool writeFrames(QSaveFile& file, LogWriter& writer, const std::stop_token& stop);
+  bool writeFrames(WholeFile& file, LogWriter& writer, const std::stop_token& stop);
   // The reason why not; empty if it is there, or none is needed.
   QString writeSidecar(const std::string& text);
 

@@ -3,7 +3,6 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <condition_variable>
 #include <mutex>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "log/sidecar.h"
 #include "session/clocks.h"
+#include "session/whole_file.h"
 
 namespace deckpipe {
 namespace {
@@ -25,10 +25,9 @@ QString sidecarOf(const QString& logPath) {
 }
 
 QString writeWholeFile(const QString& path, const std::string& text) {
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly)) return file.errorString();
-  file.write(text.data(), static_cast<qint64>(text.size()));
-  return file.commit() ? QString() : file.errorString();
+  WholeFile file(path);
+  if (file.open() && file.write(text)) file.commit();
+  return file.reason();
 }
 
 QDateTime sidecarTime(const QString& logPath) { return sidecarModified(sidecarOf(logPath)); }

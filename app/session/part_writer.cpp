@@ -9,6 +9,14 @@
 #include "state/in_force.h"
 
 namespace deckpipe {
+namespace {
+
+bool isNotedAnew(const NoteValue& value) {
+  return std::holds_alternative<note::Added>(value) || std::holds_alternative<note::Label>(value) ||
+         std::holds_alternative<note::Filtered>(value);
+}
+
+}  // namespace
 
 PartWriter::PartWriter(const LogDocument& log, const Span& span, const LabelsByPin& labels, LogWriter& writer,
                        std::string& out)
@@ -23,6 +31,7 @@ PartWriter::PartWriter(const LogDocument& log, const Span& span, const LabelsByP
 }
 
 bool PartWriter::frame(std::uint64_t i, const std::stop_token& stop) {
+  if (m_written == 0) noteFilters(m_log.frames.timeAt(i));
   if (m_written == 0 && i > 0 && !beginAt(i, stop)) return false;
   passNotes(i);
   const Instant time = m_times.at(i);
@@ -43,6 +52,13 @@ void PartWriter::heldBack(std::uint64_t i) {
   ++m_added;
 }
 
+void PartWriter::noteFilters(Instant time) {
+  for (const Note& note : m_notes) {
+    if (std::holds_alternative<note::Filtered>(note.value)) write(note.value, time);
+  }
+  if (m_span.isFiltered) write(note::Filtered{m_span.filter}, time);
+}
+
 bool PartWriter::beginAt(std::uint64_t i, const std::stop_token& stop) {
   const FrameStore& frames = m_log.frames;
   if (m_span.begin > 0) {
@@ -60,13 +76,12 @@ bool PartWriter::beginAt(std::uint64_t i, const std::stop_token& stop) {
   return true;
 }
 
-// Labels and what was added are noted anew.
 void PartWriter::passNotes(std::uint64_t before) {
   for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame <= before; ++m_nextNote) {
     const Note& note = m_notes[m_nextNote];
     if (const auto* added = std::get_if<note::Added>(&note.value)) {
       m_wereAdded = std::max(m_wereAdded, note.frame + added->count);
-    } else if (note.frame >= m_span.begin && !std::holds_alternative<note::Label>(note.value)) {
+    } else if (note.frame >= m_span.begin && !isNotedAnew(note.value)) {
       write(note.value, note.time);
     }
   }
@@ -81,14 +96,13 @@ void PartWriter::addedUntil(std::uint64_t i) {
 
 void PartWriter::end() {
   const std::uint64_t end = m_span.end;
+  if (m_written == 0) noteFilters(m_log.frames.lastTime());
   if (end > 0) passNotes(end - 1);
   for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame == end; ++m_nextNote) {
     const Note& note = m_notes[m_nextNote];
     // A mark at the part's last frame stands behind it.
     const bool isOfPart = m_span.isToEnd || (end > m_span.begin && note.time <= m_log.frames.timeAt(end - 1));
-    const bool isAnew =
-        std::holds_alternative<note::Added>(note.value) || std::holds_alternative<note::Label>(note.value);
-    if (isOfPart && !isAnew) write(note.value, note.time);
+    if (isOfPart && !isNotedAnew(note.value)) write(note.value, note.time);
   }
   if (m_span.begin == 0 && m_span.isToEnd && !m_span.isFiltered) noteLeftOut();
   m_writer.end(m_out);

@@ -2,7 +2,8 @@
 // Writes a part of a log, with the notes that belong to it, through the writer of a format (log_writer.h). A
 // part that does not begin at the log's first frame begins with the frames that tell who is who then
 // (in_force.h), and with a note that they were added. So are those that a filter holds back later in the part:
-// without them it would show a device under the address or the PIN of another one. Its channels are numbered in
+// without them it would show a device under the address or the PIN of another one. The filter is noted too, and every
+// one through which the log itself was saved before. Its channels are numbered in
 // the order in which it names them.
 #pragma once
 
@@ -29,6 +30,7 @@ class PartWriter {
     std::uint64_t end = 0;    // not beyond the frames there are
     bool isToEnd = false;     // what is noted behind its last frame belongs to it
     bool isFiltered = false;  // not every frame of it is written
+    NoteText filter{};        // as the person wrote it, if it is
   };
   // What is written is appended to `out`.
   PartWriter(const LogDocument& log, const Span& span, const LabelsByPin& labels, LogWriter& writer,
@@ -44,6 +46,7 @@ class PartWriter {
   std::uint64_t added() const { return m_added; }      // frames that were added
 
  private:
+  void noteFilters(Instant time);
   bool beginAt(std::uint64_t i, const std::stop_token& stop);
   void passNotes(std::uint64_t before);
   void addedUntil(std::uint64_t i);

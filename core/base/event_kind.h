@@ -106,23 +106,36 @@ enum class EventDetail : std::uint8_t {
   Frames,   // now: how many
 };
 
+// What an event rests on.
+enum class EventBasis : std::uint8_t {
+  Heard,    // something that came
+  Silence,  // also something that did not come: not to be told where frames are left out
+};
+
 struct EventFacts {
   std::string_view key;  // in JSON: frozen contract
   Severity weight;
   EventGroup group;
   EventDetail detail;
+  EventBasis basis = EventBasis::Heard;
 };
 
 inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
-    {EventKind::Appeared, {"appeared", Severity::Plain, EventGroup::Presence, EventDetail::None}},
-    {EventKind::Silent, {"silent", Severity::Fault, EventGroup::Presence, EventDetail::None}},
-    {EventKind::Back, {"back", Severity::Plain, EventGroup::Presence, EventDetail::Length}},
-    {EventKind::Restarted, {"restarted", Severity::Warning, EventGroup::Presence, EventDetail::None}},
+    {EventKind::Appeared,
+     {"appeared", Severity::Plain, EventGroup::Presence, EventDetail::None, EventBasis::Silence}},
+    {EventKind::Silent,
+     {"silent", Severity::Fault, EventGroup::Presence, EventDetail::None, EventBasis::Silence}},
+    {EventKind::Back,
+     {"back", Severity::Plain, EventGroup::Presence, EventDetail::Length, EventBasis::Silence}},
+    {EventKind::Restarted,
+     {"restarted", Severity::Warning, EventGroup::Presence, EventDetail::None, EventBasis::Silence}},
     {EventKind::NotOperational,
      {"not_operational", Severity::Warning, EventGroup::Presence, EventDetail::Flag}},
     {EventKind::Operational, {"operational", Severity::Plain, EventGroup::Presence, EventDetail::Flag}},
-    {EventKind::Malformed, {"malformed", Severity::Warning, EventGroup::Presence, EventDetail::None}},
-    {EventKind::MalformedOver, {"malformed_over", Severity::Plain, EventGroup::Presence, EventDetail::None}},
+    {EventKind::Malformed,
+     {"malformed", Severity::Warning, EventGroup::Presence, EventDetail::None, EventBasis::Silence}},
+    {EventKind::MalformedOver,
+     {"malformed_over", Severity::Plain, EventGroup::Presence, EventDetail::None, EventBasis::Silence}},
     {EventKind::MovedAddress,
      {"moved_address", Severity::Warning, EventGroup::Address, EventDetail::Address}},
     {EventKind::AddressLost, {"address_lost", Severity::Warning, EventGroup::Address, EventDetail::Name}},
@@ -130,7 +143,8 @@ inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
     {EventKind::TwoAtOneAddress,
      {"two_at_one_address", Severity::Fault, EventGroup::Address, EventDetail::None}},
     {EventKind::TwoAtOneAddressOver,
-     {"two_at_one_address_over", Severity::Plain, EventGroup::Address, EventDetail::None}},
+     {"two_at_one_address_over", Severity::Plain, EventGroup::Address, EventDetail::None,
+      EventBasis::Silence}},
     {EventKind::Fault, {"fault", Severity::Fault, EventGroup::Fault, EventDetail::Fault}},
     {EventKind::FaultCleared, {"fault_cleared", Severity::Plain, EventGroup::Fault, EventDetail::Fault}},
     {EventKind::DeviceFaulted, {"device_faulted", Severity::Fault, EventGroup::Fault, EventDetail::Flag}},
@@ -148,8 +162,10 @@ inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
      {"sensor_error_over", Severity::Plain, EventGroup::Fault, EventDetail::Flag}},
     {EventKind::Disabled, {"disabled", Severity::Warning, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::Enabled, {"enabled", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::PermissiveLost, {"permissive_lost", Severity::Warning, EventGroup::Mode, EventDetail::Flag}},
-    {EventKind::PermissiveBack, {"permissive_back", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
+    {EventKind::PermissiveLost,
+     {"permissive_lost", Severity::Warning, EventGroup::Mode, EventDetail::Flag, EventBasis::Silence}},
+    {EventKind::PermissiveBack,
+     {"permissive_back", Severity::Plain, EventGroup::Mode, EventDetail::Flag, EventBasis::Silence}},
     {EventKind::RemoteMode, {"remote_mode", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::RemoteModeOver, {"remote_mode_over", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
     {EventKind::Stowed, {"stowed", Severity::Plain, EventGroup::Mode, EventDetail::Flag}},
@@ -159,21 +175,28 @@ inline constexpr EnumTable<EventKind, EventFacts> kEvents{{
     {EventKind::StopError, {"stop_error", Severity::Warning, EventGroup::Stop, EventDetail::Stop}},
     {EventKind::SoftLimitChanged,
      {"soft_limit_changed", Severity::Plain, EventGroup::Stop, EventDetail::Degrees}},
-    {EventKind::JoystickBegan, {"joystick_began", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::JoystickEnded, {"joystick_ended", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::JoystickGap, {"joystick_gap", Severity::Warning, EventGroup::Joystick, EventDetail::Length}},
+    {EventKind::JoystickBegan,
+     {"joystick_began", Severity::Plain, EventGroup::Joystick, EventDetail::None, EventBasis::Silence}},
+    {EventKind::JoystickEnded,
+     {"joystick_ended", Severity::Plain, EventGroup::Joystick, EventDetail::None, EventBasis::Silence}},
+    {EventKind::JoystickGap,
+     {"joystick_gap", Severity::Warning, EventGroup::Joystick, EventDetail::Length, EventBasis::Silence}},
     {EventKind::JoystickTimedOut,
-     {"joystick_timed_out", Severity::Warning, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::JoystickBack, {"joystick_back", Severity::Plain, EventGroup::Joystick, EventDetail::Length}},
+     {"joystick_timed_out", Severity::Warning, EventGroup::Joystick, EventDetail::None, EventBasis::Silence}},
+    {EventKind::JoystickBack,
+     {"joystick_back", Severity::Plain, EventGroup::Joystick, EventDetail::Length, EventBasis::Silence}},
     {EventKind::JoystickOutranked,
      {"joystick_outranked", Severity::Plain, EventGroup::Joystick, EventDetail::Source}},
     {EventKind::JoystickOutrankedOver,
-     {"joystick_outranked_over", Severity::Plain, EventGroup::Joystick, EventDetail::None}},
-    {EventKind::LoadHigh, {"load_high", Severity::Warning, EventGroup::Bus, EventDetail::Percent}},
-    {EventKind::LoadNormal, {"load_normal", Severity::Plain, EventGroup::Bus, EventDetail::Percent}},
+     {"joystick_outranked_over", Severity::Plain, EventGroup::Joystick, EventDetail::None,
+      EventBasis::Silence}},
+    {EventKind::LoadHigh,
+     {"load_high", Severity::Warning, EventGroup::Bus, EventDetail::Percent, EventBasis::Silence}},
+    {EventKind::LoadNormal,
+     {"load_normal", Severity::Plain, EventGroup::Bus, EventDetail::Percent, EventBasis::Silence}},
     {EventKind::ErrorFrames, {"error_frames", Severity::Warning, EventGroup::Bus, EventDetail::None}},
     {EventKind::ErrorFramesOver,
-     {"error_frames_over", Severity::Plain, EventGroup::Bus, EventDetail::Frames}},
+     {"error_frames_over", Severity::Plain, EventGroup::Bus, EventDetail::Frames, EventBasis::Silence}},
     {EventKind::BusOff, {"bus_off", Severity::Fault, EventGroup::Bus, EventDetail::None}},
     {EventKind::ErrorPassive, {"error_passive", Severity::Warning, EventGroup::Bus, EventDetail::None}},
     {EventKind::ErrorActive, {"error_active", Severity::Plain, EventGroup::Bus, EventDetail::None}},

@@ -33,6 +33,7 @@ enum class HealthCause : std::uint8_t {
   FaultsNotAnswered,  // asked, and no answer came
   FaultsRefused,      // asked, and an SDO abort or an answer of a wrong length came
   LinkDown,           // nothing can be heard, so that nothing else holds any more
+  Filtered,           // the log was saved through a filter: what is missing in it is not known to be missing
   Idle,               // not heard for a while, and no periodic message is expected of it
   FaultsAwaited,      // asked just now, and never answered before
   FaultsOld,          // answered before its last restart or silence
@@ -68,6 +69,7 @@ inline constexpr EnumTable<HealthCause, HealthCauseFacts> kHealthCauses{{
     {HealthCause::FaultsNotAnswered, {"faults_not_answered", Severity::Warning}},
     {HealthCause::FaultsRefused, {"faults_refused", Severity::Warning}},
     {HealthCause::LinkDown, {"link_down", Severity::Unknown}},
+    {HealthCause::Filtered, {"filtered", Severity::Unknown}},
     {HealthCause::Idle, {"idle", Severity::Unknown}},
     {HealthCause::FaultsAwaited, {"faults_awaited", Severity::Unknown}},
     {HealthCause::FaultsOld, {"faults_old", Severity::Unknown}},

@@ -148,7 +148,8 @@ MadeJournalFile createJournalFile(const std::string& path) {
 }
 
 bool isBeingWritten(const std::string& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // A pipe that nobody writes must not hold us up.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct flock lock = wholeFile(F_RDLCK);
   return file && ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }

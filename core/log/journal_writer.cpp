@@ -10,13 +10,18 @@ void JournalWriter::timeCame(Instant now) {
   if (m_isEnded || (m_fault && now < m_retryAt)) return;
   const bool hadFile = m_file != nullptr;
   m_fault = write();
-  if (!hadFile && m_file != nullptr) m_madeAt = now;
+  if (!hadFile && m_file != nullptr) {
+    m_madeAt = now;
+    m_isAnew = bool(m_givenUp);
+  }
   if (!m_fault && m_file != nullptr && now >= m_syncAt) {
     if (m_written.bytes != m_safe.bytes) m_fault = sync();
     if (!m_fault) m_fault = check();
     m_syncAt = now + kSync;
   }
-  if (m_fault) m_retryAt = m_file == nullptr && m_givenUp == m_fault ? m_madeAt + kRetry : now + kRetry;
+  if (!m_fault) return;
+  const bool isGivenUp = m_file == nullptr && m_givenUp == m_fault;
+  m_retryAt = !isGivenUp ? now + kRetry : m_isAnew ? m_madeAt + kRetry : now;
 }
 
 void JournalWriter::end() {

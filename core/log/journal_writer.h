@@ -8,7 +8,8 @@
 // 3. A fault loses nothing: the log is in memory, and what the disk did not take is written again kRetry
 //    later, from the last block that is known to be whole. status() says so meanwhile.
 // 4. The file is looked at each second. If it was removed, or another program wrote into it, all of the log is
-//    written to a new file: at the next call, or kRetry after the file was made if that is later.
+//    written to a new file: at the next call, or, if the file had been made for that reason, kRetry after it was made if
+//    that is later.
 #pragma once
 
 #include <array>
@@ -93,6 +94,7 @@ class JournalWriter {
   JournalFault m_fault;
   JournalFault m_givenUp;
   Instant m_madeAt = kNotYet;
+  bool m_isAnew = false;  // the file was made as the one before it was given up
   Instant m_retryAt = kNotYet;
   Instant m_syncAt = kNotYet;
   bool m_isEnded = false;

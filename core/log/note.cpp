@@ -45,7 +45,8 @@ Severity noteWeight(const NoteValue& value) {
                              [](const note::Pipe&) { return Severity::Plain; },
                              [](const note::LeftOut&) { return Severity::Warning; },
                              [](const note::Label&) { return Severity::Plain; },
-                             [](const note::Added&) { return Severity::Plain; }},
+                             [](const note::Added&) { return Severity::Plain; },
+                             [](const note::Filtered&) { return Severity::Warning; }},
                     value);
 }
 

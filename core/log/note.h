@@ -152,6 +152,12 @@ struct Added {
   std::uint64_t count = 0;
   friend bool operator==(const Added&, const Added&) = default;
 };
+// The log was saved through this filter, as a person wrote it: frames that did not pass it are missing, so that nothing
+// which rests on a silence can be told.
+struct Filtered {
+  NoteText text;
+  friend bool operator==(const Filtered&, const Filtered&) = default;
+};
 // Something happened to the data pipe of a device.
 struct Pipe {
   Channel channel;
@@ -172,7 +178,7 @@ inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut:
 using NoteValue =
     std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
                  note::DriveSaid, note::OwnAddress, note::Asked, note::RequestEnded, note::RequestWaits,
-                 note::StillWaits, note::Pipe, note::LeftOut, note::Label, note::Added>;
+                 note::StillWaits, note::Pipe, note::LeftOut, note::Label, note::Added, note::Filtered>;
 
 struct Note {
   std::uint64_t frame = 0;  // stands before this frame; the store's count where it is the last thing so far
@@ -191,6 +197,9 @@ inline std::uint64_t framesMissed(const NoteValue& value) {
   const auto* leftOut = std::get_if<note::LeftOut>(&value);
   return leftOut != nullptr ? leftOut->count : 0;
 }
+
+// Whether it tells of something that happened. Added frames are marked one by one where they stand.
+inline bool isEvent(const NoteValue& value) { return !std::holds_alternative<note::Added>(value); }
 
 // How much a note wants attention.
 Severity noteWeight(const NoteValue& value);

@@ -115,6 +115,8 @@ inline constexpr auto kLayout<note::Label> = layout(15, "label", field("pin", &n
                                                     field("text", &note::Label::text));
 template <>
 inline constexpr auto kLayout<note::Added> = layout(16, "added", field("count", &note::Added::count));
+template <>
+inline constexpr auto kLayout<note::Filtered> = layout(17, "filtered", field("text", &note::Filtered::text));
 
 namespace checks {
 

@@ -46,6 +46,16 @@ std::uint64_t NoteStore::missedFrames() const {
   return frames;
 }
 
+std::vector<std::string> NoteStore::filters() const {
+  const std::lock_guard lock(m_lock);
+  std::vector<std::string> filters;
+  for (const Note& note : m_notes) {
+    if (const auto* filtered = std::get_if<note::Filtered>(&note.value))
+      filters.push_back(filtered->text.str());
+  }
+  return filters;
+}
+
 std::vector<Note> NoteStore::appendedAfter(std::size_t count) const {
   const std::lock_guard lock(m_lock);
   const auto first = m_notes.begin() + static_cast<std::ptrdiff_t>(std::min(count, m_notes.size()));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,8 @@ class NoteStore {
   Instant lastTime() const;
   // All that framesMissed() says of them.
   std::uint64_t missedFrames() const;
+  // The filters through which the log was saved (note::Filtered), as persons wrote them.
+  std::vector<std::string> filters() const;
   // The notes that were appended after the first `count` ones, as they were appended.
   std::vector<Note> appendedAfter(std::size_t count) const;
 

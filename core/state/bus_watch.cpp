@@ -210,7 +210,8 @@ void BusWatch::compareLoad(const State& state, std::vector<Event>& out) {
   const bool isAkron = std::ranges::any_of(state.devices().all(), [this](const Device& d) {
     return (d.kind == Device::Kind::Pin || d.kind == Device::Kind::Address) && d.channel == m_channel;
   });
-  if (m_isFaster) return m_load.set(0);
+  // Nor is a second of which the stamps say no more than that it was about then.
+  if (m_isFaster || state.slack() > Duration{0}) return m_load.set(0);
   const bool wasHigh = m_load.shown() != 0;
   const std::uint32_t bitRate = state.channel(m_channel).bitRate;
   const bool isHigh = (isAkron || bitRate != 0) && m_percent >= (wasHigh ? kNormal : kHigh);

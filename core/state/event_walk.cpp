@@ -79,6 +79,7 @@ void EventWalk::plan() {
 }
 
 void EventWalk::catchUp(Instant time) {
+  const std::size_t found = m_found.size();
   while (m_due <= time && m_due != kNever) {
     const Instant now = std::max(m_due, cursor().time);
     m_state->timeCame(now);
@@ -95,11 +96,23 @@ void EventWalk::catchUp(Instant time) {
     plan();
     if (m_due <= now) m_due = now + Duration(1);
   }
+  dropSilences(found);
 }
 
 void EventWalk::timeCame(Instant time) {
   catchUp(time);
   m_state->timeCame(time);
+}
+
+// Of what was found since so many events. That a node booted it says itself.
+void EventWalk::dropSilences(std::size_t since) {
+  if (!m_state->isFiltered()) return;
+  const auto isDropped = [](const Event& event) {
+    const bool isSaid = event.kind == EventKind::Restarted && event.node.value != 0;
+    return kEvents[event.kind].basis == EventBasis::Silence && !isSaid;
+  };
+  const auto first = m_found.begin() + static_cast<std::ptrdiff_t>(since);
+  m_found.erase(std::remove_if(first, m_found.end(), isDropped), m_found.end());
 }
 
 void EventWalk::apply(const Note& note) {
@@ -119,6 +132,7 @@ void EventWalk::apply(const Note& note) {
 
 void EventWalk::apply(const Frame& frame, Instant time) {
   if (m_due <= time) catchUp(time);
+  const std::size_t found = m_found.size();
   m_state->apply(frame, time);
   if ((frame.flags & Frame::kTimeJump) != 0)
     m_found.push_back(eventAt(*m_state, {frame.channel}, EventKind::ClockJump));
@@ -135,6 +149,7 @@ void EventWalk::apply(const Frame& frame, Instant time) {
       lookStandard(frame, bus);
     }
   }
+  dropSilences(found);
 }
 
 void EventWalk::lookExtended(const Frame& frame, BusWatch& bus) {

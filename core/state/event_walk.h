@@ -7,6 +7,7 @@
 //   3. The first value heard of anything is no change, but for faults, errors, and what keeps a device from moving.
 //      Whoever is heard within kSettling of its channel's first frame was there before the log began.
 //   4. What changes faster than a person reads is told at the pace of event_slot.h.
+//   5. Of a log that was saved through a filter nothing is told that rests on a silence (EventBasis).
 //
 // A frame costs a comparison with what its device said before; no state is compared with another one.
 #pragma once
@@ -44,6 +45,7 @@ class EventWalk {
   void plan();
   void lookExtended(const Frame& frame, BusWatch& bus);
   void lookStandard(const Frame& frame, BusWatch& bus);
+  void dropSilences(std::size_t since);
   void look(const Device& device, MessageId id, const Payload& data, BusWatch& bus);
   void lookAtIdentities(Channel channel, BusWatch& bus);
   std::size_t placeOf(const Device& device) const;

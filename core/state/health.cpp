@@ -121,6 +121,7 @@ void takeShared(const Subject& s, Health& h);
 bool isLost(const Subject& s, const Health& h) { return h.sharedAddress != kNullAddress && !s.hasAddress(); }
 
 bool isSilent(const Subject& s) {
+  if (s.state.isFiltered()) return false;
   // One that has sent nothing of the kind yet has as long for it.
   const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
   if (!sendsByItself(s) || !s.isMissing(last, missingAfter(s))) return false;
@@ -131,8 +132,8 @@ bool isSilent(const Subject& s) {
 
 AnswerAge ageOf(const Subject& s, Instant answered) {
   const Device& d = *s.device;
-  if (answered < d.restarted) return AnswerAge::BeforeRestart;
-  if (answered < d.resumed) return AnswerAge::BeforeSilence;
+  if (answered < d.restarted && !s.state.isFiltered()) return AnswerAge::BeforeRestart;
+  if (answered < d.resumed && !s.state.isFiltered()) return AnswerAge::BeforeSilence;
   // An answer that came while the statuses were missing is as good as any.
   if (isSilent(s) && s.now() - answered >= missingAfter(s)) return AnswerAge::BeforeSilence;
   return isLinkDown(s.state, d.channel) ? AnswerAge::BeforeLinkDown : AnswerAge::Current;
@@ -302,6 +303,7 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      }},
     {HealthCause::LinkDown,
      [](const Subject& s, const Health&) { return isLinkDown(s.channel, s.state.cursor().time); }},
+    {HealthCause::Filtered, [](const Subject& s, const Health&) { return s.state.isFiltered(); }},
     {HealthCause::Idle,
      [](const Subject& s, const Health&) { return !sendsByItself(s) && s.isMissing(s.lastHeard()); }},
     {HealthCause::FaultsAwaited,
@@ -327,6 +329,12 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      }},
 }};
 
+// What rests on something that did not come.
+constexpr EnumSet<HealthCause> kSilences(HealthCause::Silent, HealthCause::Late, HealthCause::JoystickStopped,
+                                         HealthCause::FaultsNotAnswered, HealthCause::Idle,
+                                         HealthCause::FaultsAwaited, HealthCause::FaultsNeverAsked,
+                                         HealthCause::StatusNeverHeard, HealthCause::NotAnnounced);
+
 Health unknownSince(Instant linkDown) {
   Health h;
   h.causes.add(HealthCause::LinkDown);
@@ -340,6 +348,7 @@ Health judge(const Subject& s) {
   for (const HealthCause cause : kAllOf<HealthCause>) {
     if (kRules[cause](s, h)) h.causes.add(cause);
   }
+  if (s.state.isFiltered()) h.causes = h.causes - kSilences;
   // Only where a cause speaks of it, so that a health changes only when its words do.
   if (h.has(HealthCause::Silent)) h.since = lastBeat(s);
   if (h.has(HealthCause::Idle)) h.since = s.lastHeard();
@@ -348,6 +357,7 @@ Health judge(const Subject& s) {
     h.answer = AnswerAge::Current;
   }
   if (!h.has(HealthCause::Late)) h.late = {};
+  if (!h.has(HealthCause::StatusNeverHeard)) h.neverHeard = {};
   if (h.has(HealthCause::FaultsNotAnswered)) h.asked = s.device->askedInVain(Request::Fault);
   return h;
 }

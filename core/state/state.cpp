@@ -250,6 +250,7 @@ void State::apply(const Note& note) {
   timeCame(std::max(note.time, m_cursor.time));
   if (std::holds_alternative<note::Locked>(note.value)) m_locked = true;
   if (std::holds_alternative<note::Unlocked>(note.value)) m_locked = false;
+  if (std::holds_alternative<note::Filtered>(note.value)) m_isFiltered = true;
   if (const auto* added = std::get_if<note::Added>(&note.value))
     m_addedUntil = std::max(m_addedUntil, m_cursor.frames + added->count);
   const auto about = channelOf(note.value);
@@ -271,7 +272,7 @@ void State::apply(const Note& note) {
                [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
                [](const note::Asked&) {}, [](const note::RequestWaits&) {}, [](const note::RequestEnded&) {},
                [](const note::StillWaits&) {}, [](const note::Pipe&) {}, [](const note::LeftOut&) {},
-               [](const note::Label&) {}, [](const note::Added&) {}},
+               [](const note::Label&) {}, [](const note::Added&) {}, [](const note::Filtered&) {}},
       note.value);
 }
 

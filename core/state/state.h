@@ -81,6 +81,8 @@ class State {
   // Frames on channels beyond kMaxChannels.
   std::uint64_t untrackedFrames() const { return m_untrackedFrames; }
   bool isLocked() const { return m_locked; }
+  // Frames of the log were left out when it was saved (note::Filtered): nothing that rests on a silence is known.
+  bool isFiltered() const { return m_isFiltered; }
 
   // How fine the times of the log are; before its first frame.
   void timesAre(TimeGrain grain);
@@ -122,6 +124,7 @@ class State {
   std::uint64_t m_addedUntil = 0;  // frames before this place were added when the log was saved
   bool m_locked = true;
   bool m_isCoarse = false;
+  bool m_isFiltered = false;
 };
 // A keyframe stands every 131,072 frames, which are 3.1 MB.
 static_assert(sizeof(State) + 4 * sizeof(ChannelState) <= 155'000, "5 % of the frames with four channels");

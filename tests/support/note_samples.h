@@ -54,6 +54,8 @@ template <>
 inline const note::Label kSample<note::Label>{kNotedPin, "front bumper"};
 template <>
 inline const note::Added kSample<note::Added>{9};
+template <>
+inline const note::Filtered kSample<note::Filtered>{"pgn=EF00 and sa=80"};
 
 template <typename... Kinds>
 std::vector<NoteValue> samplesOf(const std::variant<Kinds...>*) {

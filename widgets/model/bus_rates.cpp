@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bus/load.h"
+#include "log/time_grain.h"
 
 namespace deckpipe {
 namespace {
@@ -22,6 +23,10 @@ BusRates ratesAt(const LogView& view) {
   const Duration span = std::min(kSpan, view.cursor.time - view.begin);
   if (!frames.hasTimes()) {
     rates.basis = BusRates::Basis::NoTimes;
+  } else if (view.state != nullptr && view.state->isFiltered()) {
+    rates.basis = BusRates::Basis::Filtered;
+  } else if (timeGrainOf(frames) == TimeGrain::Seconds) {
+    rates.basis = BusRates::Basis::Coarse;
   } else if (end == 0 || span >= kMinSpan) {
     rates.basis = BusRates::Basis::Times;
   }

@@ -16,6 +16,8 @@ struct BusRates {
     Times,     // known
     TooShort,  // too little of the log lies before the cursor
     NoTimes,   // the log has no times (FrameStore::hasTimes)
+    Coarse,    // its times are good to the second only (time_grain.h): no second can be told from the next
+    Filtered,  // it was saved through a filter: what else was on the bus is missing
   };
   Basis basis = Basis::TooShort;
   double framesASecond = 0;

@@ -125,7 +125,9 @@ QString faultSummary(std::uint32_t faults, unsigned errorCode) {
   return parts.isEmpty() ? HealthWords::tr("no faults") : parts.join(kComma);
 }
 
-QString noAnswerText(const Device& device, std::optional<Request> request, Instant now) {
+QString noAnswerText(const State& state, const Device& device, std::optional<Request> request, Instant now) {
+  if (state.isFiltered() && !(request && device.hasRefused(*request)))
+    return HealthWords::tr("not in this log, which was saved through a filter");
   if (request && isUnanswered(device, *request, now))
     return HealthWords::tr("no answer, asked %1").arg(agoText(now - device.askedInVain(*request)));
   if (request && device.askedInVain(*request) != kNotYet) return HealthWords::tr("asked, no answer yet");
@@ -134,8 +136,8 @@ QString noAnswerText(const Device& device, std::optional<Request> request, Insta
   return HealthWords::tr("never asked");
 }
 
-QString askedAgainText(const Device& device, Request request, Instant now) {
-  if (isUnanswered(device, request, now))
+QString askedAgainText(const State& state, const Device& device, Request request, Instant now) {
+  if (!state.isFiltered() && isUnanswered(device, request, now))
     return HealthWords::tr("asked again %1, no answer").arg(agoText(now - device.askedInVain(request)));
   const bool isOpen = device.askedInVain(request) != kNotYet;
   if (!isOpen && device.hasRefused(request))

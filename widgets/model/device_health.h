@@ -28,10 +28,10 @@ QString faultSummary(std::uint32_t faults, unsigned errorCode);
 // Why there is no answer of what was asked or not: "no answer, asked 2 s ago", "asked, no answer yet",
 // "refused, or answered in a wrong length", "never asked". `ask` is nothing where Deckpipe has no poll for
 // it.
-QString noAnswerText(const Device& device, std::optional<Request> request, Instant now);
+QString noAnswerText(const State& state, const Device& device, std::optional<Request> request, Instant now);
 // What came of the last asking where an earlier answer is shown; empty if that is the last one's, or is
 // awaited.
-QString askedAgainText(const Device& device, Request request, Instant now);
+QString askedAgainText(const State& state, const Device& device, Request request, Instant now);
 // "restarted since", "silent since", "link down since"; empty for an answer that still holds.
 QString answerAgeText(AnswerAge age);
 

@@ -66,6 +66,7 @@ std::vector<EventModel::Row> EventModel::noteRows(const std::vector<Note>& notes
     return found == end ? rows.rend() : found;
   };
   for (std::size_t i = 0; i < notes.size(); ++i) {
+    if (!isEvent(notes[i].value)) continue;
     const auto* ended = std::get_if<note::RequestEnded>(&notes[i].value);
     if (ended != nullptr) {
       auto before = last(i, ended->request);

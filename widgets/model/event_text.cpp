@@ -302,11 +302,10 @@ QString noteText(const LogDocument& log, const Note& note) {
                                      : EventText::tr("%1 is called “%2”", "PIN, label"))
                 .arg(toQString(n.pin.text()), toQString(n.text.str()));
           },
-          [](const note::Added& n) {
-            return EventText::tr(
-                "%Ln frames were added here when this part was saved: who held which "
-                "address",
-                nullptr, forPlural(n.count));
+          [](const note::Added&) { return QString(); },  // it is no event
+          [](const note::Filtered& n) {
+            return EventText::tr("Saved through the filter “%1”: what did not pass it is missing")
+                .arg(toQString(n.text.str()));
           }},
       note.value);
 }

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "log/time_grain.h"
 #include "model/field_text.h"
 #include "model/id_table.h"
 #include "model/message_text.h"
@@ -117,15 +118,16 @@ unsigned IdModel::changedBytes(const IdRow& row) const {
 QString IdModel::text(int at, int column) const {
   const IdRow& row = m_table->rows()[static_cast<std::size_t>(at)];
   const Frame& frame = m_view.document->frames[row.lastFrame];
+  const auto tellsPeriods = [&] { return timeGrainOf(m_view.document->frames) == TimeGrain::Fine; };
   switch (column) {
     case ChannelName: return toQString(m_view.document->frames.channelName(frame.channel));
     case Identifier: return identifierText(frame);
     case Ends: return endsText(frame);
     case Name: return words(at).title;
     case Count: return QLocale().toString(static_cast<qulonglong>(row.count));
-    case Period: return m_view.hasTimes() ? milliseconds(row.period()) : QString();
+    case Period: return tellsPeriods() ? milliseconds(row.period()) : QString();
     case Jitter:
-      return row.jitter() && m_view.hasTimes() ? QStringLiteral("±") + milliseconds(row.jitter()) : QString();
+      return row.jitter() && tellsPeriods() ? QStringLiteral("±") + milliseconds(row.jitter()) : QString();
     case Age:
       return m_view.hasTimes() ? calmAge(std::max(m_view.cursor.time - row.last, Duration(0))) : QString();
     case Data: return bytesText(frame);

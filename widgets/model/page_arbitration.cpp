@@ -20,8 +20,11 @@ PageFact ruleFact(const QString& label, const QString& value, Severity tone = Se
 }
 
 PageFact axisFact(const QString& label, const std::optional<DialAxis::Command>& command, Address self,
-                  bool isRotation, bool isDown) {
+                  bool isRotation, bool isDown, bool isFiltered) {
   if (isDown) return ruleFact(label, Arbitration::tr("not known, the link is down"), Severity::Unknown);
+  if (!command && isFiltered)
+    return ruleFact(label, Arbitration::tr("not known, the log was saved through a filter"),
+                    Severity::Unknown);
   if (!command) return ruleFact(label, Arbitration::tr("nobody commands"));
   const QString what = commandText(*command, isRotation);
   if (command->from == self)
@@ -42,7 +45,9 @@ QStringList heard(const State& state, Channel channel, Address from, Address to)
       continue;
     }
     if (!stick->isActive()) {
-      lines << Arbitration::tr("%1: stopped sending").arg(name);
+      lines << (state.isFiltered() ? Arbitration::tr("%1: not known, the log was saved through a filter")
+                                   : Arbitration::tr("%1: stopped sending"))
+                   .arg(name);
       continue;
     }
     const BasicJoystick message = stick->basic.value();
@@ -74,8 +79,10 @@ PageFactGroup arbitrationOf(const State& state, Channel channelId, const Joystic
   }
   const PageCommands commands = joystickCommands(state, channelId);
   const bool isDown = isLinkDown(state, channelId);
-  facts.push_back(axisFact(Arbitration::tr("Rotation"), commands.rotation, stick.source, true, isDown));
-  facts.push_back(axisFact(Arbitration::tr("Elevation"), commands.elevation, stick.source, false, isDown));
+  facts.push_back(axisFact(Arbitration::tr("Rotation"), commands.rotation, stick.source, true, isDown,
+                           state.isFiltered()));
+  facts.push_back(axisFact(Arbitration::tr("Elevation"), commands.elevation, stick.source, false, isDown,
+                           state.isFiltered()));
   facts.push_back(listed(Arbitration::tr("Before it"),
                          QStringList(Arbitration::tr("a 6032's own switches, which no message tells of")) +
                              heard(state, channelId, kFirstJoystick, next(stick.source, -1))));

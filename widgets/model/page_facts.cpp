@@ -29,10 +29,10 @@ class Answers {
   // `answer` is a Timed or a Reported of the device. `ask`: the poll for it; nothing where Deckpipe has none.
   PageFact fact(const QString& label, const auto& answer, std::optional<Request> request,
                 const QString& value, Severity tone = Severity::Plain) const {
-    const QString again = request ? askedAgainText(m_device, *request, m_now) : QString();
+    const QString again = request ? askedAgainText(m_state, m_device, *request, m_now) : QString();
     if (!answer.isKnown())
       return {label,
-              noAnswerText(m_device, request, m_now),
+              noAnswerText(m_state, m_device, request, m_now),
               again.isEmpty() ? Severity::Unknown : Severity::Warning,
               {}};
     const AnswerAge age = ageOfAnswer(m_state, m_device, answer.at);
@@ -143,7 +143,9 @@ PageFactGroup nodeOf(const State& bus, const Device& d) {
     state.value = Facts::tr("%1, before the link went down").arg(state.value);
     state.tone = Severity::Unknown;
   } else if (d.isStale(MessageId::Heartbeat)) {
-    state.value = Facts::tr("%1, overdue").arg(state.value);
+    state.value = (bus.isFiltered() ? Facts::tr("%1, the last in this log, which was saved through a filter")
+                                    : Facts::tr("%1, overdue"))
+                      .arg(state.value);
     state.tone = Severity::Unknown;
   } else {
     state.tone = isOperational ? Severity::Fine : Severity::Warning;
@@ -169,6 +171,10 @@ PageFactGroup joystickOf(const State& state, Channel channel, const Joystick& st
   if (isLinkDown(state, channel)) {
     facts.push_back({Facts::tr("Sending"), Facts::tr("not known, the link is down"), Severity::Unknown,
                      ageAt(stick.basic.at, now)});
+  } else if (state.isFiltered()) {
+    facts.push_back({Facts::tr("Sending"), Facts::tr("not known, the log was saved through a filter"),
+                     Severity::Unknown, ageAt(stick.basic.at, now)});
+    return group;
   } else if (stick.timedOut) {
     facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), Severity::Unknown,
                      ageAt(stick.basic.at, now)});

@@ -118,10 +118,12 @@ std::optional<PageLampGroup> permissiveOf(const State& state, const Device& d) {
       .add(Lamps::tr("Up"), p.axis2Plus, Severity::Fine, Lamps::tr("May elevate up"));
   if (!d.permissive().isKnown()) return group.remark(Lamps::tr("required, none heard")).group();
   const QString sender = addressText(d.permissiveFrom);
-  return group
-      .remark(d.isStale(MessageId::SoePermissive) ? Lamps::tr("timed out, last from %1").arg(sender)
-                                                  : Lamps::tr("from %1").arg(sender))
-      .group();
+  const bool isStale = d.isStale(MessageId::SoePermissive);
+  const QString remark = !isStale ? Lamps::tr("from %1")
+                         : state.isFiltered()
+                             ? Lamps::tr("last from %1 in this log, which was saved through a filter")
+                             : Lamps::tr("timed out, last from %1");
+  return group.remark(remark.arg(sender)).group();
 }
 
 // Draws a group of a device's lamps; nothing where the device has no such group.

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "log/time_grain.h"
 #include "model/device_rows.h"
 #include "model/field_text.h"
 #include "text/time_text.h"
@@ -192,6 +193,7 @@ std::vector<QStringList> PipeTranscript::repairs() const {
 QString PipeTranscript::ledger() const {
   QString text = QStringLiteral("time_s,direction,bytes,ack_ms,repair\n");
   const bool hasTimes = m_document == nullptr || m_document->frames.hasTimes();
+  const bool isFine = m_document == nullptr || timeGrainOf(m_document->frames) == TimeGrain::Fine;
   const std::vector<QStringList> repaired = repairs();
   for (std::size_t i = 0; i < m_packets.size(); ++i) {
     const PipePacket& packet = m_packets[i];
@@ -201,7 +203,7 @@ QString PipeTranscript::ledger() const {
     if (hasTimes) text += QString::number(static_cast<double>((packet.time - m_begin).count()) / 1e9, 'f', 6);
     text += (packet.isFromDevice ? QStringLiteral(",in,") : QStringLiteral(",out,")) +
             QString::number(packet.bytes.size()) + QLatin1Char(',') +
-            (packet.acknowledged && hasTimes ? milliseconds(*packet.acknowledged - packet.time) : QString()) +
+            (packet.acknowledged && isFine ? milliseconds(*packet.acknowledged - packet.time) : QString()) +
             QLatin1Char(',') + repaired[i].join(QLatin1Char(' ')) + QLatin1Char('\n');
   }
   return text;

@@ -193,7 +193,9 @@ bool matchesKey(const FilterNode& node, const FilterFrame& at) {
 }  // namespace
 
 Result<TraceFilter, FilterError> TraceFilter::parse(const QString& expression) {
-  return FilterParser(expression).parse();
+  auto filter = FilterParser(expression).parse();
+  if (filter) filter.value().m_text = expression.trimmed();
+  return filter;
 }
 
 FilterNode FilterNode::containing(const QString& text) {
@@ -210,6 +212,7 @@ FilterNode FilterNode::containing(const QString& text) {
 TraceFilter TraceFilter::containing(const QString& text) {
   TraceFilter filter;
   if (text.isEmpty()) return filter;
+  filter.m_text = text;
   filter.m_nodes.push_back(FilterNode::containing(text));
   filter.m_needsRoles = true;
   return filter;

@@ -123,6 +123,8 @@ class TraceFilter {
   static TraceFilter containing(const QString& text);
 
   bool isEmpty() const { return m_nodes.empty(); }
+  // What it was made of.
+  const QString& text() const { return m_text; }
   // Whether a frame's meaning decides, not its bytes alone.
   bool needsRoles() const { return m_needsRoles; }
   // Names of channels and the begin of time are those of this log from now on; again when it has grown.
@@ -133,6 +135,7 @@ class TraceFilter {
   friend class FilterParser;
   bool matches(int node, const FilterFrame& frame) const;
 
+  QString m_text;
   std::vector<FilterNode> m_nodes;  // children before parents, the root last
   bool m_needsRoles = false;
 };

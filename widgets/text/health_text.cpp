@@ -62,6 +62,11 @@ constexpr EnumTable<HealthCause, Texts> kTexts{{
     {HealthCause::LinkDown,
      {QT_TRANSLATE_NOOP("Health", "unknown"),
       QT_TRANSLATE_NOOP("Health", "The link went down %1: how it has been since is not known.")}},
+    {HealthCause::Filtered,
+     {QT_TRANSLATE_NOOP("Health", "filtered"),
+      QT_TRANSLATE_NOOP("Health",
+                        "This log was saved through a filter: what it left out is not known, and "
+                        "whether anything of it is late or silent neither.")}},
     {HealthCause::Idle,
      {QT_TRANSLATE_NOOP("Health", "idle"),
       QT_TRANSLATE_NOOP("Health", "Last heard %1; no periodic message is expected of it.")}},

@@ -130,9 +130,9 @@ TEST_F(LogActions, SaveWhatIsSelectedInTheTraceOrPassesItsFilter) {
   };
   saveBy("saveShownAction", "Saved 2 frames");
   EXPECT_EQ(read(path), added(1) + '\n' + lines[1] + '\n' + lines[2] + '\n');
-  EXPECT_TRUE(text("saveText").contains(QStringLiteral("were added before them")))
+  EXPECT_TRUE(text("saveText").contains(QStringLiteral("were added to them")))
       << qPrintable(text("saveText"));
-  EXPECT_TRUE(QFile::exists(path + QStringLiteral(".deckpipe-notes")));
+  EXPECT_TRUE(read(path + QStringLiteral(".deckpipe-notes")).contains("filtered text=\"name~position\""));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !trace->model()->isFiltering(); }, kPatience));
   QTest::keyClick(trace->view(), Qt::Key_End);
   saveBy("saveSelectionAction", "Saved 1 frame");

@@ -10,6 +10,7 @@
 #include "app/console/window_test.h"
 #include "console/recordings_list.h"
 #include "session/recorder.h"
+#include "support/file_size_limit.h"
 #include "support/frames.h"
 
 namespace deckpipe {
@@ -121,6 +122,44 @@ TEST_F(RecordingsPageTest, ACopyMarksTheRecordingAsSaved) {
   EXPECT_EQ(named<QLabel>("recordingsOutcome")->text(), QStringLiteral("Saved ") + copy);
   EXPECT_EQ(readRecording(copy).frames, 2u);
   EXPECT_TRUE(readRecording(path).isSaved);
+}
+
+TEST_F(RecordingsPageTest, ACopyThatADiskDoesNotTakeWholeIsSaidWithTheFileAndTheReason) {
+  const QString path = record();
+  start();
+  showPage();
+  ASSERT_TRUE(waitFor([&] { return rows() == 1; }));
+  click("recordingSave");
+  auto* dialog = named<QFileDialog>("fileDialog");
+  const QString copy = dir.filePath(QStringLiteral("mine.deckpipe"));
+  {
+    const test::FileSizeLimit limit(100);
+    ASSERT_GT(QFileInfo(path).size(), 100);
+    Q_EMIT dialog->fileSelected(copy);
+    delete dialog;
+    ASSERT_TRUE(waitFor([&] { return !named<QLabel>("recordingsOutcome")->text().isEmpty(); }));
+  }
+  EXPECT_EQ(named<QLabel>("recordingsOutcome")->text(),
+            copy + QStringLiteral(" cannot be saved: File too large"));
+  EXPECT_FALSE(QFile::exists(copy));
+  EXPECT_FALSE(readRecording(path).isSaved);
+}
+
+TEST_F(RecordingsPageTest, ACopyOntoARecordingThatGoesOnIsRefused) {
+  record();
+  start();
+  showPage();
+  ASSERT_TRUE(waitFor([&] { return rows() == 1; }));
+  const MadeJournalFile growing = createJournalFile(dir.filePath(QStringLiteral("other")).toStdString());
+  ASSERT_TRUE(growing);
+  click("recordingSave");
+  auto* dialog = named<QFileDialog>("fileDialog");
+  Q_EMIT dialog->fileSelected(QString::fromStdString(growing.value()->path()));
+  delete dialog;
+  EXPECT_TRUE(waitFor([&] {
+    return named<QLabel>("recordingsOutcome")->text().contains(QStringLiteral("a recording that goes on"));
+  }));
+  EXPECT_FALSE(growing.value()->check()) << "it has its name";
 }
 
 TEST_F(RecordingsPageTest, ACopyOntoTheRecordingItselfIsRefusedAndSavesNothing) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/console/window_scenes.h"
 #include "console/notice_of.h"
 #include "support/logs.h"
@@ -531,6 +533,41 @@ TEST(LoadFact, IsUnknownWithoutTimes) {
   EXPECT_TRUE(says(recordingFact(timeless).story.toStdString(), "without times"));
 }
 
+TEST(LoadFact, IsUnknownWhereTimesAreGoodToTheSecondOnly) {
+  std::string text;
+  for (int i = 0; i < 200; ++i)
+    text += "(" + std::to_string(10 + i / 100) + ".000000) can" + std::to_string(i % 2) +
+            " 18EFFF80#011D940371000041\n";
+  const Snapshot coarse = file(text.c_str());
+  const BusRates rates = ratesAt(coarse.view);
+  EXPECT_EQ(loadFact(coarse, rates).text.toStdString(), "Load –");
+  EXPECT_EQ(rateFact(rates).text.toStdString(), "– frames/s");
+  EXPECT_TRUE(says(rateFact(rates).story.toStdString(), "good to the second only"));
+  EXPECT_FALSE(says(loadFact(coarse, rates).story.toStdString(), " % of ")) << "of no channel";
+}
+
+TEST(FilteredLog, IsSaidAndNothingOfItIsCalledCompleteOrALoad) {
+  Snapshot snapshot = file(kTruck);
+  auto& log = const_cast<LogDocument&>(*snapshot.view.document);
+  log.notes.append({.frame = 0, .time = log.frames.timeAt(0), .value = note::Filtered{"pgn=EF00 and sa=80"}});
+  auto state = std::make_shared<State>();
+  advance(*state, log.frames, log.notes, snapshot.view.cursor);
+  snapshot.view.state = state;
+  EXPECT_TRUE(says(notice(snapshot), "saved through the filter “pgn=EF00 and sa=80”")) << notice(snapshot);
+  const StatusFact complete = completenessFact(snapshot);
+  EXPECT_EQ(complete.text.toStdString(), "Filtered");
+  EXPECT_EQ(complete.tone, Severity::Warning);
+  const BusRates rates = ratesAt(snapshot.view);
+  EXPECT_EQ(loadFact(snapshot, rates).text.toStdString(), "Load –");
+  EXPECT_TRUE(says(rateFact(rates).story.toStdString(), "saved through a filter"));
+}
+
+TEST(CompletenessFact, SaysThatInterfacesHaveNoNameOfTheirOwn) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += "(1.5) can" + std::to_string(i) + " 123#\n";
+  EXPECT_EQ(completenessFact(file(text.c_str())).text.toStdString(), "Interfaces unnamed");
+}
+
 TEST(LoadFact, IsUnknownOfALogTooShortToTell) {
   const Snapshot brief = file("(1.000) can0 18EFFF80#011D940371000041\n(1.050) can0 18EFFF80#83C051\n");
   const BusRates rates = ratesAt(brief.view);
@@ -611,6 +648,22 @@ TEST(NoticeText, NamesTheLinesOfALogThatAreUnreadable) {
   EXPECT_TRUE(says(text, "2 lines")) << text;
   EXPECT_TRUE(says(text, "line 2: ")) << text;
   EXPECT_TRUE(says(text, "line 3: ")) << text;
+}
+
+TEST(NoticeText, SaysOfDifferencesOfCutLinesAndOfLostFractions) {
+  const Snapshot deltas =
+      file("(0.0) can0 123#\n(0.1) can0 123#\n(0.1) can0 123#\n(0.1) can0 123#\n(0.1) can0 123#\n");
+  EXPECT_TRUE(says(notice(deltas), "look like differences")) << notice(deltas);
+  EXPECT_EQ(noticeOf(deltas, ratesAt(deltas.view)).action, Notice::Action::AddUpTimes);
+  Snapshot cut = file(kTruck);
+  std::set<std::string> told;
+  for (const LastLine line : kAllOf<LastLine>) {
+    cut.source.read.lastLine = line;
+    EXPECT_TRUE(told.insert(notice(cut)).second) << kLastLineKeys[line];
+    EXPECT_EQ(notice(cut).empty(), line == LastLine::Whole) << kLastLineKeys[line];
+  }
+  const Snapshot fractions = file("(1.4011223344) can0 123#\n(2.0) can0 123#\n");
+  EXPECT_TRUE(says(notice(fractions), "more than nine decimals")) << notice(fractions);
 }
 
 TEST(NoticeText, SaysThatALogIsEmptyOrCannotBeRead) {

@@ -2,6 +2,7 @@
 // The headless tool as a script meets it: the program itself, its output, its exit status.
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -413,6 +414,74 @@ TEST(Output, SaysWhenItCannotBeWritten) {
   ASSERT_TRUE(shell.waitForFinished(60'000));
   EXPECT_EQ(shell.exitCode(), 1);
   EXPECT_TRUE(shell.readAllStandardError().contains("standard output"));
+}
+
+TEST(Simulate, SaysWhyADiskTakesOnlyAPartOfIt) {
+  const QTemporaryDir dir;
+  const QString path = dir.filePath(QStringLiteral("a.log"));
+  QProcess shell;
+  shell.start(
+      QStringLiteral("bash"),
+      {QStringLiteral("-c"), QStringLiteral("trap '' XFSZ; ulimit -f 100; %1 simulate --log %2 --seconds 60")
+                                 .arg(QStringLiteral(DECKPIPECTL), path)});
+  ASSERT_TRUE(shell.waitForFinished(60'000));
+  EXPECT_EQ(shell.exitCode(), 1);
+  EXPECT_EQ(shell.readAllStandardError(), "deckpipectl: " + path.toUtf8() + ": File too large\n");
+  EXPECT_FALSE(QFile::exists(path));
+  const Outcome full = run(words("simulate --log /dev/full --seconds 5"));
+  EXPECT_EQ(full.status, 1);
+  EXPECT_EQ(full.err, "deckpipectl: /dev/full: No space left on device\n");
+}
+
+TEST(Simulate, WritesIntoAPipeThatALinkLeadsToAndLeavesTheLink) {
+  const QTemporaryDir dir;
+  const QString link = dir.filePath(QStringLiteral("out"));
+  ASSERT_TRUE(QFile::link(QStringLiteral("/proc/self/fd/1"), link));
+  const Outcome r = run({QStringLiteral("simulate"), QStringLiteral("--log"), link,
+                         QStringLiteral("--seconds"), QStringLiteral("5")});
+  EXPECT_EQ(r.status, 0) << r.err.constData();
+  EXPECT_GT(r.lines().size(), 100);
+  EXPECT_TRUE(QFileInfo(link).isSymbolicLink());
+}
+
+TEST(Simulate, ReplacesMarksOfAPersonOnlyIfItIsTold) {
+  const QTemporaryDir dir;
+  const QString path = dir.filePath(QStringLiteral("a.log")),
+                notes = path + QStringLiteral(".deckpipe-notes");
+  const auto write = [](const QString& to, const char* text) {
+    QFile file(to);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  };
+  write(path, "(1.0) can0 123#\n");
+  write(notes, "Deckpipe notes 1\n");
+  const QStringList simulate{QStringLiteral("simulate"), QStringLiteral("--log"), path};
+  const Outcome refused = run(simulate);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(refused.err.contains(notes.toUtf8() + ": the marks and labels of the log that is there"))
+      << refused.err.constData();
+  EXPECT_EQ(QFile(path).size(), 16);
+  EXPECT_TRUE(QFile::exists(notes));
+  EXPECT_EQ(run(simulate + QStringList{QStringLiteral("--replace-notes")}).status, 0);
+  EXPECT_GT(QFile(path).size(), 16);
+  EXPECT_FALSE(QFile::exists(notes));
+}
+
+TEST(Info, CountsTheFramesOfChannelsThatItCannotTellApart) {
+  QByteArray log;
+  for (int i = 0; i < 300; ++i) log += "(1.5) can" + QByteArray::number(i) + " 123#\n";
+  const Outcome text = run(words("info -"), log);
+  EXPECT_TRUE(
+      text.out.contains("  300 frames over 0.000000 s on 255 channels\n"
+                        "  45 frames are of further channels, which are all taken for one: 'other'\n"))
+      << text.out.left(300).constData();
+  EXPECT_EQ(run(words("info --json -"), log).objects()[0][QLatin1String("of_further_channels")].toInt(), 45);
+}
+
+TEST(Info, TellsNoSpanFinerThanTheTimesOfALog) {
+  QByteArray log;
+  for (int i = 0; i < 20; ++i) log += "(" + QByteArray::number(1'700'000'000 + i) + ") can0 123#\n";
+  EXPECT_TRUE(run(words("info -"), log).out.contains("  20 frames over about 19 s on 1 channel\n"));
 }
 
 TEST(Simulate, WritesTheSameLogForTheSameSeedAndInfoKnowsItsDevices) {

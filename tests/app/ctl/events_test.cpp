@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `deckpipectl events` as a script meets it: of a log, of a pipe, of a recording.
 #include <QFile>
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <fstream>
 #include <memory>
@@ -247,6 +248,48 @@ TEST(EventsOfTheTool, GoOnBehindTheLastFrameAndHaveTheNotesOfASidecarAmongThem) 
             "       2.900  -      -                info     mark: valve\\x0A\\x1B[2J\n"
             "       4.900  can0   80               fault    silent, since 1.900\n"
             "      61.900  can0   -                info     link down\n");
+}
+
+TEST(EventsOfTheTool, AreNeitherSilencesOfALogSavedThroughAFilterNorFramesThatWereAdded) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("part.log"));
+  std::string log;
+  FrameStore frames;
+  const std::uint8_t channel = frames.channel("can0");
+  SidecarMaker sidecar;
+  sidecar.channel("can0");
+  sidecar.note({.frame = 0, .time = {1'000'000'000}, .value = note::Filtered{"name~outputs"}});
+  sidecar.note({.frame = 0, .time = {1'000'000'000}, .value = note::Added{1}});
+  for (int i = 0; i < 20; ++i) {
+    const Frame frame = i == 0 ? test::frame("18EFFF80", "FF83150206021A0B", channel, 1'000'000'000)
+                               : test::frame("18EFFF80", "83C051", channel, (1 + 5 * i) * 1'000'000'000LL);
+    ASSERT_TRUE(frames.append({&frame, 1}));
+    writeCandump(frame, "can0", log);
+    sidecar.frame(frame, frames.timeAt(frames.count() - 1));
+  }
+  std::ofstream(path.toStdString()) << log;
+  std::ofstream(sidecarPath(path.toStdString())) << sidecar.text();
+  const auto run = [&](const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral(DECKPIPECTL), arguments);
+    EXPECT_TRUE(process.waitForFinished(60'000));
+    return test::outcomeOf(process);
+  };
+  const Outcome events = run({QStringLiteral("events"), path});
+  EXPECT_EQ(events.status, 0);
+  EXPECT_EQ(events.out.toStdString(),
+            "       0.000  -      -                warning  filtered: name~outputs\n");
+  EXPECT_TRUE(events.err.contains("saved through the filter 'name~outputs'")) << events.err.constData();
+  const Outcome info = run({QStringLiteral("info"), QStringLiteral("--devices"), path});
+  EXPECT_EQ(info.status, 0);
+  EXPECT_TRUE(info.out.contains("saved through the filter 'name~outputs': what did not pass it is missing"))
+      << info.out.constData();
+  EXPECT_TRUE(info.out.contains(", filtered\n")) << info.out.constData();
+  const QJsonObject object =
+      run({QStringLiteral("info"), QStringLiteral("--json"), QStringLiteral("--devices"), path}).objects()[0];
+  EXPECT_EQ(object[QStringLiteral("filters")].toArray(), QJsonArray{QStringLiteral("name~outputs")});
+  EXPECT_EQ(object[QStringLiteral("devices")].toArray()[0].toObject()[QStringLiteral("health")].toString(),
+            QStringLiteral("filtered"));
 }
 
 TEST(EventsOfTheTool, HaveTheNotesOfARecordingAmongThem) {

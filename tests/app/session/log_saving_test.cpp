@@ -13,6 +13,7 @@
 #include "log/candump.h"
 #include "log/journal_file.h"
 #include "protocol/typed.h"
+#include "support/file_size_limit.h"
 #include "support/frames.h"
 #include "support/logs.h"
 #include "support/patience.h"
@@ -193,16 +194,50 @@ TEST_F(SavedPartTest, ASelectionBeginsWithWhoHeldWhichAddressThen) {
 }
 
 TEST_F(SavedPartTest, WhatPassesAFilterBeginsSoTooAndIsMarkedFrameByFrameWhenSavedAgain) {
-  const Outcome first = save({.passes = [](std::uint64_t frame) { return frame >= 3; }});
+  const Outcome first = save({.passes = [](std::uint64_t frame) { return frame >= 3; }, .filter = "late"});
   EXPECT_EQ(first.written, 3u);
   EXPECT_EQ(first.added, 3u);
   log = reopened();
-  const Outcome again = save({.passes = [](std::uint64_t frame) { return frame != 3; }});
+  EXPECT_TRUE(stateOf(*log).isFiltered());
+  const Outcome again = save({.passes = [](std::uint64_t frame) { return frame != 3; }, .filter = "not t=3"});
   EXPECT_EQ(again.written, 5u);
   EXPECT_EQ(again.added, 0u);
   const auto read = reopened();
-  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "1 added", "2 added"}));
-  EXPECT_EQ(read->notes.all()[0].value, NoteValue(note::Added{1}));
+  EXPECT_EQ(told(*read),
+            (std::vector<std::string>{"0 filtered", "0 filtered", "0 added", "1 added", "2 added"}));
+  EXPECT_EQ(read->notes.filters(), (std::vector<std::string>{"late", "not t=3"}));
+  EXPECT_EQ(read->notes.all()[2].value, NoteValue(note::Added{1}));
+  log = read;
+  save({.begin = 4, .end = 5});
+  EXPECT_EQ(reopened()->notes.filters(), (std::vector<std::string>{"late", "not t=3"})) << "a part of it";
+}
+
+TEST_F(SavedPartTest, AFilterIsNotedInARecordingTooAndWhereNothingPassesIt) {
+  const auto none = [](std::uint64_t) { return false; };
+  save({.passes = none, .filter = "pgn=FECA"});
+  EXPECT_EQ(reopened()->frames.count(), 0u);
+  EXPECT_EQ(reopened()->notes.filters(), std::vector<std::string>{"pgn=FECA"});
+  path = dir.filePath(QStringLiteral("part.deckpipe"));
+  save({.passes = [](std::uint64_t frame) { return frame == 5; }, .filter = "sa=80"});
+  EXPECT_EQ(reopened()->notes.filters(), std::vector<std::string>{"sa=80"});
+}
+
+TEST_F(SavedPartTest, ASelectionIsWholeWithinItself) {
+  save({.begin = 2, .end = 6});
+  EXPECT_FALSE(stateOf(*reopened()).isFiltered());
+}
+
+TEST_F(LogSavingTest, SaysWhyADiskTakesOnlyAPartOfIt) {
+  const test::FileSizeLimit limit(100'000);
+  for (const char* name : {"part.log", "part.deckpipe"}) {
+    LogSaving saving(log, dir.filePath(QString::fromLatin1(name)));
+    QSignalSpy ended(&saving, &LogSaving::ended);
+    ASSERT_TRUE(ended.wait(kPatience));
+    EXPECT_EQ(ended.at(0).at(0).value<LogSaving::Outcome>(), LogSaving::Outcome::Failed);
+    EXPECT_EQ(ended.at(0).at(1).toString(), QStringLiteral("File too large"));
+  }
+  EXPECT_EQ(writeWholeFile(path, std::string(150'000, 'x')), QStringLiteral("File too large"));
+  EXPECT_TRUE(QDir(dir.path()).isEmpty());
 }
 
 // Without the claim the second monitor's status would be the first one's.
@@ -217,7 +252,7 @@ TEST_F(SavedPartTest, WhoComesLaterIsAddedThoughAFilterHoldsItBack) {
   EXPECT_EQ(outcome.written, 2u);
   EXPECT_EQ(outcome.added, 2u);
   const auto read = reopened();
-  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 added", "2 added"}));
+  EXPECT_EQ(told(*read), (std::vector<std::string>{"0 filtered", "0 added", "2 added"}));
   EXPECT_EQ(line(*read, 2), line(*log, 2));
   EXPECT_EQ(stateOf(*read).channel({0}).book.holder({0x80}), stateOf(*log).channel({0}).book.holder({0x80}));
 }

@@ -41,6 +41,17 @@ const std::vector<EventCase> kCases{
     {"ASilenceOfWhatAnswersAndSendsNoStatus",
      [](Story& s) { s.monitor().pass(10s).answers(Story::kNoFaults).pass(1s); },
      {"8.900 silent" MONITOR " since 5.900"}},
+    {"NothingThatRestsOnASilenceOfALogSavedThroughAFilter",
+     [](Story& s) {
+       s.note(note::Filtered{"sa=80"}).monitor().stick(1s).hear("18EF8021", "A1000F").pass(40s);
+       s.goOn(1s, Story::kPosition, "834051").hear("18EFFF80", Story::kAnnouncesA).stick(1s).pass(9s);
+       for (Duration t = 0s; t < 3s; t += 600us) s.hear("18FEF100", "1122334455667788").pass(600us);
+       s.pass(9s).hear("18EFFF81", Story::kAnnouncesB).hear("18EFFF81", Story::kPosition).pass(9s);
+     },
+     {"47.000 disabled" MONITOR}},
+    {"ASilenceInASelection",
+     [](Story& s) { s.note(note::Added{2}).monitor().pass(3s); },
+     {"8.900 silent" MONITOR " since 5.900"}},
     {"ALinkThatIsDownIsNoSilence",
      [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(100ms).goOn(5s); },
      {}},
@@ -604,6 +615,16 @@ const std::vector<EventCase> kCases{
          s.hear("18FEF100", "1122334455667788").pass(600us);
        }
        s.goOn(3s);
+     },
+     {}},
+    {"ABusWhoseTimesAreGoodToTheSecond",
+     [](Story& s) {
+       s.note(note::LinkUp{{}, {}, 500'000});
+       for (int second = 0; second < 3; ++second) {
+         for (int i = 0; i < 3'400; ++i) s.hear("18FEF100", "1122334455667788");
+         s.pass(1s);
+       }
+       s.pass(3s);
      },
      {}},
     {"ABusThatCarriesMoreThanTheAssumedRateAllows",

@@ -63,6 +63,25 @@ INSTANTIATE_TEST_SUITE_P(
              "malformed faults_not_answered"},
         Case{"Faults", [](Bus& b) { b.monitor().answered("02002000000000"); }, "faults"},
         Case{"AnErrorCodeAlone", [](Bus& b) { b.monitor().answered("0200000000000B"); }, "faults"},
+        // Of a log that was saved through a filter.
+        Case{"AMonitorWhoseFramesMayHaveBeenLeftOut",
+             [](Bus& b) { b.note(note::Filtered{"sa=33"}).monitor().answered().pass(60s); }, "filtered"},
+        Case{"APollWhoseAnswerMayHaveBeenLeftOut",
+             [](Bus& b) { b.note(note::Filtered{"da=80"}).monitor().asked().goOn(2s); }, "filtered"},
+        Case{"StatusesThatMayHaveBeenLeftOut",
+             [](Bus& b) {
+               b.note(note::Filtered{"name~position"}).monitor().answered();
+               for (int i = 0; i < 20; ++i) b.pass(100ms).hear("18EFFF80", test::kPosition);
+             },
+             "filtered"},
+        Case{"FaultsAndARestartWhoseRequestMayHaveBeenLeftOut",
+             [](Bus& b) {
+               b.note(note::Filtered{"sa=80"}).monitor().answered("02002000000000").goOn(2s);
+               b.hear("18EFFF80", kAnnouncesA);
+             },
+             "faults filtered"},
+        Case{"ASelectionSavedWhole", [](Bus& b) { b.note(note::Added{2}).monitor().answered().pass(60s); },
+             "silent faults_old"},
         // Old answers.
         Case{"WhatWasAddedWhenAPartWasSaved",
              [](Bus& b) {

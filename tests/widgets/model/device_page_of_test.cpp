@@ -413,6 +413,24 @@ TEST(DevicePageOf, ShowsAPermissiveWithItsSenderAndItsTimeOut) {
   EXPECT_EQ(groupOf(page, "permissive")->remark, QStringLiteral("timed out, last from 05 hex"));
 }
 
+TEST(DevicePageOf, CallsNothingMissingInALogThatWasSavedThroughAFilter) {
+  Heard bus;
+  bus.note({.frame = 0, .time = bus.now(), .value = note::Filtered{"name~position"}});
+  bus.monitor().hear("18EF8005", "A10009").hear("18EF80F9", "02").hear("724", "05");
+  bus.hear("0CFDD634", kStickLeft).hear("0CFDD635", kRestingStick).pass(60s);
+  EXPECT_EQ(groupOf(pageOf(bus), "permissive")->remark,
+            QStringLiteral("last from 05 hex in this log, which was saved through a filter"));
+  EXPECT_EQ(fact(pageOf(bus), "Fault bits").value,
+            QStringLiteral("not in this log, which was saved through a filter"));
+  EXPECT_EQ(fact(pageOf(bus, nodeKey(0x24)), "NMT state").value,
+            QStringLiteral("operational, the last in this log, which was saved through a filter"));
+  const DevicePageValues stick = pageOf(bus, addressKey(0x35));
+  EXPECT_EQ(fact(stick, "Sending").value, QStringLiteral("not known, the log was saved through a filter"));
+  EXPECT_EQ(fact(stick, "Rotation").value, QStringLiteral("not known, the log was saved through a filter"));
+  EXPECT_EQ(fact(stick, "Before it").value.section(QLatin1Char('\n'), 1),
+            QStringLiteral("Joystick 34: not known, the log was saved through a filter"));
+}
+
 TEST(DevicePageOf, SaysThatAPermissiveIsRequiredAndMissing) {
   Heard bus;
   bus.monitor().hear("18EFFF80", "83C800");

@@ -145,7 +145,8 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "Data pipe, axis.txt: file sent",
                            "can2: 7 frames came that are not classic CAN and are not held",
                            "1032AE100801035 is called “front bumper”",
-                           "9 frames were added here when this part was saved: who held which address",
+                           "",
+                           "Saved through the filter “pgn=EF00 and sa=80”: what did not pass it is missing",
                            "The console holds address F9",
                            "The console lost its address to a lower NAME",
                            "The console cannot claim any address",
@@ -163,6 +164,16 @@ TEST(NoteWeight, IsPlainOnlyForWhatWasMeant) {
     const bool isMeant = how == How::Claimed || how == How::Locked;
     EXPECT_EQ(noteWeight(note::OwnAddress{{}, {}, how}), isMeant ? Severity::Plain : Severity::Warning);
   }
+}
+
+TEST_F(ModelOfEvents, HasNoRowOfFramesThatWereAdded) {
+  const auto log = logOfText("(1.000000) can0 123#11\n(2.000000) can0 123#11\n");
+  log->notes.append({.frame = 0, .time = log->frames.timeAt(0), .value = note::Filtered{"id=123"}});
+  for (const std::uint64_t frame : {0, 1})
+    log->notes.append({.frame = frame, .time = log->frames.timeAt(frame), .value = note::Added{1}});
+  model.setView(viewOf(log));
+  ASSERT_EQ(model.rowCount(), 1);
+  EXPECT_TRUE(model.text(0).startsWith(QStringLiteral("Saved through the filter “id=123”")));
 }
 
 TEST_F(ModelOfEvents, ForgetsAnotherLog) {

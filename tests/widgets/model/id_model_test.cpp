@@ -150,6 +150,15 @@ TEST_F(IdModelTest, ShowsTheLastFrameWithItsMeaningAndWhatChanged) {
             QStringLiteral("ch=\"can0\" and id=18EFFF80 and type=01"));
 }
 
+TEST_F(IdModelTest, TellsNoPeriodWhereTimesAreGoodToTheSecondOnly) {
+  std::vector<Frame> frames;
+  for (int i = 0; i < 40; ++i) frames.push_back(frame("123", "", 0, i / 10 * std::int64_t{1'000'000'000}));
+  show(test::viewOf(test::logOf(frames)));
+  ASSERT_EQ(model.rowCount(), 1);
+  EXPECT_EQ(cell(0, IdModel::Period), QString());
+  EXPECT_EQ(cell(0, IdModel::Jitter), QString());
+}
+
 TEST_F(IdModelTest, ShowsOnlyWhatPassesTheFilter) {
   const auto log = test::logOfText(test::busyText(200));
   show(test::viewOf(log));

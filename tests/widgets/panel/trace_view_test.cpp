@@ -242,11 +242,18 @@ TEST_F(TraceViewTest, CopiesTheSelectionAsCandumpReadsIt) {
   EXPECT_EQ(view.copyText().toStdString(), text);
 }
 
-TEST_F(TraceViewTest, CopiesNoMoreThanAClipboardShouldHold) {
+TEST_F(TraceViewTest, CopiesNoMoreThanAClipboardShouldHoldAndSaysSo) {
   open(TraceView::kMaxCopied + 50, 0);
   key(Qt::Key_A, Qt::ControlModifier);
   key(Qt::Key_C, Qt::ControlModifier);
-  EXPECT_EQ(QApplication::clipboard()->text().count(u'\n'), TraceView::kMaxCopied);
+  const QString copied = QApplication::clipboard()->text();
+  EXPECT_EQ(copied.count(u'\n'), TraceView::kMaxCopied + 1);
+  EXPECT_TRUE(copied.endsWith(
+      QStringLiteral("\n# 50 more selected rows are not copied: save the selection instead.\n")))
+      << copied.right(200).toStdString();
+  const auto read = test::logOfText(copied.toStdString());
+  EXPECT_EQ(read->frames.count(), TraceView::kMaxCopied);
+  EXPECT_EQ(read->skipped.content().unreadable(), 0u);
 }
 
 TEST_F(TraceViewTest, TellsTheCurrentRowToWhoCannotSeeIt) {

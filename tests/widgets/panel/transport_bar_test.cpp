@@ -215,6 +215,19 @@ TEST(LogMarks, FindsSilenceAndLostLinks) {
             (TimelineGap{TimelineGap::Kind::Silence, {{42'000'000'000}, {100'000'000'000}}}));
 }
 
+TEST(LogMarks, FindsNoSilenceInALogSavedThroughAFilterAndNoEventInAddedFrames) {
+  std::vector<Frame> frames;
+  for (const std::int64_t s : {0, 1, 40, 100}) frames.push_back(test::frame("123", "", 0, s * 1'000'000'000));
+  const auto log = test::logOf(frames);
+  log->notes.append({.frame = 0, .time = {}, .value = note::Filtered{"id=123"}});
+  log->notes.append({.frame = 2, .time = {40'000'000'000}, .value = note::Added{1}});
+  const LogView view = test::viewOf(log);
+  LogMarks marks;
+  marks.take(view, {view.begin, view.end}, 100);
+  EXPECT_TRUE(marks.gaps().empty());
+  EXPECT_EQ(marks.marks().size(), 1u);
+}
+
 TEST_F(TransportBarTest, StepsByRowsOfTheFilterAndWithShiftByFrames) {
   const QSignalSpy steps(&bar, &TransportBar::stepRequested), rows(&bar, &TransportBar::rowStepRequested);
   bar.setView(test::viewOf(log, 50), {});

@@ -193,8 +193,16 @@ void PipeView::save(const QString& title, const QString& name, const QString& te
   connect(dialog, &QFileDialog::fileSelected, this, [this, text](const QString& path) {
     QSaveFile file(path);
     const QByteArray bytes = text.toUtf8();
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return;
-    Q_EMIT failed(tr("%1 could not be written: %2").arg(path, file.errorString()));
+    const auto fail = [&] { Q_EMIT failed(tr("%1 could not be written: %2").arg(path, file.errorString())); };
+    // Without a buffer the fault is that of the write: committing forgets why. A disk that is nearly full takes a part
+    // and gives no reason: the rest is tried for it.
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) return fail();
+    for (qsizetype done = 0; done < bytes.size();) {
+      const qint64 n = file.write(bytes.constData() + done, bytes.size() - done);
+      if (n <= 0) return fail();
+      done += n;
+    }
+    if (!file.commit()) fail();
   });
   dialog->open();
 }

@@ -64,11 +64,12 @@ void SendFileButton::confirm(const QString& path, const DeviceKey& device, const
   } else if (file.size() > kLargest) {
     trouble = tr("It is larger than %1.").arg(QLocale().formattedDataSize(kLargest));
   }
+  const QByteArray content = trouble.isEmpty() ? file.readAll() : QByteArray();
+  if (trouble.isEmpty() && file.error() != QFileDevice::NoError) trouble = file.errorString();
   if (!trouble.isEmpty()) {
     Q_EMIT failed(tr("%1 cannot be sent: %2").arg(path, trouble));
     return;
   }
-  const QByteArray content = file.readAll();
   const QByteArray lines = withLineEnds(content, QByteArray::fromStdString(m_input.lineEnd()));
   const bool mayBeLines = lines != content && isText(content);
   DangerDialog::request(

@@ -119,6 +119,7 @@ bool LogMarks::takeNotes() {
   m_notes.clear();
   m_lost.clear();
   for (const Note& note : notes) {
+    if (!isEvent(note.value)) continue;
     m_notes.push_back({TimelineMark::Kind::Event, note.time,
                        named(keyOf(note), noteText(*m_log, note), m_labels), EventGroup::Note,
                        noteWeight(note.value)});
@@ -131,6 +132,7 @@ bool LogMarks::takeNotes() {
 // Silence is where no part of the span has a frame, from the last frame before to the first one behind.
 void LogMarks::findGaps(const LogView& view) {
   m_gaps = m_lost;
+  if (!m_log->notes.filters().empty()) return;  // the bus may have been busy there
   const FrameStore& frames = m_log->frames;
   const double bin = (static_cast<double>(m_span.end.ns) - static_cast<double>(m_span.begin.ns)) /
                      static_cast<double>(std::max<std::size_t>(m_density.size(), 1));

@@ -235,10 +235,12 @@ RequestCardValues RequestPanel::loggedValues(Request request, bool withMissing) 
   const AnswerHistory::Row* last = m_history->latest(request);
   QStringList parts;
   if (last == nullptr) {
-    parts << (known != nullptr ? noAnswerText(*known, request, now) : tr("never asked"));
-    if (known != nullptr && !askedAgainText(*known, request, now).isEmpty()) values.tone = Severity::Warning;
+    parts << (known != nullptr ? noAnswerText(*m_view.log.state, *known, request, now) : tr("never asked"));
+    if (known != nullptr && !askedAgainText(*m_view.log.state, *known, request, now).isEmpty())
+      values.tone = Severity::Warning;
   } else {
-    const QString again = withMissing && known != nullptr ? askedAgainText(*known, request, now) : QString();
+    const QString again =
+        withMissing && known != nullptr ? askedAgainText(*m_view.log.state, *known, request, now) : QString();
     if (!again.isEmpty()) {
       values.tone = Severity::Warning;
       parts << again;

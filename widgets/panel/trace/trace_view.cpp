@@ -14,6 +14,7 @@
 #include "log/candump.h"
 #include "paint/app_style.h"
 #include "panel/common/build.h"
+#include "text/plural.h"
 
 namespace deckpipe {
 namespace {
@@ -353,12 +354,20 @@ QString TraceView::copyText() const {
   if (!m_log || m_selection.isEmpty()) return {};
   std::string text;
   const std::uint64_t row = m_model->rowOf(m_selection.first);
-  const std::uint64_t end = std::min(m_model->rowOf(m_selection.end), row + kMaxCopied);
+  const std::uint64_t all = m_model->rowOf(m_selection.end);
+  const std::uint64_t end = std::min(all, row + kMaxCopied);
   for (const std::uint64_t i : m_model->framesOf(row, static_cast<std::size_t>(end - row))) {
     const Frame& frame = m_log->frames[i];
     writeCandump(frame, m_log->frames.channelName(frame.channel), text);
   }
-  return QString::fromStdString(text);
+  QString copied = QString::fromStdString(text);
+  // Readers of the format pass over a line that begins so.
+  if (end < all)
+    copied += QStringLiteral("# ") +
+              tr("%Ln more selected rows are not copied: save the selection instead.", nullptr,
+                 forPlural(all - end)) +
+              QLatin1Char('\n');
+  return copied;
 }
 
 }  // namespace deckpipe

@@ -33,7 +33,7 @@ class TraceView : public QAbstractScrollArea {
   Q_OBJECT
 
  public:
-  // Of a longer selection only so many rows are copied.
+  // Of a longer selection only so many rows are copied, and the copy says at its end how many are not.
   static constexpr std::uint64_t kMaxCopied = 100'000;
 
   explicit TraceView(QWidget* parent = nullptr);
