@@ -448,5 +448,12 @@ Other devices in the list: %n.</numerusform>
             <numerusform>%1 s, %Ln frames, %2/s</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln frames</source>
+        <translation>
+            <numerusform>%Ln frame</numerusform>
+            <numerusform>%Ln frames</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

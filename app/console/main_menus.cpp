@@ -12,6 +12,7 @@
 #include "panel/common/build.h"
 #include "panel/common/settings_page.h"
 #include "panel/events/event_panel.h"
+#include "panel/play/transport_bar.h"
 #include "panel/trace/trace_panel.h"
 #include "sending_actions.h"
 #include "workspace.h"
@@ -25,6 +26,7 @@ void MainWindow::makeMenus() {
   addNamed(m_sending->menu(), "askDeviceAction", tr("Ask the chosen &device…"),
            QKeySequence(Qt::CTRL | Qt::Key_R), m_workspace, &Workspace::showRequests);
   makeViewMenu();
+  makeReplayMenu();
   makeEventsMenu();
   makeHelpMenu();
 }
@@ -85,6 +87,35 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   addNamed(menu, "settingsAction", tr("S&ettings"), QKeySequence(Qt::CTRL | Qt::Key_Comma), this,
            [this] { showExtra(m_settings); });
+}
+
+void MainWindow::makeReplayMenu() {
+  QMenu* menu = m_menus->addMenu(tr("&Replay"));
+  m_replay = new QActionGroup(this);
+  m_replay->setExclusive(false);
+  TransportBar* bar = m_transport;
+  const auto add = [&](const char* name, const QString& text, const QKeySequence& key, auto what) {
+    QAction* action = addNamed(menu, name, text, key, bar, what);
+    m_replay->addAction(action);
+    return action;
+  };
+  add("playAction", tr("&Play or pause"), QKeySequence(Qt::CTRL | Qt::Key_P), &TransportBar::playOrPause);
+  add("fasterAction", tr("&Faster"), QKeySequence(Qt::CTRL | Qt::Key_Up), [bar] { bar->changeSpeed(1); });
+  add("slowerAction", tr("Slo&wer"), QKeySequence(Qt::CTRL | Qt::Key_Down), [bar] { bar->changeSpeed(-1); });
+  QAction* loop = add("loopAction", tr("Play the &selection again and again"),
+                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), &TransportBar::toggleLoop);
+  QAction* silences = add("silencesAction", tr("S&kip silences"), {},
+                          [bar] { Q_EMIT bar->silencesRequested(!bar->playState().skipsSilences); });
+  menu->addSeparator();
+  add("typeTimeAction", tr("&Go to a time…"), QKeySequence(Qt::CTRL | Qt::Key_G), &TransportBar::typeTime);
+  for (QAction* toggle : {loop, silences}) toggle->setCheckable(true);
+  connect(menu, &QMenu::aboutToShow, this, [this, bar, loop, silences] {
+    loop->setEnabled(m_replay->isEnabled() && bar->canLoop());
+    loop->setChecked(bar->playState().isLooping);
+    silences->setChecked(bar->playState().skipsSilences);
+  });
+  // A key works also after the menu was seen without a selection.
+  connect(menu, &QMenu::aboutToHide, this, [this, loop] { loop->setEnabled(m_replay->isEnabled()); });
 }
 
 void MainWindow::makeEventsMenu() {

@@ -158,7 +158,12 @@ void MainWindow::connectPanels() {
   connect(m_workspace->trace(), &TracePanel::saveRequested, this, &MainWindow::savePartByHand);
   connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
   connect(m_transport, &TransportBar::endRequested, &m_session, &Session::goToEnd);
+  connect(m_transport, &TransportBar::framesRequested, &m_session, &Session::seekFrames);
   connect(m_transport, &TransportBar::speedRequested, &m_session, &Session::setSpeed);
+  connect(m_transport, &TransportBar::silencesRequested, &m_session, &Session::setSkipsSilences);
+  connect(m_transport, &TransportBar::loopRequested, this, [this](std::optional<TimelineSpan> span) {
+    m_session.setLoop(span ? std::optional(LoopSpan{span->begin, span->end}) : std::nullopt);
+  });
 }
 
 void MainWindow::showSnapshot() {
@@ -191,9 +196,13 @@ void MainWindow::setSnapshot(const Snapshot& snapshot) {
                         : tr("Deckpipe"));
   setWindowFilePath(isFile ? snapshot.source.name : QString());
   m_workspace->setSnapshot(snapshot);
-  m_transport->setView(
-      view, {view.atEnd && snapshot.source.kind == SourceStatus::Kind::Link ? true : snapshot.playing,
-             snapshot.speed});
+  const bool isLive = snapshot.source.kind == SourceStatus::Kind::Link;
+  m_transport->setView(view, {.isPlaying = (view.atEnd && isLive) || snapshot.playing,
+                              .speed = snapshot.speed,
+                              .isLive = isLive,
+                              .isLooping = snapshot.isLooping,
+                              .skipsSilences = snapshot.skipsSilences,
+                              .skipped = snapshot.skipped});
   if (m_onceMarksAreKept && !snapshot.source.isKeepingMarks) std::exchange(m_onceMarksAreKept, {})();
 }
 
@@ -207,6 +216,7 @@ void MainWindow::showPage() {
   m_transport->setVisible(isOpen);
   m_saveAction->setEnabled(isOpen && hasFrames);
   m_markAction->setEnabled(isOpen && hasFrames);
+  m_replay->setEnabled(isOpen && hasFrames);
   m_helpAction->setEnabled(page == m_workspace);
   if (!isOpen) m_markBar->hide();
   if (page == m_pages->currentWidget()) return;

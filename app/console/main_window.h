@@ -59,6 +59,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeFileMenu();
   void makeViewMenu();
+  void makeReplayMenu();
   void makeEventsMenu();
   void makeHelpMenu();
   void connectPanels();
@@ -125,6 +126,7 @@ class MainWindow : public QMainWindow {
   SaveBar* m_saveBar;
   TransportBar* m_transport;
   QActionGroup* m_themes = nullptr;
+  QActionGroup* m_replay = nullptr;  // all that moves the cursor of a log
   SendingActions* m_sending = nullptr;
   QAction* m_saveAction = nullptr;
   QAction* m_markAction = nullptr;

@@ -18,13 +18,14 @@
 #include "panel/common/simulator_panel.h"
 #include "panel/events/event_panel.h"
 #include "panel/page/device_page.h"
+#include "panel/trace/decode_panel.h"
 #include "panel/trace/trace_panel.h"
 
 namespace deckpipe {
 namespace {
 
 const QString kDocksKey = QStringLiteral("window/docks"), kSizeKey = QStringLiteral("window/docksSize"),
-              kPageKey = QStringLiteral("window/page");
+              kPageKey = QStringLiteral("window/page"), kFrameBitsKey = QStringLiteral("window/frameBits");
 
 }  // namespace
 
@@ -191,6 +192,7 @@ void Workspace::saveTo(QSettings& settings) const {
   }
   settings.setValue(kPageKey, m_centre->currentIndex());
   settings.setValue(QStringLiteral("window/trace"), m_trace->saveState());
+  settings.setValue(kFrameBitsKey, findChild<DecodePanel*>()->areBitsShown());
 }
 
 void Workspace::restoreFrom(const QSettings& settings) {
@@ -202,6 +204,7 @@ void Workspace::restoreFrom(const QSettings& settings) {
   }
   m_centre->setCurrentIndex(settings.value(kPageKey, 0).toInt());
   m_trace->restoreState(settings.value(QStringLiteral("window/trace")).toByteArray());
+  findChild<DecodePanel*>()->showBits(settings.value(kFrameBitsKey, false).toBool());
 }
 
 // An arrangement means something only to a workspace of the size that it was made for: in another one docks are

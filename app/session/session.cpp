@@ -186,11 +186,13 @@ void Session::openLog(const QString& path, TimesOf times) {
 
 void Session::show(Candidate log) {
   beginDocument(log.document);
+  m_playback = Playback(&m_document->frames, Playback::Start::AtBegin);
   m_snapshot.source.kind = SourceStatus::Kind::File;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.name = log.path;
   m_snapshot.source.addsUpTimes = log.times == TimesOf::Differences;
   m_opening = std::move(log.opening);
+  place();
   Q_EMIT changed();
 }
 
@@ -223,6 +225,9 @@ void Session::place() {
   view.atEnd = m_playback.isAtEnd();
   m_snapshot.playing = m_playback.isPlaying();
   m_snapshot.speed = m_playback.speed();
+  m_snapshot.isLooping = m_playback.loop().has_value();
+  m_snapshot.skipsSilences = m_playback.skipsSilences();
+  m_snapshot.skipped = m_playback.skipped();
   if (m_walker != nullptr && !isLiveEdge()) m_walker->request(view.cursor);
 }
 
@@ -314,6 +319,22 @@ void Session::setSpeed(double speed) {
   Q_EMIT changed();
 }
 
+void Session::setLoop(std::optional<LoopSpan> span) {
+  if (m_document == nullptr) return;
+  forgetSaid();
+  const bool begins = span && !m_playback.loop();
+  m_playback.setLoop(span);
+  if (begins) m_playback.play(monotonicTime());
+  place();
+  Q_EMIT changed();
+}
+
+void Session::setSkipsSilences(bool skips) {
+  m_playback.setSkipsSilences(skips);
+  place();
+  Q_EMIT changed();
+}
+
 void Session::updateSource() {
   SourceStatus& source = m_snapshot.source;
   if (m_opening != nullptr) {
@@ -372,7 +393,7 @@ void Session::tick() {
   if (grows()) m_labels.note(*m_document, *published.state);
   const Cursor end = grows() ? published.state->cursor() : endCursor();
   m_playback.reach(end, grows());
-  m_playback.timeCame(monotonicTime());
+  m_playback.timeCame(monotonicTime(), m_walker->latest()->cursor());
   place();
   LogView& view = m_snapshot.view;
   view.state = isLiveEdge() ? published.state : m_walker->latest();
@@ -384,7 +405,8 @@ void Session::tick() {
   const bool same = before.view.state == view.state && before.view.cursor == view.cursor &&
                     before.view.frameCount == view.frameCount && before.view.found == view.found &&
                     before.source == m_snapshot.source && before.playing == m_snapshot.playing &&
-                    before.isCatchingUp == m_snapshot.isCatchingUp && before.services == m_snapshot.services;
+                    before.skipped == m_snapshot.skipped && before.isCatchingUp == m_snapshot.isCatchingUp &&
+                    before.services == m_snapshot.services;
   if (!same) Q_EMIT changed();
 }
 

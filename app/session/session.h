@@ -91,7 +91,10 @@ class Session : public QObject {
   void step(int frames);
   // To the end, and from then on with it.
   void goToEnd();
+  // playback.h says what these take. A loop that begins starts to play.
   void setSpeed(double speed);
+  void setLoop(std::optional<LoopSpan> span);
+  void setSkipsSilences(bool skips);
 
  Q_SIGNALS:
   // The snapshot differs from the one before; at most once a tick, and at once on what a person asked for.

@@ -99,7 +99,10 @@ struct LeftWaiting {
 struct Snapshot {
   LogView view;
   bool playing = false;
-  double speed = 1;
+  double speed = 1;  // times real time; Playback::kUnbounded: as fast as the state is found
+  bool isLooping = false;
+  bool skipsSilences = false;
+  Duration skipped{0};  // log time without frames that playing has just skipped
   // The state of the view stands still at another place than its cursor: it is being found.
   bool isCatchingUp = false;
   SourceStatus source;

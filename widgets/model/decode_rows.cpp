@@ -235,13 +235,14 @@ std::vector<DecodeRow> decodeRows(const Frame& frame, const Classified& what) {
     certainty.tip = sentence;
     rows.push_back(certainty);
   }
-  addIdentifier(rows, frame);
   if (message != nullptr && what.isDecoded()) {
-    if (message->firstByte >= 0) addType(rows, frame, *message);
     for (const Field& field : message->fields) {
       if (isPresent(field, frame)) addField(rows, frame, *message, field);
     }
+    if (message->firstByte >= 0) addType(rows, frame, *message);
+    addIdentifier(rows, frame);
   } else {
+    addIdentifier(rows, frame);
     for (unsigned byte = 1; byte <= frame.bytes().size(); ++byte) addByte(rows, frame, byte);
   }
   return rows;

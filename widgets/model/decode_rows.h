@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The detail of one frame as lines: its identifier taken apart, how sure its reading is, its fields, and as
-// bytes whatever is no field. Plain values, made once for the frame that a person looks at. Where a field
+// The detail of one frame as lines: how sure its reading is, its fields, its identifier taken apart, and as bytes
+// whatever is no field. Plain values, made once for the frame that a person looks at. Where a field
 // stands is said as the manuals count (bytes from 1, bits 8..1), and as a set of bits to be drawn.
 #pragma once
 

@@ -25,15 +25,16 @@ TableColumn timeColumn(TraceModel::TimeMode mode) {
     case TraceModel::TimeMode::Clock:
       return {TraceModel::tr("Local time"), TraceModel::tr("Local time of what the adapter or the log says"),
               true};
-    case TraceModel::TimeMode::Absolute: break;
+    case TraceModel::TimeMode::Stamp:
+    case TraceModel::TimeMode::Count: break;
   }
-  return {TraceModel::tr("Time"), TraceModel::tr("What the adapter or the log says, in seconds"), true};
+  return {TraceModel::tr("Stamp"), TraceModel::tr("What the adapter or the log says, in seconds"), true};
 }
 
 }  // namespace
 
 TraceModel::TraceModel(QObject* parent)
-    : TableModel({timeColumn(TimeMode::Absolute),
+    : TableModel({timeColumn(TimeMode::SinceBegin),
                   {tr("Δ"), tr("Log time since the row before, in seconds"), true},
                   {tr("Channel")},
                   {tr("Dir"), tr("Rx received, Tx sent")},
@@ -47,6 +48,17 @@ TraceModel::TraceModel(QObject* parent)
                  parent) {}
 
 TraceModel::~TraceModel() = default;
+
+QString TraceModel::modeText(TimeMode mode) {
+  switch (mode) {
+    case TimeMode::SinceBegin: return tr("Time since the begin");
+    case TimeMode::Clock: return tr("Local time");
+    case TimeMode::Stamp: return tr("Stamp as in the log");
+    case TimeMode::SinceRowBefore: return tr("Time since the row before");
+    case TimeMode::Count: break;
+  }
+  return {};
+}
 
 void TraceModel::setView(const LogView& view) {
   const bool isSame = view.document == m_view.document;
@@ -282,7 +294,8 @@ QString TraceModel::marksText(Marks marks) {
 
 QString TraceModel::timeText(const TraceRow& row) const {
   switch (m_timeMode) {
-    case TimeMode::Absolute: break;
+    case TimeMode::Stamp:
+    case TimeMode::Count: break;
     case TimeMode::SinceBegin:
       if (!m_view.hasTimes()) break;
       return sinceText(m_view.document->frames.timeAt(row.index) - m_view.begin);
@@ -331,7 +344,7 @@ QString TraceModel::toolTip(const TraceRow& row, int column) const {
 QString TraceModel::sentence(const TraceRow& row) const {
   QStringList parts{tr("frame %1").arg(row.index + 1)};
   if (const QString marked = marksText(marks(row)); !marked.isEmpty()) parts += marked;
-  parts += tr("time %1").arg(stampText(row.frame));
+  parts += tr("time %1").arg(timeText(row));
   parts += text(row, ChannelName);
   parts += tr("identifier %1").arg(identifierText(row.frame));
   if (!row.title.isEmpty()) parts += row.title;

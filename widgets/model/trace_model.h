@@ -62,7 +62,9 @@ class TraceModel : public TableModel {
     Added = 512,      // put there when the log was saved, not received there
   };
   Q_DECLARE_FLAGS(Marks, Mark)
-  enum class TimeMode : std::uint8_t { Absolute, SinceBegin, SinceRowBefore, Clock };
+  // How the Time column says time. A log whose stamps are no dates has no clock: there Clock says Stamp.
+  enum class TimeMode : std::uint8_t { SinceBegin, Clock, Stamp, SinceRowBefore, Count };
+  static QString modeText(TimeMode mode);
 
   explicit TraceModel(QObject* parent = nullptr);
   ~TraceModel() override;
@@ -125,7 +127,7 @@ class TraceModel : public TableModel {
   LogView m_view;
   TraceFilter m_filter;
   std::unique_ptr<FilterWorker> m_filterWorker;  // null where all frames are rows
-  TimeMode m_timeMode = TimeMode::Absolute;
+  TimeMode m_timeMode = TimeMode::SinceBegin;
   std::uint64_t m_count = 0;  // of rows
   std::uint64_t m_filteredFrames = 0;
   std::uint64_t m_passed = 0;                 // rows at or before the cursor

@@ -108,6 +108,11 @@ int targetHeight(const QWidget* widget) {
   return style != nullptr ? style->sizeFromDensity() : kDesk;
 }
 
+int denseRowHeight(const QWidget* widget, int desk) {
+  const int target = targetHeight(widget);
+  return target > kDesk ? std::max(target, desk) : desk;
+}
+
 const Colours& coloursOf(const QWidget* widget) {
   const AppStyle* style = styleOf(widget);
   return style != nullptr ? style->colours() : coloursOf(Theme::Light);

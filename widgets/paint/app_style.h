@@ -45,6 +45,10 @@ class AppStyle : public QProxyStyle {
 // other style.
 int targetHeight(const QWidget* widget);
 
+// The height of a row of a list of many: `desk` at a desk, where many rows in sight are worth more; in the field that of
+// a target.
+int denseRowHeight(const QWidget* widget, int desk);
+
 // The colours to paint a widget in; those of the light theme under any other style.
 const Colours& coloursOf(const QWidget* widget);
 

@@ -2,10 +2,12 @@
 #include "paint/payload_bits.h"
 
 #include <QFontDatabase>
+#include <QFontInfo>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -106,10 +108,13 @@ void PayloadBits::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   const Colours& c = coloursOf(this);
   const PayloadGeometry g = PayloadGeometry::fitting(size());
+  // As large as the words around, as far as the places for it go.
+  const double small = std::clamp(QFontInfo(font()).pixelSize() * 0.88, 12.0, 17.0);
   QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  digits.setPixelSize(static_cast<int>(std::lround(std::min(g.cellHeight * 0.55, 15.0))));
+  digits.setPixelSize(
+      static_cast<int>(std::lround(std::min(g.cellHeight * 0.55, std::max(15.0, small * 1.1)))));
   QFont labels = font();
-  labels.setPixelSize(11);
+  labels.setPixelSize(static_cast<int>(small));
 
   p.setFont(labels);
   p.setPen(c.textSecondary);

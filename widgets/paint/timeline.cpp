@@ -16,17 +16,27 @@ namespace {
 constexpr double kMarkHeight = 9;
 constexpr double kMinGap = 3;  // pixels
 constexpr double kUnseen = 3;  // pixels that all may lag behind a log that grows
+constexpr int kStripHeight = 26;
+constexpr int kTickHeight = 4;
+constexpr double kFewestFrames = 10;  // in sight, of a log without times
+
+double widthOfWords(const QFont& font, const QString& words) {
+  return QFontMetricsF(font).horizontalAdvance(words) + 12;
+}
 
 }  // namespace
 
 Timeline::Timeline(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Position in the log"));
-  setWhatsThis(tr(
-      "The log from begin to end: how dense it is, where nothing came, marks, and the cursor. Left and Right "
-      "move the cursor by a second, with Shift by ten, with Ctrl to the next mark; Home and End to either "
-      "end. + and − or the wheel look closer, 0 shows all. [ and ] select from, or to, the cursor, as does a "
-      "drag with Shift."));
+  setWhatsThis(
+      tr("The log from begin to end: how dense it is, where nothing came, marks, and the cursor. Space plays "
+         "and pauses, "
+         "Up and Down make it faster and slower. Left and Right move the cursor by a second, in a log "
+         "without times by a "
+         "frame, with Shift by ten, with Ctrl to the next mark; Home and End to either end. + and − or the "
+         "wheel look "
+         "closer, 0 shows all. [ and ] select from, or to, the cursor, as does a drag with Shift."));
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   grabGesture(Qt::PinchGesture);
@@ -93,9 +103,20 @@ TimelineGeometry Timeline::geometryNow() const {
   return {static_cast<double>(width()), shown().begin, shown().end};
 }
 
+void Timeline::zoom(Instant around, double factor) {
+  const bool isOfFrames = m_values.unit == TimelineUnit::Frames;
+  const double least = isOfFrames ? kFewestFrames * static_cast<double>(kFrameOnScale.count()) : kMinSpanNs;
+  showSpan(spanZoomed(shown(), whole(), around, factor, least));
+}
+
+QSize Timeline::sizeHint() const {
+  return {480, static_cast<int>(kMarkHeight) + 3 + kStripHeight + kTickHeight + fontMetrics().height()};
+}
+
 QRectF Timeline::strip() const {
-  const double left = TimelineGeometry::kInset;
-  return {left, kMarkHeight + 3, std::max(1.0, width() - 2 * left), height() - kMarkHeight - 7};
+  const double left = TimelineGeometry::kInset, top = kMarkHeight + 3;
+  return {left, top, std::max(1.0, width() - 2 * left),
+          std::max(1.0, height() - top - kTickHeight - fontMetrics().height())};
 }
 
 void Timeline::paintEvent(QPaintEvent*) {
@@ -111,6 +132,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     p.drawText(strip, Qt::AlignCenter, tr("No frames"));
   } else {
     const TimelineGeometry g = geometryNow();
+    paintScale(p, c, g, strip);
     paintDensity(p, c, g, strip);
     paintGaps(p, c, g, strip);
     paintMarks(p, c, g, strip);
@@ -224,12 +246,20 @@ void Timeline::paintSelection(QPainter& p, const Colours& c, const TimelineGeome
   p.setPen(QPen(c.accent.ink, 2 * c.stroke, Qt::SolidLine, Qt::FlatCap));
   for (const double x : {area.left(), area.right()}) p.drawLine(QPointF(x, 1), QPointF(x, strip.bottom()));
   p.drawLine(area.topLeft() + QPointF(0, 1), area.topRight() + QPointF(0, 1));
-  // Inside where there is room, otherwise beside it, always on a ground of its own.
-  const double width = QFontMetricsF(font()).horizontalAdvance(m_values.selection) + 12;
-  if (width <= 12) return;
+  if (!m_values.atCursor.isEmpty()) return;  // it would be covered
+  // Inside where there is room, otherwise beside it.
+  const double width = widthOfWords(font(), m_values.selection);
   double left = area.center().x() - width / 2;
   if (area.width() < width + 4)
     left = area.right() + width + 4 < strip.right() ? area.right() + 4 : area.left() - width - 4;
+  paintWords(p, c, strip, left, m_values.selection);
+}
+
+// On a ground of their own, within the strip.
+void Timeline::paintWords(QPainter& p, const Colours& c, const QRectF& strip, double left,
+                          const QString& words) const {
+  if (words.isEmpty()) return;
+  const double width = widthOfWords(font(), words);
   const double height = QFontMetricsF(font()).height() + 2;
   const QRectF box(std::clamp(left, strip.left(), std::max(strip.left(), strip.right() - width)),
                    strip.center().y() - height / 2, width, height);
@@ -237,7 +267,23 @@ void Timeline::paintSelection(QPainter& p, const Colours& c, const TimelineGeome
   p.setBrush(c.surface);
   p.drawRect(box);
   p.setPen(c.text);
-  p.drawText(box, Qt::AlignCenter, m_values.selection);
+  p.drawText(box, Qt::AlignCenter, words);
+}
+
+void Timeline::paintScale(QPainter& p, const Colours& c, const TimelineGeometry& g,
+                          const QRectF& strip) const {
+  const QFontMetricsF metrics(font());
+  const double top = strip.bottom() + 1;
+  p.setPen(QPen(c.textSecondary, c.stroke, Qt::SolidLine, Qt::FlatCap));
+  const auto ticks =
+      timelineTicks(g, m_values.unit == TimelineUnit::Time ? m_values.begin : Instant{}, m_values.unit,
+                    [&metrics](const QString& text) { return metrics.horizontalAdvance(text); });
+  for (const TimelineTick& tick : ticks) {
+    const double x = std::round(tick.x) + 0.5;
+    p.drawLine(QPointF(x, top), QPointF(x, top + (tick.text.isEmpty() ? kTickHeight - 2 : kTickHeight)));
+    if (!tick.text.isEmpty())
+      p.drawText(QPointF(tick.left, top + kTickHeight - 1 + metrics.ascent()), tick.text);
+  }
 }
 
 // While only a part is in sight: an arrow where the log goes on, filled where the cursor is that way.
@@ -274,6 +320,8 @@ void Timeline::paintCursor(QPainter& p, const Colours& c, const TimelineGeometry
   p.setBrush(c.accent.fill);
   const double y = strip.bottom() + 3.5;
   p.drawPolygon(QPolygonF{{x, y - 9}, {x + 7, y}, {x - 7, y}});
+  const double words = widthOfWords(font(), m_values.atCursor);
+  paintWords(p, c, strip, x + 8 + words < strip.right() ? x + 8 : x - 8 - words, m_values.atCursor);
 }
 
 }  // namespace deckpipe

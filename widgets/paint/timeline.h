@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time span of a log as a strip: how dense it is, where nothing came, where its clock jumped, what was
+// The time span of a log as a strip with a scale: how dense it is, where nothing came, where its clock jumped, what was
 // noted, where the cursor stands, and the live edge. The transport bar fills in the values; the person points
 // at an instant, looks closer, and selects a span.
 //
@@ -19,6 +19,7 @@
 #include "base/time.h"
 #include "paint/palette.h"
 #include "paint/timeline_geometry.h"
+#include "paint/timeline_scale.h"
 
 namespace deckpipe {
 
@@ -50,6 +51,8 @@ struct TimelineValues {
   std::vector<TimelineMark> marks{};
   std::vector<TimelineGap> gaps{};
   QString selection{};  // what is to be said of the span that is selected
+  QString atCursor{};   // what is to be said beside the cursor
+  TimelineUnit unit = TimelineUnit::Time;
   friend bool operator==(const TimelineValues&, const TimelineValues&) = default;
 };
 
@@ -73,8 +76,8 @@ class Timeline : public QWidget {
   const EnumSet<EventGroup>& hidden() const { return m_hidden; }
   void hide(EventGroup group, bool isHidden);
 
-  QSize sizeHint() const override { return {480, 48}; }
-  QSize minimumSizeHint() const override { return {160, 40}; }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
  Q_SIGNALS:
   void seekRequested(deckpipe::Instant time);
@@ -99,13 +102,16 @@ class Timeline : public QWidget {
   void paintSelection(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
   void paintCursor(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
   void paintBeyond(QPainter& p, const Colours& c, const QRectF& strip) const;
+  void paintScale(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
+  void paintWords(QPainter& p, const Colours& c, const QRectF& strip, double left,
+                  const QString& words) const;
   QRectF strip() const;
 
   // A log that only grew by less than can be seen: all else moves to the left.
   bool looksTheSame(const TimelineValues& next) const;
   TimelineSpan whole() const { return {m_values.begin, m_values.end}; }
   void keepInSight(const TimelineValues& before);
-  void zoom(Instant around, double factor) { showSpan(spanZoomed(shown(), whole(), around, factor)); }
+  void zoom(Instant around, double factor);
   void goToMark(bool isBack);
   bool isShown(const TimelineMark& mark) const {
     return mark.kind == TimelineMark::Kind::TimeJump || !m_hidden.has(mark.group);
@@ -118,6 +124,7 @@ class Timeline : public QWidget {
   std::optional<TimelineSpan> m_shown;  // nothing: the whole log
   std::optional<TimelineSpan> m_selection;
   std::optional<Instant> m_selectingFrom;  // while a span is dragged
+  bool m_hasDragged = false;               // since then
   bool m_isPinching = false;
   EnumSet<EventGroup> m_hidden;
 };

@@ -29,9 +29,11 @@ inline TimelineSpan spanWithin(TimelineSpan span, TimelineSpan whole) {
   if (span.end > whole.end) return {whole.end - (span.end - span.begin), whole.end};
   return span;
 }
-// Closer by `factor`, with the instant `around` where it is; the whole where that is not longer.
-inline TimelineSpan spanZoomed(TimelineSpan span, TimelineSpan whole, Instant around, double factor) {
-  const double length = std::max(span.ns() / factor, kMinSpanNs);
+// Closer by `factor`, no closer than `least` ns, with the instant `around` where it is; the whole where that is not
+// longer.
+inline TimelineSpan spanZoomed(TimelineSpan span, TimelineSpan whole, Instant around, double factor,
+                               double least = kMinSpanNs) {
+  const double length = std::max(span.ns() / factor, least);
   if (length >= whole.ns() || span.ns() <= 0) return whole;
   const double share =
       std::clamp((static_cast<double>(around.ns) - static_cast<double>(span.begin.ns)) / span.ns(), 0.0, 1.0);

@@ -38,7 +38,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
   const Instant time = geometryNow().timeAt(event->position().x());
   if (event->position().y() < strip().top() || (event->modifiers() & Qt::ShiftModifier)) {
     m_selectingFrom = time;
-    select({});
+    m_hasDragged = false;
   } else if (event->source() != Qt::MouseEventSynthesizedByQt) {
     seekTo(time);  // a finger may be the first of two
   }
@@ -48,6 +48,7 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
   if (!(event->buttons() & Qt::LeftButton) || m_isPinching) return;
   const Instant time = geometryNow().timeAt(event->position().x());
   if (m_selectingFrom) {
+    m_hasDragged = true;
     selectTo(time);
   } else {
     seekTo(time);
@@ -57,6 +58,7 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
 void Timeline::mouseReleaseEvent(QMouseEvent* event) {
   const bool isTap = event->source() == Qt::MouseEventSynthesizedByQt && !m_isPinching;
   if (isTap && !m_selectingFrom) seekTo(geometryNow().timeAt(event->position().x()));
+  if (m_selectingFrom && !m_hasDragged) select({});
   m_selectingFrom.reset();
   m_isPinching = false;
 }

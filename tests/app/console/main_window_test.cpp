@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window as a person meets it: a log opened, a device chosen, rows and the timeline worked with real
 // events.
+#include <QLineEdit>
+
 #include "app/console/window_scenes.h"
 #include "app/console/window_test.h"
 #include "console/workspace.h"
@@ -9,6 +11,7 @@
 #include "panel/page/device_page.h"
 #include "panel/play/transport_bar.h"
 #include "panel/trace/trace_view.h"
+#include "session/playback.h"
 #include "support/child.h"
 
 namespace deckpipe {
@@ -51,6 +54,48 @@ TEST_F(Window, PlaysFromTheTimelineWithSpace) {
   EXPECT_TRUE(m_session.snapshot().playing);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !m_session.snapshot().playing; }, kPatience));
   EXPECT_EQ(m_session.snapshot().view.cursor.frames, 3u);
+}
+
+TEST_F(Window, GoesToATimeThatIsTyped) {
+  openLog(kTruck);
+  const LogView view = m_session.snapshot().view;
+  QTest::keyClick(&m_window, Qt::Key_G, Qt::ControlModifier);
+  auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(field, nullptr);
+  EXPECT_EQ(field->accessibleName(), QStringLiteral("Go to a time"));
+  QTest::keyClicks(field, QStringLiteral("0.1"));
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(m_session.snapshot().view.cursor.time, view.begin + 100ms);
+  EXPECT_FALSE(field->isVisible());
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), QStringLiteral("timeline")) << "Space plays at once";
+}
+
+TEST_F(Window, ChangesTheSpeedAndLoopsByKeys) {
+  openLog(kTruck);
+  for (int i = 0; i < 12; ++i) QTest::keyClick(&m_window, Qt::Key_Up, Qt::ControlModifier);
+  EXPECT_EQ(m_session.snapshot().speed, Playback::kUnbounded);
+  for (int i = 0; i < 12; ++i) QTest::keyClick(&m_window, Qt::Key_Down, Qt::ControlModifier);
+  EXPECT_EQ(m_session.snapshot().speed, Playback::kSlowest);
+  QTest::keyClick(&m_window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(m_session.snapshot().isLooping) << "nothing is selected";
+  m_session.seekFrames(2);
+  QTest::keyClick(named<QWidget>("timeline"), Qt::Key_BracketRight);
+  QTest::keyClick(&m_window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(m_session.snapshot().isLooping);
+  EXPECT_TRUE(m_session.snapshot().playing);
+  QTest::keyClick(&m_window, Qt::Key_P, Qt::ControlModifier);
+  EXPECT_FALSE(m_session.snapshot().playing);
+  trigger("silencesAction");
+  EXPECT_TRUE(m_session.snapshot().skipsSilences);
+}
+
+TEST_F(Window, OffersReplayOnlyWhereThereIsALog) {
+  const auto isOffered = [this](const char* action) { return named<QAction>(action)->isEnabled(); };
+  for (const char* action : {"playAction", "typeTimeAction", "fasterAction", "silencesAction"})
+    EXPECT_FALSE(isOffered(action)) << action;
+  openLog(kTruck);
+  for (const char* action : {"playAction", "typeTimeAction", "fasterAction", "silencesAction"})
+    EXPECT_TRUE(isOffered(action)) << action;
 }
 
 TEST_F(Window, ChangesItsThemeAtOnce) {

@@ -36,13 +36,21 @@ class WindowTest : public testing::Test {
     if (file.open(QIODevice::WriteOnly)) file.write(text);
     return path;
   }
+  // It is seen at its end, where everything has happened.
   void openLog(const QByteArray& text) {
+    const auto before = m_session.snapshot().view.document;
     m_session.openLog(writeLog(text));
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
           const Snapshot& s = m_session.snapshot();
-          return s.source.progress == SourceStatus::Progress::Done &&
-                 s.view.state->cursor() == s.view.cursor && s.view.frameCount > 0;
+          return s.view.document != before && s.source.progress == SourceStatus::Progress::Done;
+        },
+        kPatience));
+    m_session.goToEnd();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          const LogView& view = m_session.snapshot().view;
+          return view.state->cursor() == view.cursor && view.frameCount > 0;
         },
         kPatience));
   }

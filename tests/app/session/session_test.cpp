@@ -50,6 +50,7 @@ class OpenedLog : public testing::Test {
  protected:
   void SetUp() override {
     m_session.openLog(writeLog(m_dir, kThreeFrames));
+    m_session.goToEnd();
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return m_session.snapshot().source.progress == SourceStatus::Progress::Done && settledAt(3); },
         kPatience));
@@ -263,10 +264,58 @@ TEST_F(OpenedLog, TakesTheNotesBesideItIntoItsState) {
   sidecar.write(maker.text().c_str());
   sidecar.close();
   m_session.openLog(path);
+  m_session.goToEnd();
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return isSettled(m_session) && view().state->channel({0}).book.isDrive({0x5A}); }, kPatience));
   EXPECT_TRUE(m_session.snapshot().source.read.hasSidecar);
   EXPECT_EQ(view().document->notes.all().at(0).time, Instant{10'500'000'000});
+}
+
+TEST(OpenedLogs, AreSeenFromTheirBeginWhileTheyAreReadAndAfterwards) {
+  const QTemporaryDir dir;
+  Session session;
+  std::vector<Cursor> cursors;
+  QObject::connect(&session, &Session::changed, [&] {
+    if (session.snapshot().view.frameCount > 0) cursors.push_back(session.snapshot().view.cursor);
+  });
+  QByteArray text;
+  for (int i = 0; i < 60'000; ++i)
+    text += "(" + QByteArray::number(10 + i) + ".0) can0 18EFFF80#01000C0371000041\n";
+  session.openLog(writeLog(dir, text));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return session.snapshot().source.progress == SourceStatus::Progress::Done && isSettled(session);
+      },
+      kPatience));
+  EXPECT_EQ(session.snapshot().view.frameCount, 60'000u);
+  const Cursor first{1, Instant{10'000'000'000}};
+  EXPECT_EQ(session.snapshot().view.cursor, first);
+  EXPECT_FALSE(session.snapshot().view.atEnd);
+  EXPECT_TRUE(std::ranges::all_of(cursors, [&](const Cursor& cursor) { return cursor == first; }));
+  session.play();
+  EXPECT_TRUE(session.snapshot().playing);
+}
+
+TEST_F(OpenedLog, IsPlayedInALoopAndPastSilencesAsTheSnapshotSays) {
+  m_session.setSkipsSilences(true);
+  EXPECT_TRUE(m_session.snapshot().skipsSilences);
+  m_session.setLoop(LoopSpan{{11'000'000'000}, {11'100'000'000}});
+  EXPECT_TRUE(m_session.snapshot().isLooping);
+  EXPECT_TRUE(m_session.snapshot().playing) << "a loop begins to play";
+  EXPECT_EQ(view().cursor, (Cursor{2, Instant{11'000'000'000}}));
+  m_session.pause();
+  m_session.setLoop(LoopSpan{{10'000'000'000}, {11'100'000'000}});
+  EXPECT_FALSE(m_session.snapshot().playing) << "another span of it changes nothing about that";
+  m_session.setLoop({});
+  EXPECT_FALSE(m_session.snapshot().isLooping);
+}
+
+TEST_F(OpenedLog, IsPlayedToItsEndAsFastAsTheStateIsFound) {
+  m_session.setSpeed(Playback::kUnbounded);
+  m_session.seekFrames(1);
+  m_session.play();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().atEnd && settledAt(3); }, kPatience));
+  EXPECT_EQ(rotation(), 0);
 }
 
 TEST_F(OpenedLog, StandsAtItsEndWithTheStateThere) {

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "model/trace_cells.h"
 #include "model/trace_model.h"
 #include "support/frames.h"
 #include "support/logs.h"
@@ -179,7 +180,7 @@ TEST_F(FilteredTrace, GrowsWithTheLogAndGoesToAnotherLog) {
   EXPECT_EQ(model.rows(), 0u);
 }
 
-TEST_F(FilteredTrace, SaysTimesInFourWays) {
+TEST_F(FilteredTrace, SaysTimesSinceTheBeginUntilToldOtherwise) {
   open(100);
   model.setWindow(0, 100);
   QSignalSpy header(&model, &QAbstractItemModel::headerDataChanged);
@@ -193,6 +194,8 @@ TEST_F(FilteredTrace, SaysTimesInFourWays) {
   EXPECT_EQ(cell(0, TraceModel::Time), QStringLiteral("0.040000"));
   model.setTimeMode(TraceModel::TimeMode::Clock);
   EXPECT_EQ(cell(0, TraceModel::Time), QStringLiteral("0.040000")) << "no date";
+  model.setTimeMode(TraceModel::TimeMode::Stamp);
+  EXPECT_EQ(cell(0, TraceModel::Time), stampText(model.view().document->frames[40]));
 }
 
 TEST(TraceClock, IsTheLocalTimeOfTheStamp) {

@@ -58,6 +58,7 @@ TEST_F(TraceModelTest, SaysNothingWithoutALog) {
 }
 
 TEST_F(TraceModelTest, WritesEveryColumnForPeople) {
+  model.setTimeMode(TraceModel::TimeMode::Stamp);
   model.setWindow(0, 50);
   model.setView(test::viewOf(test::logOfText(kSmall)));
   ASSERT_EQ(model.rowCount(), 9);
@@ -92,7 +93,8 @@ TEST_F(TraceModelTest, HasNoTimesWhereTheLogHasNone) {
   model.setView(test::viewOf(test::logOfText("can0 123 [1] 11\ncan0 123 [1] 12\n")));
   model.setWindow(0, 50);
   for (const int row : {0, 1}) EXPECT_EQ(cell(row, Delta).toStdString(), "") << row;
-  for (const auto mode : {TraceModel::TimeMode::SinceBegin, TraceModel::TimeMode::SinceRowBefore}) {
+  for (const auto mode : {TraceModel::TimeMode::SinceBegin, TraceModel::TimeMode::Clock,
+                          TraceModel::TimeMode::Stamp, TraceModel::TimeMode::SinceRowBefore}) {
     model.setTimeMode(mode);
     EXPECT_FALSE(cell(1, Time).contains(u'0')) << cell(1, Time).toStdString();
   }
@@ -112,7 +114,7 @@ TEST_F(TraceModelTest, MarksWhatAPersonMustNotMiss) {
   EXPECT_EQ(marks(7), M::AfterCursor | M::Ambiguous);
   EXPECT_EQ(M::marksText(marks(4)).toStdString(), "after the cursor, the clock jumps here");
   EXPECT_EQ(cell(4, Time, Qt::AccessibleTextRole).toStdString(),
-            "frame 5, after the cursor, the clock jumps here, time 1699999990.000000, can1, identifier 724, "
+            "frame 5, after the cursor, the clock jumps here, time 0.130000, can1, identifier 724, "
             "Heartbeat, Operational");
 }
 

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
+#include <limits>
 #include <memory>
 
 #include "base/time.h"
@@ -38,6 +39,69 @@ TEST(TimelineGeometry, AnswersForOddSpansToo) {
   EXPECT_GT(hostile.timeAt(250).ns, 0);
   const TimelineGeometry none{0, {}, {}};
   EXPECT_EQ(none.timeAt(0), Instant{});
+}
+
+struct Scale {
+  const char* name;
+  double width, begin, end;  // pixels, seconds since the log's begin
+  TimelineUnit unit;
+  const char* texts;
+};
+void PrintTo(const Scale& scale, std::ostream* out) { *out << scale.name; }
+
+struct TimelineScale : testing::TestWithParam<Scale> {
+  static double widthOf(const QString& text) { return 7.0 * static_cast<double>(text.size()); }
+};
+
+TEST_P(TimelineScale, HasTextsThatAreReadAndDoNotMeet) {
+  const Scale& c = GetParam();
+  const Instant zero = c.unit == TimelineUnit::Time ? at(1'700'000'000) : Instant{};
+  const TimelineGeometry g{c.width, zero + (at(c.begin) - Instant{}), zero + (at(c.end) - Instant{})};
+  const auto ticks = timelineTicks(g, zero, c.unit, widthOf);
+  QStringList texts;
+  double free = 0, lastX = -100;
+  for (const TimelineTick& tick : ticks) {
+    EXPECT_GE(tick.x, g.left() - 1e-6);
+    EXPECT_LE(tick.x, g.right() + 1e-6);
+    EXPECT_GE(tick.x - lastX, 4) << "ticks are told apart";
+    lastX = tick.x;
+    if (tick.text.isEmpty()) continue;
+    texts += tick.text;
+    EXPECT_GE(tick.left, free) << tick.text.toStdString();
+    free = tick.left + widthOf(tick.text) + 4;
+    EXPECT_LE(tick.left + widthOf(tick.text), std::max(c.width, widthOf(tick.text)));
+  }
+  EXPECT_EQ(texts.join(u' ').toStdString(), c.texts);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, TimelineScale,
+    testing::Values(
+        Scale{"tenths", 400, 0, 1, TimelineUnit::Time, "0:00.0 0:00.2 0:00.4 0:00.6 0:00.8 0:01.0"},
+        Scale{"seconds", 420, 0, 10, TimelineUnit::Time, "0:00 0:02 0:04 0:06 0:08 0:10"},
+        Scale{"part_of_a_log", 320, 61.5, 65.2, TimelineUnit::Time, "1:02 1:03 1:04 1:05"},
+        Scale{"half_minutes", 320, 0, 130, TimelineUnit::Time, "0:00 0:30 1:00 1:30 2:00"},
+        Scale{"ten_minutes", 420, 0, 3000, TimelineUnit::Time, "0:00 10:00 20:00 30:00 40:00 50:00"},
+        Scale{"hours", 420, 0, 4 * 3600, TimelineUnit::Time, "0:00:00 1:00:00 2:00:00 3:00:00 4:00:00"},
+        Scale{"days", 420, 0, 5 * 86400.0, TimelineUnit::Time, "0:00:00 48:00:00 96:00:00"},
+        Scale{"milliseconds", 420, 5, 5.004, TimelineUnit::Time,
+              "0:05.000 0:05.001 0:05.002 0:05.003 0:05.004"},
+        Scale{"frames", 420, 0, 5'000, TimelineUnit::Frames, "0 1000 2000 3000 4000 5000"},
+        Scale{"few_frames", 420, 0, 3, TimelineUnit::Frames, "0 1 2 3"},
+        Scale{"millions_of_frames", 420, 0, 9e6, TimelineUnit::Frames, "0 2000000 4000000 6000000 8000000"},
+        Scale{"one_instant", 420, 5, 5, TimelineUnit::Time, ""}),
+    [](const auto& row) { return row.param.name; });
+
+TEST(TimelineScaleOfAnySpan, IsShortAndEnds) {
+  const auto widthOf = [](const QString& text) { return 7.0 * static_cast<double>(text.size()); };
+  for (const double width : {0.0, 1.0, 100.0, 4000.0}) {
+    for (const std::int64_t end :
+         {std::int64_t{1}, std::int64_t{1'000}, std::int64_t{1'000'000}, std::int64_t{3'600'000'000'000},
+          std::numeric_limits<std::int64_t>::max()}) {
+      for (const TimelineUnit unit : {TimelineUnit::Time, TimelineUnit::Frames})
+        EXPECT_LT(timelineTicks({width, {0}, {end}}, {0}, unit, widthOf).size(), 800u) << width << ' ' << end;
+    }
+  }
 }
 
 struct TimelineTest : testing::Test {
@@ -227,6 +291,18 @@ TEST_F(TimelineTest, SelectsAboveTheStripWithShiftAndByKeys) {
   EXPECT_EQ(timeline.selection(), (TimelineSpan{at(100), at(150)}));
 }
 
+TEST_F(TimelineTest, GivesUpTheSelectionOnlyWhereNoOtherIsDragged) {
+  timeline.select(TimelineSpan{at(110), at(120)});
+  QSignalSpy selected(&timeline, &Timeline::selectionChanged);
+  QTest::mousePress(&timeline, Qt::LeftButton, {}, {260, 4});
+  EXPECT_EQ(selected.count(), 0) << "a loop goes on until there is another span";
+  QTest::mouseMove(&timeline, {510, 4});
+  QTest::mouseRelease(&timeline, Qt::LeftButton, {}, {510, 4});
+  EXPECT_EQ(timeline.selection(), (TimelineSpan{at(125), at(150)}));
+  QTest::mouseClick(&timeline, Qt::LeftButton, {}, {700, 4});
+  EXPECT_FALSE(timeline.selection());
+}
+
 TEST_F(TimelineTest, GoesFromMarkToMark) {
   TimelineValues values = timeline.values();
   values.marks = {{TimelineMark::Kind::Event, at(120)}, {TimelineMark::Kind::Event, at(180)}};
@@ -238,6 +314,30 @@ TEST_F(TimelineTest, GoesFromMarkToMark) {
   QTest::keyClick(&timeline, Qt::Key_Right, Qt::ControlModifier);
   EXPECT_EQ(last(), at(180));
   timeline.grab();
+}
+
+TEST_F(TimelineTest, DrawsAScaleUnderTheStripThatGoesWithWhatIsInSight) {
+  timeline.resize(1'020, timeline.sizeHint().height());
+  const auto scale = [this] {
+    const int top = timeline.height() - timeline.fontMetrics().height();
+    return timeline.grab({0, top, timeline.width(), timeline.height() - top}).toImage();
+  };
+  const QImage whole = scale();
+  timeline.showSpan({at(140), at(160)});
+  EXPECT_NE(scale(), whole);
+  timeline.fit();
+  EXPECT_EQ(scale(), whole);
+}
+
+TEST_F(TimelineTest, LooksNoCloserThanAFewFramesOfALogWithoutTimes) {
+  TimelineValues values = timeline.values();
+  values.unit = TimelineUnit::Frames;
+  values.begin = at(0);
+  values.end = at(1000);
+  values.cursor = at(500);
+  timeline.setValues(values);
+  for (int i = 0; i < 30; ++i) QTest::keyClick(&timeline, Qt::Key_Plus);
+  EXPECT_EQ(timeline.shown().ns(), 10e9);
 }
 
 TEST_F(TimelineTest, DrawsAMarkOfItsOwnForEachGroup) {

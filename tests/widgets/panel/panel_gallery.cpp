@@ -159,8 +159,13 @@ struct Gallery {
     decode("decode_malformed", busy, malformed, {520, 420}, "Byte 2");
     transport("transport_empty", test::viewOf(nullptr), {});
     transport("transport_file", test::viewOf(busy, count / 3), {});
-    transport("transport_playing", test::viewOf(busy, count / 2), {.isPlaying = true, .speed = 4});
-    transport("transport_live", test::viewOf(busy), {.isPlaying = true, .speed = 1});
+    transport("transport_playing", test::viewOf(busy, count / 2), {.isPlaying = true, .speed = 5});
+    transport("transport_live", test::viewOf(busy), {.isPlaying = true, .isLive = true});
+    transport("transport_past", test::viewOf(busy, count / 2), {.isLive = true});
+    transport("transport_skipped", test::viewOf(busy, count / 2),
+              {.isPlaying = true, .isLooping = true, .skipsSilences = true, .skipped = 83s});
+    transport("transport_timeless", test::viewOf(test::logOfText("can0 123 [1] 11\ncan0 123 [1] 12\n"), 1),
+              {});
     simulator("simulator",
               test::simulatorSample({SimulatedFault::RotationSensorError, SimulatedFault::AnswersLate}),
               {320, 620});

@@ -26,6 +26,7 @@
 #include "support/child.h"
 #include "support/frames.h"
 #include "support/logs.h"
+#include "support/look.h"
 #include "widgets/panel/panel_samples.h"
 
 namespace deckpipe {
@@ -292,6 +293,33 @@ TEST_F(TracePanelTest, CopiesACellAndPutsTheCursor) {
   EXPECT_EQ(cursor.front().front().toULongLong(), 2u);
 }
 
+TEST_F(TracePanelTest, SaysTimeSinceTheBeginAndOffersTheOtherWaysAtItsHeader) {
+  open(traffic(100));
+  EXPECT_EQ(model().timeMode(), TraceModel::TimeMode::SinceBegin);
+  Q_EMIT view().header()->customContextMenuRequested({10, 10});
+  EXPECT_TRUE(entry("traceColumnMenu", "Time since the begin")->isChecked());
+  entry("traceColumnMenu", "Stamp")->trigger();
+  closeMenu("traceColumnMenu");
+  EXPECT_EQ(model().timeMode(), TraceModel::TimeMode::Stamp);
+  EXPECT_EQ(child<QComboBox>("traceTime")->currentText(), QStringLiteral("Stamp as in the log"));
+  Q_EMIT view().header()->customContextMenuRequested({10, 10});
+  EXPECT_TRUE(entry("traceColumnMenu", "Stamp")->isChecked());
+  closeMenu("traceColumnMenu");
+  TracePanel other;
+  EXPECT_TRUE(other.restoreState(panel.saveState()));
+  EXPECT_EQ(other.model()->timeMode(), TraceModel::TimeMode::Stamp);
+}
+
+TEST_F(TracePanelTest, HasRowsForGlovesInTheField) {
+  open(traffic(100));
+  for (const Density density : {Density::Desk, Density::Field}) {
+    const test::Look look(Theme::Light, density);
+    QCoreApplication::sendPostedEvents();
+    EXPECT_EQ(view().rowHeight() >= 44, density == Density::Field) << view().rowHeight();
+    EXPECT_EQ(panel.ids()->verticalHeader()->defaultSectionSize() >= 44, density == Density::Field);
+  }
+}
+
 TEST_F(TracePanelTest, ShowsTheColumnsThatWereChosen) {
   open(traffic(100));
   Q_EMIT view().header()->customContextMenuRequested({10, 10});
@@ -300,11 +328,11 @@ TEST_F(TracePanelTest, ShowsTheColumnsThatWereChosen) {
   EXPECT_TRUE(view().header()->isSectionHidden(TraceModel::Pgn));
   child<QComboBox>("traceTime")->setFocus();
   QTest::keyClick(child<QComboBox>("traceTime"), Qt::Key_Down);
-  EXPECT_EQ(model().timeMode(), TraceModel::TimeMode::SinceBegin);
+  EXPECT_EQ(model().timeMode(), TraceModel::TimeMode::Clock);
   TracePanel other;
   EXPECT_TRUE(other.restoreState(panel.saveState()));
   EXPECT_TRUE(other.view()->header()->isSectionHidden(TraceModel::Pgn));
-  EXPECT_EQ(other.model()->timeMode(), TraceModel::TimeMode::SinceBegin);
+  EXPECT_EQ(other.model()->timeMode(), TraceModel::TimeMode::Clock);
   EXPECT_FALSE(other.restoreState("nonsense"));
   Q_EMIT view().header()->customContextMenuRequested({10, 10});
   entry("traceColumnMenu", "Columns as")->trigger();

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 
@@ -17,6 +20,7 @@
 #include "support/child.h"
 #include "support/frames.h"
 #include "support/logs.h"
+#include "support/look.h"
 #include "widgets/panel/panel_samples.h"
 
 namespace deckpipe {
@@ -97,18 +101,201 @@ TEST_F(TransportBarTest, ShowsTheStateItIsGiven) {
   auto* playButton = child<TransportButton>("play");
   auto* toEnd = child<TransportButton>("toEnd");
   auto* choice = child<QComboBox>("speed");
-  bar.setView(test::viewOf(log, 50), {.isPlaying = true, .speed = 4});
+  bar.setView(test::viewOf(log, 50), {.isPlaying = true, .speed = 5});
   EXPECT_EQ(playButton->sign(), TransportButton::Sign::Pause);
   EXPECT_EQ(playButton->accessibleName(), QStringLiteral("Pause"));
   EXPECT_FALSE(toEnd->isOn());
-  EXPECT_EQ(choice->currentText().toStdString(), "4×");
+  EXPECT_EQ(choice->currentText().toStdString(), "5×");
   EXPECT_EQ(speed.count(), 0) << "being told is not asking";
   bar.setView(test::viewOf(log), {.isPlaying = false, .speed = 0.25});
   EXPECT_EQ(playButton->accessibleName(), QStringLiteral("Play"));
   EXPECT_TRUE(toEnd->isOn());
-  EXPECT_EQ(toEnd->text(), QStringLiteral("At the end"));
+  EXPECT_EQ(toEnd->text(), QStringLiteral("End"));
   EXPECT_EQ(choice->currentText().toStdString(), "0.25×");
   EXPECT_FALSE(child<QAbstractButton>("stepForward")->isEnabled());
+}
+
+TEST_F(TransportBarTest, CallsTheLiveEdgeLiveAndTheEndOfALogEnd) {
+  auto* toEnd = child<TransportButton>("toEnd");
+  QStringList names;
+  for (const bool isLive : {false, true}) {
+    for (const auto cursor : {std::optional<std::uint64_t>(), std::optional<std::uint64_t>(50)}) {
+      bar.setView(test::viewOf(log, cursor), {.isLive = isLive});
+      EXPECT_EQ(toEnd->text(), isLive ? QStringLiteral("Live") : QStringLiteral("End"));
+      EXPECT_EQ(toEnd->isOn(), !cursor);
+      EXPECT_EQ(toEnd->sign() == TransportButton::Sign::Live, isLive && !cursor);
+      names += toEnd->accessibleName();
+    }
+  }
+  EXPECT_EQ(names.removeDuplicates(), 0) << "each says what holds and what it does";
+}
+
+TEST_F(TransportBarTest, OffersSpeedsFromATenthToAsFastAsItGoes) {
+  auto* choice = child<QComboBox>("speed");
+  QStringList texts;
+  for (int i = 0; i < choice->count(); ++i) texts += choice->itemText(i);
+  EXPECT_EQ(texts.join(u' ').toStdString(), "0.1× 0.25× 0.5× 1× 2× 5× 10× 100× Max");
+  EXPECT_EQ(choice->itemData(8, Qt::AccessibleTextRole).toString(), QStringLiteral("As fast as it goes"));
+  bar.setView(test::viewOf(log, 50), {.speed = 100});
+  QTest::keyClick(timeline(), Qt::Key_Up);
+  ASSERT_EQ(speed.count(), 1);
+  EXPECT_TRUE(std::isinf(speed[0][0].toDouble()));
+  bar.setView(test::viewOf(log, 50), {.speed = speed[0][0].toDouble()});
+  EXPECT_EQ(choice->currentText(), QStringLiteral("Max"));
+  QTest::keyClick(timeline(), Qt::Key_Up);
+  EXPECT_EQ(speed.count(), 1) << "there is no faster one";
+  QTest::keyClick(timeline(), Qt::Key_Down);
+  EXPECT_EQ(speed.last()[0].toDouble(), 100);
+}
+
+struct TypedInTheBar : TransportBarTest {
+  QSignalSpy frames{&bar, &TransportBar::framesRequested};
+  QLineEdit* field() const { return child<QLineEdit>("timeField"); }
+  QLabel* sentence() const { return test::child<QLabel>(*bar.window(), "timeFieldSentence"); }
+  void type(const char* text) const {
+    QTest::keyClicks(field(), QString::fromUtf8(text));
+    QTest::keyClick(field(), Qt::Key_Return);
+  }
+};
+
+TEST_F(TypedInTheBar, TimesMoveTheCursor) {
+  const LogView view = test::viewOf(log, 50);
+  bar.setView(view, {});
+  const QRect strip = timeline()->geometry();
+  QTest::mouseClick(child<QAbstractButton>("timeReadout"), Qt::LeftButton);
+  ASSERT_TRUE(field()->isVisible());
+  EXPECT_EQ(field()->geometry(), child<QWidget>("timeReadout")->geometry());
+  EXPECT_TRUE(field()->hasSelectedText()) << "typing replaces it";
+  EXPECT_TRUE(sentence()->text().startsWith(QStringLiteral("Write 1:23.5")));
+  type("0:02.5");
+  ASSERT_EQ(seek.count(), 1);
+  EXPECT_EQ(seek[0][0].value<Instant>(), view.begin + 2500ms);
+  EXPECT_FALSE(field()->isVisible());
+  EXPECT_FALSE(sentence()->isVisible());
+  EXPECT_EQ(timeline()->geometry(), strip);
+  bar.typeTime();
+  type("+1");
+  EXPECT_EQ(seek.last()[0].value<Instant>(), view.cursor.time + 1s);
+}
+
+TEST_F(TypedInTheBar, WrongWordsAreToldAndStay) {
+  bar.setView(test::viewOf(log, 50), {});
+  bar.typeTime();
+  type("soon");
+  EXPECT_EQ(seek.count(), 0);
+  EXPECT_TRUE(field()->isVisible());
+  EXPECT_EQ(field()->text(), QStringLiteral("soon"));
+  EXPECT_TRUE(sentence()->text().contains(QStringLiteral("“soon” is no time")))
+      << sentence()->text().toStdString();
+  EXPECT_EQ(field()->accessibleDescription(), sentence()->text());
+  const QString wrong = sentence()->text();
+  QTest::keyClick(field(), Qt::Key_Backspace);
+  EXPECT_NE(sentence()->text(), wrong) << "who goes on typing is helped again";
+  QTest::keyClick(field(), Qt::Key_Escape);
+  EXPECT_FALSE(field()->isVisible());
+  EXPECT_FALSE(sentence()->isVisible());
+  EXPECT_EQ(seek.count(), 0);
+}
+
+TEST_F(TypedInTheBar, SentencesStandAboveTheBarAndCoverNoButton) {
+  QWidget window;
+  auto* inside = new TransportBar(&window);
+  window.resize(1024, 600);
+  for (const Density density : {Density::Desk, Density::Field}) {
+    const test::Look look(Theme::Light, density);
+    inside->setGeometry(0, 600 - inside->sizeHint().height(), 1024, inside->sizeHint().height());
+    window.show();
+    inside->setView(test::viewOf(log, 50), {});
+    inside->typeTime();
+    auto* words = test::child<QLabel>(window, "timeFieldSentence");
+    EXPECT_TRUE(words->isVisible());
+    EXPECT_EQ(words->window(), &window);
+    EXPECT_LE(words->geometry().bottom(), inside->y());
+    EXPECT_TRUE(window.rect().contains(words->geometry()));
+    inside->hide();
+    EXPECT_FALSE(words->isVisible());
+    inside->show();
+  }
+}
+
+TEST_F(TypedInTheBar, KeysOfTheBarAreText) {
+  bar.setView(test::viewOf(log, 50), {});
+  bar.typeTime();
+  QTest::keyClicks(field(), QStringLiteral("1 s,."));
+  EXPECT_EQ(field()->text(), QStringLiteral("1 s,."));
+  EXPECT_EQ(play.count() + step.count(), 0);
+}
+
+TEST_F(TypedInTheBar, FramesMoveTheCursorOfALogWithoutTimes) {
+  const auto timeless = test::logOfText("can0 123 [1] 11\ncan0 123 [1] 12\ncan0 123 [1] 13\n");
+  bar.setView(test::viewOf(timeless, 1), {});
+  EXPECT_FALSE(child<QComboBox>("speed")->isEnabled());
+  bar.typeTime();
+  type("2");
+  ASSERT_EQ(frames.count(), 1);
+  EXPECT_EQ(frames[0][0].value<std::uint64_t>(), 2u);
+  EXPECT_EQ(timeline()->values().unit, TimelineUnit::Frames);
+  QTest::keyClick(timeline(), Qt::Key_Right);
+  EXPECT_EQ(frames.last()[0].value<std::uint64_t>(), 2u) << "a frame on";
+  QTest::keyClick(timeline(), Qt::Key_Home);
+  EXPECT_EQ(frames.last()[0].value<std::uint64_t>(), 0u);
+  EXPECT_EQ(seek.count(), 0);
+  EXPECT_EQ(child<TimeReadout>("timeReadout")->elapsed(), QStringLiteral("1"));
+}
+
+TEST_F(TransportBarTest, LoopsWhatIsSelected) {
+  QSignalSpy loop(&bar, &TransportBar::loopRequested);
+  const auto span = [&] { return loop.last()[0].value<std::optional<TimelineSpan>>(); };
+  auto* button = child<QAbstractButton>("loop");
+  bar.setView(test::viewOf(log, 50), {});
+  EXPECT_FALSE(button->isEnabled());
+  bar.toggleLoop();
+  EXPECT_EQ(loop.count(), 0);
+  const Instant begin = timeline()->values().begin;
+  timeline()->select(TimelineSpan{begin, begin + 2s});
+  ASSERT_TRUE(button->isEnabled());
+  QTest::mouseClick(button, Qt::LeftButton);
+  ASSERT_EQ(loop.count(), 1);
+  EXPECT_EQ(span(), (TimelineSpan{begin, begin + 2s}));
+  EXPECT_FALSE(button->isChecked()) << "until it is so";
+  bar.setView(test::viewOf(log, 50), {.isLooping = true});
+  EXPECT_TRUE(button->isChecked());
+  timeline()->select(TimelineSpan{begin, begin + 3s});
+  EXPECT_EQ(span(), (TimelineSpan{begin, begin + 3s})) << "the loop goes with the selection";
+  timeline()->select({});
+  EXPECT_EQ(span(), std::nullopt);
+}
+
+TEST_F(TransportBarTest, SkipsSilencesAndSaysSo) {
+  QSignalSpy silences(&bar, &TransportBar::silencesRequested);
+  auto* button = child<QAbstractButton>("silences");
+  bar.setView(test::viewOf(log, 50), {});
+  QTest::mouseClick(button, Qt::LeftButton);
+  ASSERT_EQ(silences.count(), 1);
+  EXPECT_TRUE(silences[0][0].toBool());
+  const QImage before = timeline()->grab().toImage();
+  bar.setView(test::viewOf(log, 50), {.isPlaying = true, .skipsSilences = true, .skipped = 83s});
+  EXPECT_TRUE(button->isChecked());
+  EXPECT_EQ(timeline()->values().atCursor.toStdString(), "83 s without frames skipped");
+  EXPECT_EQ(timeline()->accessibleDescription(), timeline()->values().atCursor);
+  EXPECT_NE(timeline()->grab().toImage(), before);
+}
+
+// Play, speed, time and the end stay at any width, with a timeline between them.
+TEST_F(TransportBarTest, GivesUpTheRarerButtonsWhereItIsNarrow) {
+  for (const Density density : {Density::Desk, Density::Field}) {
+    const test::Look look(Theme::Light, density);
+    for (const int width : {1366, 1024, 800, 640}) {
+      bar.resize(width, bar.sizeHint().height());
+      QCoreApplication::sendPostedEvents();
+      for (const char* name : {"play", "timeReadout", "timeline", "speed", "toEnd"}) {
+        auto* widget = child<QWidget>(name);
+        EXPECT_TRUE(widget->isVisible() && bar.rect().contains(widget->geometry()))
+            << name << " at " << width;
+      }
+      EXPECT_TRUE(child<QWidget>("loop")->isVisible() || width < 1024) << width;
+    }
+  }
 }
 
 TEST_F(TransportBarTest, AsksForTheSpeedThatIsChosen) {
@@ -123,7 +310,7 @@ TEST_F(TransportBarTest, AsksForTheSpeedThatIsChosen) {
 TEST_F(TransportBarTest, ChangesOfStateMoveNothing) {
   bar.setView(test::viewOf(log), {.isPlaying = true});
   const QRect strip = timeline()->geometry();
-  bar.setView(test::viewOf(log, 1), {.isPlaying = false, .speed = 16});
+  bar.setView(test::viewOf(log, 1), {.isPlaying = false, .speed = 100});
   QCoreApplication::sendPostedEvents();
   EXPECT_EQ(timeline()->geometry(), strip);
   bar.setView({}, {});
@@ -132,6 +319,8 @@ TEST_F(TransportBarTest, ChangesOfStateMoveNothing) {
 }
 
 TEST_F(TransportBarTest, ControlsAreLargeEnoughAndHaveNames) {
+  bar.setView(test::viewOf(log, 50), {});
+  bar.typeTime();
   for (QWidget* widget : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
     EXPECT_GE(widget->height(), 32) << widget->objectName().toStdString();
     EXPECT_GE(widget->width(), 32) << widget->objectName().toStdString();

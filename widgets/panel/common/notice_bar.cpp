@@ -20,7 +20,7 @@ constexpr int kWholeWidth = 560;  // of the unfolded text
 QString actionText(Notice::Action action) {
   switch (action) {
     case Notice::Action::None: return {};
-    case Notice::Action::GoToEnd: return NoticeBar::tr("To the end");
+    case Notice::Action::GoToEnd: return NoticeBar::tr("Live");
     case Notice::Action::Reconnect: return NoticeBar::tr("Connect again");
     case Notice::Action::CopyDetails: return NoticeBar::tr("Copy the list");
     case Notice::Action::ShowRecordings: return NoticeBar::tr("Recordings…");

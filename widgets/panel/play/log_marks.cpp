@@ -8,6 +8,7 @@
 
 #include "log/link_gaps.h"
 #include "model/event_text.h"
+#include "panel/play/log_scale.h"
 
 namespace deckpipe {
 namespace {
@@ -25,18 +26,19 @@ QString named(const DeviceKey& device, const QString& text, const DeviceLabels& 
 }  // namespace
 
 void LogMarks::take(const LogView& view, TimelineSpan shown, int bins) {
-  if (view.document != m_log) {
+  if (view.document != m_log || view.hasTimes() != m_hasTimes) {
     const DeviceLabels labels = m_labels;
     *this = {};
     m_labels = labels;
     m_log = view.document;
+    m_hasTimes = view.hasTimes();
   }
   if (!m_log || view.frameCount == 0) return;
   const bool isCounted = takeDensity(view, shown, bins);
   const bool isJumped = takeJumps(view);
-  const bool isNoted = takeNotes();
+  const bool isNoted = takeNotes(view);
   if (isCounted || isNoted) findGaps(view);
-  const bool isEventful = takeEvents(view.begin);
+  const bool isEventful = takeEvents(view);
   if (!isNoted && !isJumped && !isEventful) return;
   m_marks = m_jumps;
   m_marks.insert(m_marks.end(), m_notes.begin(), m_notes.end());
@@ -53,6 +55,10 @@ bool LogMarks::takeDensity(const LogView& view, TimelineSpan shown, int bins) {
   const auto wanted = static_cast<std::size_t>(bins);
   if (m_density.size() == wanted && shown.begin == m_span.begin && grown * bins <= span) return false;
   m_span = shown;
+  if (!m_hasTimes) {
+    m_density.assign(wanted, 1.0F);
+    return true;
+  }
   const FrameStore& frames = m_log->frames;
   std::vector<std::uint64_t> counts(wanted);
   std::uint64_t before = std::min(view.frameCount, frames.firstAtOrAfter(shown.begin)), most = 1;
@@ -93,7 +99,7 @@ void LogMarks::setLabels(const DeviceLabels& labels) {
 }
 
 // A jump of the clock has its line.
-bool LogMarks::takeEvents(Instant begin) {
+bool LogMarks::takeEvents(const LogView& view) {
   const bool isAnew = m_log->events.generation() != m_generation;
   if (isAnew) {
     m_generation = m_log->events.generation();
@@ -106,13 +112,14 @@ bool LogMarks::takeEvents(Instant begin) {
   for (const Event& event : more) {
     if (event.kind == EventKind::ClockJump) continue;
     const EventFacts& facts = kEvents[event.kind];
-    m_events.push_back({TimelineMark::Kind::Event, event.time,
-                        named(keyOf(event), eventText(event, begin), m_labels), facts.group, facts.weight});
+    m_events.push_back({TimelineMark::Kind::Event, onScale(view, {event.frame, event.time}),
+                        named(keyOf(event), eventText(event, view.begin), m_labels), facts.group,
+                        facts.weight});
   }
   return true;
 }
 
-bool LogMarks::takeNotes() {
+bool LogMarks::takeNotes(const LogView& view) {
   if (m_log->notes.count() == m_notesTaken) return false;
   const std::vector<Note> notes = m_log->notes.all();
   m_notesTaken = notes.size();
@@ -120,10 +127,11 @@ bool LogMarks::takeNotes() {
   m_lost.clear();
   for (const Note& note : notes) {
     if (!isEvent(note.value)) continue;
-    m_notes.push_back({TimelineMark::Kind::Event, note.time,
+    m_notes.push_back({TimelineMark::Kind::Event, onScale(view, {note.frame, note.time}),
                        named(keyOf(note), noteText(*m_log, note), m_labels), EventGroup::Note,
                        noteWeight(note.value)});
   }
+  if (!m_hasTimes) return true;
   for (const LinkGap& gap : linkGaps(notes))
     m_lost.push_back({TimelineGap::Kind::LinkLost, {gap.begin, gap.end}});
   return true;

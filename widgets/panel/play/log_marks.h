@@ -23,7 +23,7 @@ class LogMarks {
 
   // What devices are called in the marks of events.
   void setLabels(const DeviceLabels& labels);
-  // Of `shown`; `bins`: equal parts of it, about one every few pixels.
+  // Of `shown`, which is a part of the scale (log_scale.h); `bins`: equal parts of it, about one every few pixels.
   void take(const LogView& view, TimelineSpan shown, int bins);
 
   const std::vector<float>& density() const { return m_density; }
@@ -33,11 +33,12 @@ class LogMarks {
  private:
   bool takeDensity(const LogView& view, TimelineSpan shown, int bins);
   bool takeJumps(const LogView& view);
-  bool takeNotes();
-  bool takeEvents(Instant begin);
+  bool takeNotes(const LogView& view);
+  bool takeEvents(const LogView& view);
   void findGaps(const LogView& view);
 
   std::shared_ptr<const LogDocument> m_log;
+  bool m_hasTimes = true;
   TimelineSpan m_span;  // of the density
   std::vector<float> m_density;
   std::vector<TimelineMark> m_jumps;

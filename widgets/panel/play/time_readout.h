@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the cursor is, in figures that do not move: the time since the log's begin, under it the time of day
-// that the log gives.
+// that the log gives; in a log without times the number of frames. A click asks for the field in which another place
+// is typed (time_field.h).
 #pragma once
 
-#include <QWidget>
+#include <QAbstractButton>
 #include <cstdint>
 #include <optional>
 
@@ -19,7 +20,7 @@ QString stampTimeText(std::int64_t stampNs);
 // What the log's own clock says at the cursor; nothing before the first frame and in logs without times.
 std::optional<std::int64_t> stampAt(const LogView& view);
 
-class TimeReadout : public QWidget {
+class TimeReadout : public QAbstractButton {
   Q_OBJECT
 
  public:
@@ -34,6 +35,7 @@ class TimeReadout : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QFont elapsedFont() const;

@@ -4,26 +4,38 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLayout>
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <cmath>
+#include <limits>
 
 #include "model/event_text.h"
 #include "paint/app_style.h"
 #include "paint/event_mark.h"
 #include "paint/timeline.h"
 #include "panel/common/build.h"
+#include "panel/play/log_scale.h"
+#include "panel/play/time_field.h"
 #include "panel/play/time_readout.h"
 #include "panel/play/transport_button.h"
 #include "text/plural.h"
+#include "text/time_text.h"
 
 namespace deckpipe {
 namespace {
 
-constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4, 8, 16};
+constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10, 100, std::numeric_limits<double>::infinity()};
 constexpr int kPixelsABin = 3;
+constexpr int kLeastTimeline = 240;  // pixels that the timeline keeps before buttons go
+
+void say(TransportButton* button, const QString& text) {
+  if (button->accessibleName() == text) return;
+  button->setAccessibleName(text);
+  button->setToolTip(text);
+}
 
 }  // namespace
 
@@ -37,16 +49,24 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
   m_back = button(TransportButton::Sign::StepBack, "stepBack", {});
   m_play = button(TransportButton::Sign::Play, "play", tr("Play"));
   m_forward = button(TransportButton::Sign::StepForward, "stepForward", {});
-  m_end = button(TransportButton::Sign::ToEnd, "toEnd", tr("To the end of the log, and on with it"));
-  const QString atEnd = tr("At the end"), toEnd = tr("To the end");
-  const QFontMetrics metrics(font());
-  m_end->setWidestText(metrics.horizontalAdvance(atEnd) > metrics.horizontalAdvance(toEnd) ? atEnd : toEnd);
+  m_end = button(TransportButton::Sign::ToEnd, "toEnd", {});
+  m_loop = button(TransportButton::Sign::Loop, "loop", {});
+  m_silences = button(TransportButton::Sign::Skip, "silences", tr("Skip silences of more than 3 s"));
+  for (TransportButton* toggle : {m_loop, m_silences}) toggle->setCheckable(true);
+  const QString live = tr("Live"), end = tr("End");
+  m_end->setWidestText(fontMetrics().horizontalAdvance(live) > fontMetrics().horizontalAdvance(end) ? live
+                                                                                                    : end);
   m_readout = new TimeReadout(this);
+  m_field = new TimeField(m_readout, this);
   m_timeline = new Timeline(this);
   m_speed = named(new QComboBox(this), "speed", tr("Speed of replay"));
-  m_speed->setToolTip(tr("Speed of replay"));
+  m_speed->setToolTip(tr("Speed of replay; Ctrl+Up and Ctrl+Down change it"));
   m_speed->setMinimumHeight(40);
-  for (const double speed : kSpeeds) m_speed->addItem(tr("%1×").arg(QLocale().toString(speed)), speed);
+  for (const double speed : kSpeeds)
+    m_speed->addItem(std::isinf(speed) ? tr("Max") : tr("%1×").arg(QLocale().toString(speed)), speed);
+  const int fastest = m_speed->count() - 1;
+  for (const int role : {Qt::ToolTipRole, Qt::AccessibleTextRole})
+    m_speed->setItemData(fastest, tr("As fast as it goes"), role);
   setFocusProxy(m_timeline);
 
   inRow(this, {8, 4, 8, 4}, 4,
@@ -57,6 +77,8 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
          m_readout,
          {m_timeline, 1},
          LayoutPart::gap(4),
+         m_loop,
+         m_silences,
          m_speed,
          m_end});
 
@@ -66,12 +88,18 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
           [this] { step(1, (QApplication::keyboardModifiers() & Qt::ShiftModifier) != 0); });
   connect(m_play, &QAbstractButton::clicked, this, &TransportBar::playOrPause);
   connect(m_end, &QAbstractButton::clicked, this, &TransportBar::endRequested);
-  connect(m_timeline, &Timeline::seekRequested, this, &TransportBar::seekRequested);
+  connect(m_timeline, &Timeline::seekRequested, this, &TransportBar::seekOnScale);
   connect(m_timeline, &Timeline::endRequested, this, &TransportBar::endRequested);
   connect(m_speed, &QComboBox::activated, this,
           [this](int index) { Q_EMIT speedRequested(m_speed->itemData(index).toDouble()); });
   connect(m_timeline, &Timeline::shownChanged, this, &TransportBar::showTimeline);
-  connect(m_timeline, &Timeline::selectionChanged, this, &TransportBar::showTimeline);
+  connect(m_timeline, &Timeline::selectionChanged, this, &TransportBar::selectionChanged);
+  connect(m_loop, &QAbstractButton::clicked, this, &TransportBar::toggleLoop);
+  connect(m_silences, &QAbstractButton::clicked, this, &TransportBar::silencesRequested);
+  connect(m_readout, &QAbstractButton::clicked, this, &TransportBar::typeTime);
+  connect(m_field, &TimeField::timeTyped, this, &TransportBar::seekRequested);
+  connect(m_field, &TimeField::framesTyped, this, &TransportBar::framesRequested);
+  connect(m_field, &TimeField::done, m_timeline, qOverload<>(&QWidget::setFocus));
   m_timeline->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(m_timeline, &QWidget::customContextMenuRequested, this, &TransportBar::showMenu);
   setFiltered(false);
@@ -81,6 +109,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
 void TransportBar::setView(const LogView& view, const PlayState& play) {
   m_view = view;
   m_playState = play;
+  m_field->setView(view);
   showControls();
   showTimeline();
 }
@@ -96,17 +125,22 @@ void TransportBar::showControls() {
   m_back->setEnabled(hasFrames && m_view.cursor.frames > 0);
   m_forward->setEnabled(hasFrames && m_view.cursor.frames < m_view.frameCount);
   m_end->setEnabled(hasFrames);
-  m_speed->setEnabled(hasFrames);
+  // Without times a log is played frame by frame, as fast as it goes.
+  m_speed->setEnabled(hasFrames && m_view.hasTimes());
+  m_silences->setEnabled(hasFrames && m_view.hasTimes());
+  m_silences->setChecked(m_playState.skipsSilences);
+  m_loop->setEnabled(canLoop());
+  m_loop->setChecked(m_playState.isLooping);
+  say(m_loop, m_loop->isEnabled()
+                  ? tr("Play the selection again and again")
+                  : tr("Play the selection again and again: select a part of the timeline first, with "
+                       "[ and ], with Shift and a drag, or with a drag above the strip"));
   const bool isPlaying = m_playState.isPlaying;
-  const QString label = isPlaying ? tr("Pause") : tr("Play");
-  if (m_play->accessibleName() != label) {
-    m_play->setAccessibleName(label);
-    m_play->setToolTip(label);
-  }
+  say(m_play, isPlaying ? tr("Pause") : tr("Play"));
   m_play->setSign(isPlaying ? TransportButton::Sign::Pause : TransportButton::Sign::Play);
-  m_end->setOn(hasFrames && m_view.atEnd);
-  m_end->setText(hasFrames && m_view.atEnd ? tr("At the end") : tr("To the end"));
-  const int index = m_speed->findData(m_playState.speed);
+  showEnd();
+  const int index =
+      m_speed->findData(m_view.hasTimes() ? m_playState.speed : kSpeeds[std::size(kSpeeds) - 1]);
   if (index != m_speed->currentIndex() && !m_speed->view()->isVisible()) {
     const QSignalBlocker blocker(m_speed);
     m_speed->setCurrentIndex(index);
@@ -114,32 +148,45 @@ void TransportBar::showControls() {
   m_readout->setView(m_view);
 }
 
+// What is filled has a sign and a name of its own, too.
+void TransportBar::showEnd() {
+  const bool isThere = m_end->isEnabled() && m_view.atEnd;
+  m_end->setOn(isThere);
+  m_end->setSign(isThere && m_playState.isLive ? TransportButton::Sign::Live : TransportButton::Sign::ToEnd);
+  m_end->setText(m_playState.isLive ? tr("Live") : tr("End"));
+  say(m_end, m_playState.isLive ? (isThere ? tr("Live: the cursor goes with the bus")
+                                           : tr("Live: to what comes from the bus now, and on with it"))
+                                : (isThere ? tr("End: the cursor stands at the end of the log")
+                                           : tr("End: to the end of the log")));
+}
+
 void TransportBar::showTimeline() {
   const int bins = std::max(1, m_timeline->width() / kPixelsABin);
-  m_marks.take(m_view, m_timeline->isZoomed() ? m_timeline->shown() : TimelineSpan{m_view.begin, m_view.end},
-               bins);
+  const TimelineSpan whole = scaleOf(m_view);
+  m_marks.take(m_view, m_timeline->isZoomed() ? m_timeline->shown() : whole, bins);
   TimelineValues values;
   values.isEmpty = !m_view.document || m_view.frameCount == 0;
   if (!values.isEmpty) {
-    values.begin = m_view.begin;
-    values.end = m_view.end;
-    values.cursor = m_view.cursor.time;
+    values.begin = whole.begin;
+    values.end = whole.end;
+    values.cursor = onScale(m_view, m_view.cursor);
+    values.unit = m_view.hasTimes() ? TimelineUnit::Time : TimelineUnit::Frames;
     values.atEnd = m_view.atEnd;
     values.density = m_marks.density();
     values.marks = m_marks.marks();
     values.gaps = m_marks.gaps();
     values.selection = selectionText();
+    if (m_playState.skipped > Duration(0))
+      values.atCursor = tr("%1 without frames skipped").arg(briefAge(m_playState.skipped));
   }
   m_timeline->setValues(values);
-  m_timeline->setAccessibleDescription(values.isEmpty ? tr("no frames") : m_readout->elapsed());
+  m_timeline->setAccessibleDescription(values.isEmpty              ? tr("no frames")
+                                       : values.atCursor.isEmpty() ? m_readout->elapsed()
+                                                                   : values.atCursor);
 }
 
 void TransportBar::setFiltered(bool isFiltered) {
   m_isFiltered = isFiltered;
-  const auto say = [](TransportButton* button, const QString& text) {
-    button->setAccessibleName(text);
-    button->setToolTip(text);
-  };
   say(m_back, isFiltered ? tr("Back by one row of the filter; with Shift by one frame (,)")
                          : tr("Back by one frame (,)"));
   say(m_forward, isFiltered ? tr("On by one row of the filter; with Shift by one frame (.)")
@@ -159,8 +206,8 @@ void TransportBar::step(int by, bool isByFrame) {
 QString TransportBar::selectionText() const {
   const auto span = m_timeline->selection();
   if (!span || !m_view.document) return {};
-  const FrameStore& frames = m_view.document->frames;
-  const std::uint64_t count = frames.firstAtOrAfter(span->end) - frames.firstAtOrAfter(span->begin);
+  const std::uint64_t count = framesBefore(m_view, span->end) - framesBefore(m_view, span->begin);
+  if (!m_view.hasTimes()) return tr("%Ln frames", nullptr, forPlural(count));
   const double seconds = span->ns() / 1e9;
   const QLocale locale;
   return tr("%1 s, %Ln frames, %2/s", nullptr, forPlural(count))
@@ -173,16 +220,22 @@ void TransportBar::showMenu(const QPoint& at) {
   menu->setObjectName(QStringLiteral("timelineMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const auto span = m_timeline->selection();
-  const auto seconds = [this](Instant time) {
-    return QString::number(static_cast<double>((time - m_view.begin).count()) / 1e9, 'f', 6);
+  const auto only = [this](TimelineSpan of) {
+    if (!m_view.hasTimes())
+      return QStringLiteral("frame>%1 and frame<=%2")
+          .arg(framesBefore(m_view, of.begin))
+          .arg(framesBefore(m_view, of.end));
+    const auto seconds = [this](Instant time) {
+      return QString::number(static_cast<double>((time - m_view.begin).count()) / 1e9, 'f', 6);
+    };
+    return QStringLiteral("t>=%1 and t<%2").arg(seconds(of.begin), seconds(of.end));
   };
   QAction* zoom = menu->addAction(tr("Look closer at the selection"), this,
                                   [this, span] { m_timeline->showSpan(*span); });
-  QAction* only = menu->addAction(tr("Show only the selection in the trace"), this, [this, span, seconds] {
-    Q_EMIT spanRequested(QStringLiteral("t>=%1 and t<%2").arg(seconds(span->begin), seconds(span->end)));
-  });
+  QAction* show = menu->addAction(tr("Show only the selection in the trace"), this,
+                                  [this, span, only] { Q_EMIT spanRequested(only(*span)); });
   QAction* none = menu->addAction(tr("No selection"), this, [this] { m_timeline->select({}); });
-  for (QAction* action : {zoom, only, none}) action->setEnabled(span.has_value());
+  for (QAction* action : {zoom, show, none}) action->setEnabled(span.has_value());
   menu->addSeparator();
   menu->addAction(tr("The whole log"), m_timeline, &Timeline::fit)->setEnabled(m_timeline->isZoomed());
   // What each mark stands for, and which are drawn.
@@ -194,6 +247,41 @@ void TransportBar::showMenu(const QPoint& at) {
     shown->setChecked(!m_timeline->hidden().has(group));
   }
   menu->popup(m_timeline->mapToGlobal(at));
+}
+
+void TransportBar::seekOnScale(Instant at) {
+  if (m_view.hasTimes()) {
+    Q_EMIT seekRequested(at);
+  } else {
+    Q_EMIT framesRequested(framesBefore(m_view, at));
+  }
+}
+
+// A loop goes with the selection.
+void TransportBar::selectionChanged() {
+  if (m_playState.isLooping) Q_EMIT loopRequested(m_timeline->selection());
+  showControls();
+  showTimeline();
+}
+
+bool TransportBar::canLoop() const {
+  return m_playState.isLooping || (m_timeline->selection() && m_view.hasTimes());
+}
+
+void TransportBar::toggleLoop() {
+  const bool begins = !m_playState.isLooping;
+  m_loop->setChecked(m_playState.isLooping);  // until the session says otherwise
+  if (canLoop()) Q_EMIT loopRequested(begins ? m_timeline->selection() : std::nullopt);
+}
+
+void TransportBar::changeSpeed(int by) {
+  const int index = std::clamp(m_speed->currentIndex() + by, 0, m_speed->count() - 1);
+  if (m_speed->isEnabled() && index != m_speed->currentIndex())
+    Q_EMIT speedRequested(m_speed->itemData(index).toDouble());
+}
+
+void TransportBar::typeTime() {
+  if (m_readout->isEnabled()) m_field->open(m_readout->elapsed());
 }
 
 void TransportBar::playOrPause() {
@@ -211,6 +299,8 @@ void TransportBar::keyPressEvent(QKeyEvent* event) {
     if (!event->isAutoRepeat()) playOrPause();
     return;
   }
+  if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)
+    return changeSpeed(event->key() == Qt::Key_Up ? 1 : -1);
   const bool isBack =
       event->key() == Qt::Key_Comma || event->key() == Qt::Key_Less || event->key() == Qt::Key_Semicolon;
   const bool isOn =
@@ -224,7 +314,17 @@ void TransportBar::keyPressEvent(QKeyEvent* event) {
 
 void TransportBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  fit();
+  m_field->place();
   showTimeline();
+}
+
+void TransportBar::fit() {
+  int others = 0;
+  for (const QWidget* each : std::initializer_list<QWidget*>{m_back, m_play, m_forward, m_readout, m_loop,
+                                                             m_silences, m_speed, m_end})
+    others += each->sizeHint().width() + layout()->spacing();
+  for (QWidget* button : {m_loop, m_silences}) button->setVisible(width() - others >= kLeastTimeline);
 }
 
 void TransportBar::paintEvent(QPaintEvent*) {

@@ -40,6 +40,28 @@ void drawSign(QPainter& p, const QRectF& box, TransportButton::Sign sign, const 
       p.drawPolygon(QPolygonF{{-0.1, -0.8}, {0.75, 0}, {-0.1, 0.8}});
       p.drawRect(QRectF(0.7, -0.8, 0.25, 1.6));
       break;
+    case TransportButton::Sign::Live: p.drawEllipse(QRectF(-0.7, -0.7, 1.4, 1.4)); break;
+    case TransportButton::Sign::Loop: {
+      // Round and round: an arc that is open where its arrow points down.
+      p.setBrush(Qt::NoBrush);
+      p.setPen(QPen(ink, 0.26, Qt::SolidLine, Qt::FlatCap));
+      p.drawArc(QRectF(-0.75, -0.75, 1.5, 1.5), 50 * 16, 290 * 16);
+      p.setPen(Qt::NoPen);
+      p.setBrush(ink);
+      p.drawPolygon(QPolygonF{{0.1, -0.95}, {0.95, -0.85}, {0.55, -0.1}});
+      break;
+    }
+    case TransportButton::Sign::Skip:
+      // Over a gap.
+      p.drawRect(QRectF(-0.95, 0.4, 0.5, 0.5));
+      p.drawRect(QRectF(0.45, 0.4, 0.5, 0.5));
+      p.setBrush(Qt::NoBrush);
+      p.setPen(QPen(ink, 0.24, Qt::SolidLine, Qt::FlatCap));
+      p.drawArc(QRectF(-0.7, -0.6, 1.3, 1.6), 20 * 16, 160 * 16);
+      p.setPen(Qt::NoPen);
+      p.setBrush(ink);
+      p.drawPolygon(QPolygonF{{0.2, -0.1}, {0.95, -0.3}, {0.75, 0.35}});
+      break;
   }
   p.restore();
 }
@@ -75,7 +97,7 @@ void TransportButton::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   const Colours& c = coloursOf(this);
-  const bool isFilled = isEnabled() && (m_isOn || isDown());
+  const bool isFilled = isEnabled() && (m_isOn || isChecked() || isDown());
   const QColor ground = isFilled                      ? c.accent.fill
                         : isEnabled() && underMouse() ? c.surfaceAlternate
                                                       : c.surface;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A button of the transport bar: a drawn sign, with or without words, flat and large enough for gloves. Used
-// for what moves the cursor through a log.
+// for what moves the cursor through a log. Filled while it is checked.
 #pragma once
 
 #include <QAbstractButton>
@@ -12,7 +12,7 @@ class TransportButton : public QAbstractButton {
   Q_OBJECT
 
  public:
-  enum class Sign : std::uint8_t { Play, Pause, StepBack, StepForward, ToEnd };
+  enum class Sign : std::uint8_t { Play, Pause, StepBack, StepForward, ToEnd, Live, Loop, Skip };
 
   explicit TransportButton(Sign sign, QWidget* parent = nullptr);
 

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QTableView>
+#include <QToolButton>
 #include <algorithm>
 
 #include "model/decode_model.h"
@@ -85,7 +86,6 @@ class DecodeDelegate : public QStyledItemDelegate {
 
 DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
   named(this, "decodePanel", tr("Frame in detail"));
-  m_payload = new PayloadBits(this);
   m_delegate = new DecodeDelegate(this);
   m_list = named(new QTableView(this), "decodeFields", tr("Fields of the frame"));
   m_list->setWhatsThis(tr("The frame field by field, with the raw bits of each and where they stand."));
@@ -93,8 +93,6 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
   makeFlat(*m_list);
   m_list->viewport()->installEventFilter(this);
   m_list->setMouseTracking(true);
-  m_list->verticalHeader()->setDefaultSectionSize(kRow);
-  m_list->verticalHeader()->setMinimumSectionSize(kRow);
   m_header = new FlatHeader(m_list);
   m_header->setObjectName(QStringLiteral("decodeHeader"));
   m_header->setMinimumSectionSize(48);
@@ -102,16 +100,25 @@ DecodePanel::DecodePanel(QWidget* parent) : QWidget(parent) {
   m_layout = new QBoxLayout(QBoxLayout::LeftToRight, this);  // the less height
   m_layout->setContentsMargins(0, 0, 0, 0);
   m_layout->setSpacing(0);
-  auto* around = inColumn(nullptr, {8, 8, 8, 8}, -1, {m_payload, LayoutPart::rest()});
-  m_layout->addLayout(around);
+  m_around = new QWidget(this);
+  m_payload = new PayloadBits(m_around);
+  inColumn(m_around, {8, 8, 8, 8}, -1, {m_payload, LayoutPart::rest()});
   m_layout->addWidget(m_list, 1);
+  m_layout->addWidget(m_around);
+  m_around->hide();
+  // In the row of the titles, where it takes no room.
+  m_fold = makeToolButton(m_list, "decodeBits", tr("Bits"),
+                          tr("The frame bit by bit, and where each field stands"));
+  m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_fold->setCheckable(true);
+  connect(m_fold, &QAbstractButton::toggled, this, &DecodePanel::showBits);
   m_model = new DecodeModel(this);
   m_list->setModel(m_model);
   m_header->setSectionResizeMode(QHeaderView::Interactive);
-  shareWidth();
+  layOut();
   connect(m_model, &QAbstractItemModel::modelReset, this, [this] { point(-1); });
   connect(m_model, &DecodeModel::frameChanged, this, &DecodePanel::showFrame);
-  connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::showBits);
+  connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &DecodePanel::tellBits);
   showFrame();
   connect(m_payload, &PayloadBits::bitPicked, this, &DecodePanel::pick);
   connect(m_payload, &PayloadBits::bitPointed, this,
@@ -126,6 +133,25 @@ void DecodePanel::setView(const PanelView& view) {
   m_model->setFrame(view.frame);
 }
 
+bool DecodePanel::areBitsShown() const { return m_fold->isChecked(); }
+
+void DecodePanel::showBits(bool areShown) {
+  m_fold->setChecked(areShown);
+  m_around->setVisible(areShown);
+  layOut();
+}
+
+// Once more with each look.
+void DecodePanel::layOut() {
+  m_rowHeight = denseRowHeight(this, std::max(kRow, fontMetrics().height() + 6));
+  m_list->verticalHeader()->setMinimumSectionSize(m_rowHeight);
+  m_list->verticalHeader()->setDefaultSectionSize(m_rowHeight);
+  m_header->setFixedHeight(targetHeight(this));
+  m_fold->setArrowType(areBitsShown() ? Qt::DownArrow : Qt::RightArrow);
+  shareWidth();
+  showFrame();
+}
+
 void DecodePanel::showFrame() {
   m_list->clearSpans();
   for (int row = 0; row < m_model->rowCount(); ++row) {
@@ -134,12 +160,12 @@ void DecodePanel::showFrame() {
     const bool isSentence = line == DecodeRow::Line::Title || line == DecodeRow::Line::Certainty;
     if (isSentence)
       m_list->setSpan(row, DecodeModel::Value, 1, DecodeModel::ColumnCount - DecodeModel::Value);
-    if (line == DecodeRow::Line::Certainty) m_list->setRowHeight(row, 2 * kRow);
+    if (line == DecodeRow::Line::Certainty) m_list->setRowHeight(row, std::max(2 * kRow, m_rowHeight));
   }
-  showBits();
+  tellBits();
 }
 
-void DecodePanel::showBits() {
+void DecodePanel::tellBits() {
   PayloadValues values;
   if (const Frame* frame = m_model->content()) {
     values.bytes = frame->data;
@@ -167,12 +193,14 @@ void DecodePanel::point(int row) {
   m_pointed = row;
   m_delegate->setPointedRow(row);
   m_list->viewport()->update();
-  showBits();
+  tellBits();
 }
 
 // Values get what is left, but no more than they need: what they are made of should stand beside them. Where
-// there is little room the raw bits go first, for they are drawn above.
+// there is little room the raw bits go first, for they are drawn, too. With the bits folded the values have it all.
 void DecodePanel::shareWidth() {
+  const QSize fold = m_fold->sizeHint();
+  m_fold->setGeometry(m_list->viewport()->width() - fold.width(), 0, fold.width(), m_header->height());
   const auto widthOf = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text) + 2 * FlatHeader::kPadding + 4;
   };
@@ -180,6 +208,13 @@ void DecodePanel::shareWidth() {
   const int name = widthOf(QStringLiteral("Axis 5 (+) hard stop"));
   const int place = widthOf(QStringLiteral("B1.8–7, B2"));
   int raw = widthOf(QStringLiteral("0000 0000 0000 0000 0"));
+  m_list->setColumnHidden(DecodeModel::Place, !areBitsShown());
+  if (!areBitsShown()) {
+    m_list->setColumnHidden(DecodeModel::Raw, true);
+    m_header->resizeSection(DecodeModel::Name, name);
+    m_header->resizeSection(DecodeModel::Value, std::max(kMinValue, all - name));
+    return;
+  }
   const bool hasRaw = all >= name + raw + place + kMinValue;
   m_list->setColumnHidden(DecodeModel::Raw, !hasRaw);
   if (!hasRaw) raw = 0;
@@ -198,7 +233,7 @@ void DecodePanel::resizeEvent(QResizeEvent* event) {
 
 void DecodePanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) shareWidth();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) layOut();
 }
 
 bool DecodePanel::eventFilter(QObject* watched, QEvent* event) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One frame in full: its bytes bit by bit, and what they say field by field. The field that is selected in
+// One frame in full: what it says field by field, and on demand its bytes bit by bit. The field that is selected in
 // the list, or pointed at, has its bits brought out; a bit that is picked selects its field, and one that is
 // pointed at marks it.
 #pragma once
@@ -11,6 +11,7 @@
 
 class QBoxLayout;
 class QTableView;
+class QToolButton;
 
 namespace deckpipe {
 
@@ -28,6 +29,9 @@ class DecodePanel : public QWidget {
   DecodeModel* model() const { return m_model; }
   QTableView* list() const { return m_list; }
   PayloadBits* payload() const { return m_payload; }
+  // The bits, and which of them each field takes. Folded at first.
+  bool areBitsShown() const;
+  void showBits(bool areShown);
 
   QSize sizeHint() const override { return {520, 480}; }
 
@@ -38,15 +42,19 @@ class DecodePanel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void layOut();
   void showFrame();
-  void showBits();
+  void tellBits();
   void pick(std::uint64_t bit);
   void point(int row);
   void shareWidth();
 
   DecodeModel* m_model;
+  int m_rowHeight = 0;
   int m_pointed = -1;  // the row under the pointer, or whose bit is
   QBoxLayout* m_layout;
+  QWidget* m_around;  // of the bits
+  QToolButton* m_fold;
   PayloadBits* m_payload;
   QTableView* m_list;
   FlatHeader* m_header;

@@ -113,7 +113,8 @@ IdView::IdView(QWidget* parent)
 
 void IdView::updateFonts() {
   const QFontMetrics figures(figureFont(font())), words(font());
-  verticalHeader()->setDefaultSectionSize(std::max({kMinIdRow, figures.height() + 6, words.height() + 6}));
+  verticalHeader()->setDefaultSectionSize(
+      denseRowHeight(this, std::max({kMinIdRow, figures.height() + 6, words.height() + 6})));
   QList<int> widths;
   for (const auto& [column, widest] : kWidest) {
     const QFontMetrics& metrics = isFigures(column) ? figures : words;
@@ -124,7 +125,8 @@ void IdView::updateFonts() {
 
 void IdView::changeEvent(QEvent* event) {
   QTableView::changeEvent(event);
-  if (event->type() == QEvent::FontChange && m_header != nullptr) updateFonts();
+  const bool isOtherLook = event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange;
+  if (isOtherLook && m_header != nullptr) updateFonts();
 }
 
 QByteArray IdView::saveState() const { return m_header->saveColumns(); }

@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "model/filter_keys.h"
+#include "model/trace_model.h"
 #include "paint/app_style.h"
 #include "panel/common/build.h"
 #include "panel/common/labels.h"
@@ -33,8 +34,8 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   measureCount();
   m_time = named(new QComboBox(this), "traceTime", tr("How the Time column says time"));
   m_time->setToolTip(m_time->accessibleName());
-  m_time->addItems(
-      {tr("Time of the log"), tr("Since the begin"), tr("Since the row before"), tr("Local time")});
+  for (int mode = 0; mode < static_cast<int>(TraceModel::TimeMode::Count); ++mode)
+    m_time->addItem(TraceModel::modeText(static_cast<TraceModel::TimeMode>(mode)));
   connect(m_time, &QComboBox::activated, this, &TraceBar::timeModeChosen);
   m_follow = new QCheckBox(this);
   m_follow->setObjectName(QStringLiteral("traceFollow"));

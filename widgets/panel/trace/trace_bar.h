@@ -21,7 +21,6 @@ class TraceBar : public QWidget {
 
  public:
   enum Order { InOrder, ById };
-  static constexpr int kTimeModes = 4;
 
   explicit TraceBar(QWidget* parent = nullptr);
 

@@ -23,7 +23,7 @@ namespace deckpipe {
 namespace {
 
 constexpr int kSearchMoreMs = 33;
-constexpr int kStateVersion = 2;
+constexpr int kStateVersion = 3;
 
 }  // namespace
 
@@ -301,7 +301,7 @@ bool TracePanel::restoreState(const QByteArray& state) {
   QByteArray columns, idColumns;
   in >> version >> columns >> idColumns >> mode;
   if (in.status() != QDataStream::Ok || version != kStateVersion) return false;
-  if (mode >= 0 && mode < TraceBar::kTimeModes) setTimeMode(mode);
+  if (mode >= 0 && mode < static_cast<int>(TraceModel::TimeMode::Count)) setTimeMode(mode);
   const bool hasIds = m_ids->restoreState(idColumns);
   return m_view->restoreState(columns) && hasIds;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be chosen by pointing at a cell of the trace, or at the titles of its columns.
+#include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
@@ -52,6 +53,19 @@ void TracePanel::showColumnMenu(FlatHeader& header, const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("traceColumnMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (&header == m_view->header()) {
+    menu->addSection(tr("How the Time column says time"));
+    auto* modes = new QActionGroup(menu);
+    for (int mode = 0; mode < static_cast<int>(TraceModel::TimeMode::Count); ++mode) {
+      const auto what = static_cast<TraceModel::TimeMode>(mode);
+      QAction* action =
+          menu->addAction(TraceModel::modeText(what), this, [this, mode] { setTimeMode(mode); });
+      action->setCheckable(true);
+      action->setChecked(what == m_model->timeMode());
+      modes->addAction(action);
+    }
+    menu->addSection(tr("Columns"));
+  }
   const bool isLast = header.count() - header.hiddenSectionCount() == 1;
   for (int column = 0; column < header.count(); ++column) {
     QAction* action = menu->addAction(header.model()->headerData(column, Qt::Horizontal).toString());

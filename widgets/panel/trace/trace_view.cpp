@@ -220,16 +220,16 @@ void TraceView::setFollowing(bool isFollowing) {
 void TraceView::updateFonts() {
   m_fonts = TraceFonts(font());
   const int text = std::max(QFontMetrics(m_fonts.text).height(), QFontMetrics(m_fonts.figures).height());
-  m_rowHeight = std::max(kMinTraceRow, text + 6);
+  m_rowHeight = denseRowHeight(this, std::max(kMinTraceRow, text + 6));
   // As high as it makes itself, but now: its letters may come later than ours.
-  m_header->setFixedHeight(std::max(FlatHeader::kMinHeight, QFontMetrics(m_fonts.text).height() + 12));
+  m_header->setFixedHeight(std::max(targetHeight(this), QFontMetrics(m_fonts.text).height() + 12));
   setUsualWidths();
   layOut();
 }
 
 void TraceView::changeEvent(QEvent* event) {
   QAbstractScrollArea::changeEvent(event);
-  if (event->type() == QEvent::FontChange) updateFonts();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) updateFonts();
 }
 
 void TraceView::resizeEvent(QResizeEvent* event) {
