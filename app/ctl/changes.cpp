@@ -102,7 +102,7 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
     } else {
       m_out += begin("device_appeared").addTypeOf(device.pin).text();
     }
-    shown = {device.kind, device.pin, device.address, device.node, {}};
+    shown = {device.kind, device.pin, device.address, device.node, {}, device.restarted};
   }
   if (shown.address != device.address) {
     m_out += begin(device.address == kNullAddress ? "address_lost" : "address_changed")
@@ -110,6 +110,8 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
                  .text();
     shown.address = device.address;
   }
+  if (std::exchange(shown.restarted, device.restarted) != device.restarted)
+    m_out += begin("restarted").text();
   for (const MessageId id : kPeriodicReports) {
     if (shown.stale.has(id) == device.isStale(id)) continue;
     m_out += begin(device.isStale(id) ? "stale" : "fresh").add("message", messageOf(id).key).text();
