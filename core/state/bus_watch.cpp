@@ -186,7 +186,11 @@ bool BusWatch::stickCame(const State& state, Address source, std::vector<Event>&
   for (std::size_t i = 0; i < sticks.size(); ++i) {
     if (sticks[i].source != source) continue;
     // The state took none: controllers take no input from a message of a wrong length.
-    if (sticks[i].basic.at != state.cursor().time) return false;
+    if (sticks[i].basic.at != state.cursor().time) {
+      m_sticks[i].malformedCame(state, m_channel, sticks[i], out);
+      m_sticksDue = std::min(m_sticksDue, m_sticks[i].due());
+      return false;
+    }
     const bool isBack = m_sticks[i].look(state, m_channel, sticks[i], isSettled(state.cursor().time), out);
     m_sticksDue = std::min(m_sticksDue, m_sticks[i].due());
     return isBack;

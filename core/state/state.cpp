@@ -142,7 +142,11 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
     if (isOfItsOwnAccord(id)) channel.nodes.broadcast(id.source, time);
   }
   Device* sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
-  if (what.malformed) channel.nodes.countMalformed(id.source);
+  if (what.malformed) {
+    channel.nodes.countMalformed(id.source);
+    if (what.message == MessageId::BasicJoystick || what.message == MessageId::ExtendedJoystick)
+      channel.joysticks.heardMalformed(id.source);
+  }
   if (commandsAddress(frame, id)) channel.namesAsked = time;
 
   if (what.isDecoded()) {

@@ -33,6 +33,9 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
     if (isNews) m_sending = EventSlot(0);
   }
   const Instant now = state.cursor().time;
+  m_wrongSince = kNotYet;
+  m_isWrong = false;
+  compareLength(state, channel, out);
   const Duration gap = m_last == kNotYet ? Duration{0} : now - m_last;
   const bool wasDeaf = m_last < state.channel(channel).linkUp;
   const bool wasSending = std::exchange(m_isSending, true), hadTimedOut = std::exchange(m_hasTimedOut, false);
@@ -52,6 +55,29 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   }
   if (stick.priority()) lookAtRank(state, channel, stick, out);
   return !wasSending;
+}
+
+void StickWatch::malformedCame(const State& state, Channel channel, const Joystick& stick,
+                               std::vector<Event>& out) {
+  if (stick.source != m_source) {
+    *this = {};
+    m_source = stick.source;
+  }
+  const Instant now = state.cursor().time;
+  if (m_wrongSince == kNotYet || now - m_wrongLast > Joystick::kSilence) m_wrongSince = now;
+  m_wrongLast = now;
+  m_isWrong = m_isWrong || now - m_wrongSince >= kInputTimeout + state.slack();
+  // It is known now that it does not send.
+  if (m_isWrong && !m_sending.isKnown()) m_sending.set(0);
+  compareLength(state, channel, out);
+}
+
+void StickWatch::compareLength(const State& state, Channel channel, std::vector<Event>& out) {
+  if (!m_length.moves(m_isWrong ? 1 : 0, state.cursor().time, m_due)) return;
+  Event event =
+      eventAt(state, channel, m_isWrong ? EventKind::Malformed : EventKind::MalformedOver, m_source);
+  event.since = m_isWrong ? m_wrongSince : kNotYet;
+  m_length.tell(event, out);
 }
 
 void StickWatch::compareSending(const State& state, Channel channel, std::vector<Event>& out) {
@@ -110,6 +136,7 @@ void StickWatch::timeCame(const State& state, Channel channel, const Joystick& s
   if (m_isSending) m_isSending = now < end;
   compareTimeout(state, channel, out);
   compareSending(state, channel, out);
+  compareLength(state, channel, out);
   if (stick.priority()) lookAtRank(state, channel, stick, out);
   if (m_isSending) m_due = std::min(m_due, m_hasTimedOut ? end : timeout);
 }

@@ -164,6 +164,12 @@ PageFactGroup joystickOf(const State& state, Channel channel, const Joystick& st
                       ? plain(Facts::tr("Priority"), priorityText(*stick.priority()))
                       : plain(Facts::tr("Priority"), Facts::tr("none: monitors listen to 33 to 38 hex"),
                               Severity::Warning));
+  if (!stick.isUnderstood()) {
+    facts.push_back(plain(Facts::tr("Sending"),
+                          Facts::tr("messages of a wrong length only; monitors take no input from them"),
+                          Severity::Warning));
+    return group;
+  }
   // Without times nothing is known of its rhythm.
   if (!ageAt(std::max(stick.basic.at, stick.extended.at), now)) return group;
   if (isLinkDown(state, channel)) {

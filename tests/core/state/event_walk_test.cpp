@@ -493,9 +493,18 @@ const std::vector<EventCase> kCases{
     {"AJoystickThatIsNotBackWithItsLink",
      [](Story& s) { s.stick(1s).note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
      {"42.200 joystick_timed_out 33", "44.000 joystick_ended 33 since 1.980"}},
+    {"AJoystickWhoseMessagesHaveWrongLengthsFromTheStart",
+     [](Story& s) { s.stick(5s, "0CFDD633", "01000100").stick(1s); },
+     {"1.200 malformed 33 since 1.000", "6.000 malformed_over 33", "6.000 joystick_began 33"}},
+    {"AJoystickMessageOfAWrongLengthNowAndThen",
+     [](Story& s) {
+       for (int i = 0; i < 5; ++i) s.hear("0CFDD633", "01000100").stick(1s);
+     },
+     {}},
     {"AJoystickWhoseMessagesHaveWrongLengths",
      [](Story& s) { s.stick(1s).stick(3s, "0CFDD633", "01000100").stick(100ms); },
-     {"2.180 joystick_timed_out 33", "3.980 joystick_ended 33 since 1.980", "5.000 joystick_began 33"}},
+     {"2.180 joystick_timed_out 33", "2.200 malformed 33 since 2.000", "3.980 joystick_ended 33 since 1.980",
+      "5.000 malformed_over 33", "5.000 joystick_began 33"}},
     {"AJoystickWithSomeMessagesOfWrongLengths",
      [](Story& s) {
        s.stick(1s);

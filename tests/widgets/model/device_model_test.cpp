@@ -245,6 +245,14 @@ TEST_F(DeviceTable, GivesANodeThatHadOnlyANameItsPinInPlace) {
   EXPECT_EQ(m_model.rowCount(), 2);
 }
 
+TEST_F(DeviceTable, ListsAJoystickWhoseMessagesHaveAWrongLength) {
+  m_bus.hear("0CFDD633", "01000100");
+  show();
+  ASSERT_EQ(m_model.rowCount(), 1);
+  EXPECT_EQ(all(0), "Address 33 | Joystick source | 33 | < 1 s | wrong length | 0/s | 1");
+  EXPECT_EQ(m_model.index(0, 0).data(Model::GroupTextRole).toString(), QStringLiteral("Controls"));
+}
+
 TEST_F(DeviceTable, TellsOnlyWhatChanged) {
   m_bus.monitor();
   show();

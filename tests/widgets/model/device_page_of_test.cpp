@@ -578,6 +578,15 @@ TEST(DevicePageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
   EXPECT_EQ(fact(page, "After it").value, QStringLiteral("Joystick 38: stopped sending"));
 }
 
+TEST(DevicePageOf, SaysThatASourceSendsWrongLengthsOnly) {
+  Heard bus;
+  bus.hear("0CFDD634", "01000100").hear("0CFDD633", kRestingStick);
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x34)), "Sending").value,
+            QStringLiteral("messages of a wrong length only; monitors take no input from them"));
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x33)), "After it").value,
+            QStringLiteral("Joystick 34: messages of a wrong length only"));
+}
+
 TEST(DevicePageOf, SaysThatAnotherSourceMovesNothing) {
   Heard bus;
   bus.monitor().hear("0CFDD640", kStickLeft);
