@@ -183,15 +183,15 @@ bool AddressBook::cannotClaim(Name name, Lost& lost) {
     const Address a = addressAt(i);
     if (m_names[i] != name || !isHeld(a)) continue;
     hasChanged = true;
-    lost.set(i);
     if (isContested(a)) {
       const Contest open = contestAt(a);
       ++m_lost[i];
       take(a, open.challenger, open.since, lost);
-    } else {
-      clear(a, kHeld | kAkron | kForeign);
-      m_pins[i] = 0;
+      continue;
     }
+    lost.set(i);
+    clear(a, kHeld | kAkron | kForeign);
+    m_pins[i] = 0;
   }
   return hasChanged;
 }
