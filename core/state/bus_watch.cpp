@@ -54,6 +54,17 @@ void BusWatch::linkChanged(const State& state) {
   }
 }
 
+void BusWatch::linkCameBack() {
+  m_first = kNotYet;
+  m_secondEnd = m_sharedDue = m_contestsDue = kNever;
+  m_holders = m_formerHolders = {};
+  m_claims = {};
+  m_cannotClaim.clear();
+  m_shared.reset();
+  m_strangerSince = neverHeard<256>();
+  m_nodeSince = neverHeard<128>();
+}
+
 Address BusWatch::formerAddress(Address address, Instant now) const {
   const Name name = m_holders[address.value];
   if (!name.isAkron()) return kNullAddress;

@@ -36,8 +36,8 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   m_wrongSince = kNotYet;
   m_isWrong = false;
   compareLength(state, channel, out);
-  const Duration gap = m_last == kNotYet ? Duration{0} : now - m_last;
   const bool wasDeaf = m_last < state.channel(channel).linkUp;
+  const Duration gap = m_last == kNotYet ? Duration{0} : now - state.channel(channel).missedFrom(m_last);
   const bool wasSending = std::exchange(m_isSending, true), hadTimedOut = std::exchange(m_hasTimedOut, false);
   m_last = now;
   const Duration slack = state.slack();
@@ -85,7 +85,7 @@ void StickWatch::compareSending(const State& state, Channel channel, std::vector
   if (!m_sending.moves(m_isSending ? 1 : 0, now, m_due)) return;
   Event event =
       eventAt(state, channel, m_isSending ? EventKind::JoystickBegan : EventKind::JoystickEnded, m_source);
-  if (!m_isSending) event.since = m_last;
+  if (!m_isSending) event.since = state.channel(channel).missedFrom(m_last);
   m_sending.tell(event, out);
 }
 
@@ -126,12 +126,12 @@ void StickWatch::timeCame(const State& state, Channel channel, const Joystick& s
   if (m_due > now) return;
   m_due = kNever;
   const bool isDeaf = state.channel(channel).link == ChannelLink::Down;
-  const Instant from = std::max(m_last, state.channel(channel).linkUp);
+  const Instant from = state.channel(channel).missedFrom(m_last);
   const Instant timeout = isDeaf ? kNever : from + kInputTimeout + state.slack();
   const Instant end = isDeaf ? kNever : from + Joystick::kSilence;
   if (m_isSending && !m_hasTimedOut && timeout <= now) {
     m_hasTimedOut = true;
-    m_timeoutGap = now - m_last;
+    m_timeoutGap = now - from;
   }
   if (m_isSending) m_isSending = now < end;
   compareTimeout(state, channel, out);

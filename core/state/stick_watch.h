@@ -44,7 +44,7 @@ class StickWatch {
   Instant m_due = kNever;
   EventSlot m_sending, m_timeout{0}, m_length{0};
   Instant m_wrongSince = kNotYet, m_wrongLast = kNotYet;  // basic messages, with no right one since
-  bool m_isWrong = false;                                 // … for longer than controllers wait for a right one
+  bool m_isWrong = false;  // … for longer than controllers wait for a right one
   TellCount m_gaps;
   // The source that goes before it, of x and of y.
   bool m_isOutranked = false;
