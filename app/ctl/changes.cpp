@@ -57,6 +57,8 @@ void Changes::frameCame(const Frame& frame, const Classified& what) {
 }
 
 void Changes::noteCame(const Note& note) {
+  // Behind a gap a value is compared with none of before.
+  if (std::holds_alternative<note::LinkUp>(note.value)) m_last.clear();
   if (!isWatched(note.value)) return;
   JsonLine line;
   line.add("event", noteKey(note.value)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
@@ -77,6 +79,10 @@ void Changes::compare() {
     const Address address{static_cast<std::uint8_t>(a)};
     const std::uint64_t name = bus.book.holder(address).value;
     if (name == m_names[a]) continue;
+    if (name == 0 && bus.book.formerHolder(address).value == m_names[a]) {
+      m_names[a] = 0;
+      continue;
+    }
     m_out += begin(name != 0 ? "claimed" : "claim_lost")
                  .add("address", address)
                  .addHex("name", name != 0 ? name : m_names[a], 16)
@@ -97,12 +103,16 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
     return line;
   };
   if (shown.kind != device.kind || shown.pin != device.pin || shown.node != device.node) {
-    if (device.kind == Device::Kind::Free) {  // an address that turned out to be somebody else's
+    const AddressBook& book = m_follower.state().channel(m_channel).book;
+    if (shown.kind == Device::Kind::Pin && device.kind == Device::Kind::Address &&
+        book.formerPin(device.address) == shown.pin) {
+      m_out += begin("pin_former").add("former_pin", shown.pin).text();
+    } else if (device.kind == Device::Kind::Free) {  // an address that turned out to be somebody else's
       m_out += begin("device_left").add("address", shown.address).text();
     } else {
       m_out += begin("device_appeared").addTypeOf(device.pin).text();
     }
-    shown = {device.kind, device.pin, device.address, device.node, {}};
+    shown = {device.kind, device.pin, device.address, device.node, {}, device.restarted};
   }
   if (shown.address != device.address) {
     m_out += begin(device.address == kNullAddress ? "address_lost" : "address_changed")
@@ -110,6 +120,8 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
                  .text();
     shown.address = device.address;
   }
+  if (std::exchange(shown.restarted, device.restarted) != device.restarted)
+    m_out += begin("restarted").text();
   for (const MessageId id : kPeriodicReports) {
     if (shown.stale.has(id) == device.isStale(id)) continue;
     m_out += begin(device.isStale(id) ? "stale" : "fresh").add("message", messageOf(id).key).text();

@@ -23,6 +23,7 @@ class Changes {
     Address address;
     NodeId node;
     EnumSet<MessageId> stale;
+    Instant restarted = kNotYet;
   };
   void frameCame(const Frame& frame, const Classified& what);
   void noteCame(const Note& note);

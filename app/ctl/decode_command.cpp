@@ -7,8 +7,8 @@
 #include "command.h"
 #include "log_input.h"
 #include "output.h"
-#include "protocol/role_walk.h"
 #include "report/decode_lines.h"
+#include "state/role_notes.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -41,10 +41,7 @@ class Decoder {
     while (m_next < count) {
       for (const Frame& frame : m_frames.run(m_next)) {
         if (m_next == count) break;
-        for (; note != notes.end() && note->frame == m_next; ++note) {
-          if (const auto* said = std::get_if<note::DriveSaid>(&note->value))
-            m_roles.sayDrive(said->channel, said->address, said->isDrive, note->time);
-        }
+        for (; note != notes.end() && note->frame == m_next; ++note) teach(m_roles, *note);
         decodeOne(m_hasTimes ? frame : withoutTime(frame), m_times.at(m_next++));
         if (!m_output.write()) return false;
       }

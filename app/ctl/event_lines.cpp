@@ -18,7 +18,7 @@ namespace {
 constexpr EnumTable<EventKind, const char*> kMeanings{{
     {EventKind::Appeared,
      "a device is heard for the first time, 3 s or more after the channel's first frame"},
-    {EventKind::Silent, "its periodic messages stopped 3 s or three of its periods ago (since)"},
+    {EventKind::Silent, "its periodic messages are missing for 3 s or three of its periods (since)"},
     {EventKind::Back, "they come again, after so long (ms)"},
     {EventKind::Restarted, "it announced itself unasked, or a node booted"},
     {EventKind::NotOperational, "a CANopen node is not in the operational state (was, now)"},

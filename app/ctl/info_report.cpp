@@ -31,8 +31,15 @@ std::string_view ageWord(AnswerAge age) {
     case AnswerAge::BeforeRestart: return "restarted since";
     case AnswerAge::BeforeSilence: return "silent since";
     case AnswerAge::BeforeLinkDown: return "link down since";
+    case AnswerAge::BeforeGap: return "before the link went down";
   }
   return {};
+}
+
+// Who was at its address before the link was down, if nobody has said since who is there; null otherwise.
+Pin formerPinOf(const State& state, const Device& device) {
+  const bool isAddress = device.kind == Device::Kind::Address;
+  return isAddress ? state.channel(device.channel).book.formerPin(device.address) : Pin();
 }
 
 // The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93 s ago, silent
@@ -64,6 +71,7 @@ std::string deviceJson(const State& state, const Device& device, std::string_vie
                        std::string_view label, bool hasTimes) {
   JsonLine line;
   line.add("pin", device.pin);
+  if (const Pin former = formerPinOf(state, device); !former.isNull()) line.add("former_pin", former);
   if (!label.empty()) line.add("label", label);
   line.add("channel", channel);
   if (device.kind == Device::Kind::Pin) line.add("device_type", device.pin.deviceType());
@@ -99,7 +107,7 @@ std::string deviceJson(const State& state, const Device& device, std::string_vie
     line.add("style", device.pcode().value().style)
         .add("pcode_version", Value::version(device.pcode().value().version));
   if (device.config().isKnown()) line.add("config_type", device.config().value().type);
-  if (device.partNumber.isKnown()) line.add("part_number", device.partNumber.value);
+  if (device.part() != 0) line.add("part_number", device.part());
   return line.object();
 }
 
@@ -114,6 +122,8 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
     if (!label.empty()) out.append(", ").append(printable(label));
   } else {
     out += "no PIN         ";
+    if (const Pin former = formerPinOf(state, device); !former.isNull())
+      out.append("  was ").append(former.text()).append(" before the link went down");
   }
   out += "  ";
   out += channel;

@@ -28,9 +28,12 @@ class NodeCounts {
     const bool isClaim = what.message == MessageId::Name && what.isDecoded();
     const Name name = isClaim ? Name::of(frame) : book.lastHolder(source);
     NodeCount& count = m_counts[{source.value, name.value}];
-    // The first NAME takes over the frames that came before any NAME was heard there.
-    if (name.value != 0 && count.frames == 0) {
-      if (const auto before = m_counts.extract({source.value, 0}); !before.empty()) count = before.mapped();
+    // The first NAME takes over the frames that came before any NAME was heard there, or was heard anew.
+    if (name.value != 0) {
+      if (const auto before = m_counts.extract({source.value, 0}); !before.empty()) {
+        count.frames += before.mapped().frames;
+        count.malformed += before.mapped().malformed;
+      }
     }
     ++count.frames;
     count.lastHeard = time;

@@ -21,6 +21,8 @@ struct Row {
       heard{};  // from who holds the address; nothing: not on J1939, or without an address
   ClaimState claim = ClaimState::NoClaim;
   std::uint64_t name = 0;
+  std::uint64_t formerName = 0;  // of before the link was down, if nobody has said since who is there
+  Pin formerPin{};
   const Device* device = nullptr;  // null: nothing known but the address
   const char* what = "unknown";
   bool sendsJoystick = false;
@@ -64,6 +66,8 @@ std::vector<Row> rowsOf(const State& state, const NodeCounts& counts, Channel ch
             .heard = counts.at(address, bus.book.lastHolder(address)),
             .claim = bus.book.claim(address, state.cursor().time),
             .name = bus.book.lastHolder(address).value,
+            .formerName = bus.book.formerHolder(address).value,
+            .formerPin = bus.book.formerPin(address),
             .device = state.devices().byAddress(channel, address)};
     row.sendsJoystick = bus.joysticks.find(address) != nullptr;
     row.what = whatIsAt(bus, address, row.sendsJoystick, row.device != nullptr);
@@ -98,6 +102,8 @@ std::string jsonLine(const Row& row, std::string_view channelName) {
   line.add("what", row.what);
   if (row.sendsJoystick) line.add("sends_joystick", true);
   line.add("pin", row.pin()).addTypeOf(row.pin());
+  if (!row.formerPin.isNull()) line.add("former_pin", row.formerPin);
+  if (row.formerName != 0) line.addHex("former_name", row.formerName, 16);
   if (row.heard) line.add("claim", claimWord(row.claim));
   if (row.name != 0) {
     line.addHex("name", row.name, 16);
@@ -108,8 +114,7 @@ std::string jsonLine(const Row& row, std::string_view channelName) {
       if (!field.key.empty()) line.add(field.key, valueOf(field, frame));
     }
   }
-  if (row.device != nullptr && row.device->partNumber.isKnown())
-    line.add("part_number", row.device->partNumber.value);
+  if (row.device != nullptr && row.device->part() != 0) line.add("part_number", row.device->part());
   line.add("frames", row.frames()).add("malformed", row.malformed());
   line.addTime("last_heard", wallTime(row.lastHeard())).add("health", row.health.key());
   line.add("causes", causesOf(row.health));
@@ -131,7 +136,10 @@ std::string textLine(const Row& row, Instant now) {
   std::snprintf(text, sizeof text, "%-7s  %-12s  %-15s  %-23s  %-16s %8u %s, last %s ago, ", place, row.what,
                 std::string(pin.text()).c_str(), std::string(type).c_str(), name, row.frames(),
                 row.frames() == 1 ? "frame" : "frames", lengthText(now - row.lastHeard()).c_str());
-  return text + healthWords(row.health) + '\n';
+  std::string was;
+  if (!row.formerPin.isNull())
+    was.append(", was ").append(row.formerPin.text()).append(" before the link went down");
+  return text + healthWords(row.health) + was + '\n';
 }
 
 }  // namespace

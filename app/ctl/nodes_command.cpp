@@ -14,8 +14,9 @@ ExitStatus nodesCommand(const QStringList& given) {
 address and asks everyone for their NAME; without, whoever keeps silent is not found.
 Keys: channel, address or node, what (own, akron, drive, joystick, foreign, canopen_node, unknown,
 or presumed: it speaks as Akron's do, and nothing else is known), sends_joystick, pin,
-device_type, type_name, claim, name and its parts, part_number, frames and malformed (of who holds
-the address, since then), last_heard (seconds since 1970), health (fine, or the worst of what keeps
+device_type, type_name, former_pin and former_name (of before the link was down, if nobody has said
+since who is there), claim, name and its parts, part_number, frames and malformed (of who holds the
+address, since then), last_heard (seconds since 1970), health (fine, or the worst of what keeps
 it from being fine), causes (all of that, the worst first). What is beyond )" +
                  std::to_string(kMaxDevices) + " devices or " + std::to_string(kMaxChannels) +
                  R"( channels

@@ -75,6 +75,7 @@ inline constexpr EnumTable<Refusal, RefusalWords> kRefusalWords{{
     {Refusal::Contested, {"contested", "two nodes claim the address of the device"}},
     {Refusal::ListenOnly, {"listen_only", "the adapter is in listen-only mode"}},
     {Refusal::Disputed, {"disputed", "another node sends from our own address"}},
+    {Refusal::FormerPin, {"former_pin", "the device has not said its PIN since the link was down"}},
 }};
 
 }  // namespace deckpipe::ctl

@@ -10,8 +10,9 @@ ExitStatus watchCommand(const QStringList& given) {
   Arguments arguments(
       given,
       R"(Writes a line for every change on a bus until Ctrl+C: event, t (seconds since 1970), channel, and by
-event: device_appeared, device_left, address_changed, address_lost (pin, address or node;
-device_type, type_name; previous), claimed, claim_lost (address, name), stale, fresh (message),
+event: device_appeared, device_left, restarted, address_changed, address_lost (pin, address or node;
+device_type, type_name; previous), pin_former (former_pin: said before the link was down, and not
+since), claimed, claim_lost (address, name), stale, fresh (message),
 link_up, link_down (reason), dropped (frames), still_waits (frames), own_address, locked, unlocked;
 value: pin and what 'deckpipectl decode' writes of a frame that differs from the last of its kind, or
 is an answer.

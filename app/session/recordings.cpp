@@ -53,6 +53,15 @@ void takeNames(Recording& recording, const FrameStore& frames, const NoteStore& 
     const QString pin = textOf(device.pin.text());
     if (device.kind == Device::Kind::Pin && !recording.pins.contains(pin)) recording.pins += pin;
   }
+  // Said before a gap of the link, and not since.
+  for (std::size_t c = 0; c < state.channelCount(); ++c) {
+    for (unsigned a = 0; a < kNullAddress.value; ++a) {
+      const AddressBook& book = state.channel({static_cast<std::uint8_t>(c)}).book;
+      const Pin former = book.formerPin({static_cast<std::uint8_t>(a)});
+      if (const QString pin = textOf(former.text()); !former.isNull() && !recording.pins.contains(pin))
+        recording.pins += pin;
+    }
+  }
   for (const Note& note : notes.all()) {
     const auto* up = std::get_if<note::LinkUp>(&note.value);
     if (up == nullptr || up->adapter.isEmpty()) continue;

@@ -31,9 +31,10 @@ enum class Refusal : std::uint8_t {
   Contested,   // … or whose address two nodes claim at this moment
   ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
   Disputed,    // a command or packet while another node sends from our address: its acks would look like ours
+  FormerPin,   // the device said its PIN before the link was down, and not since
 };
 template <>
-inline constexpr Refusal kLastOf<Refusal> = Refusal::Disputed;
+inline constexpr Refusal kLastOf<Refusal> = Refusal::FormerPin;
 
 struct ClaimStatus {
   enum class Progress : std::uint8_t {

@@ -40,7 +40,9 @@ bool isPartNumberAnswer(const Frame& frame) {
 
 }  // namespace
 
-Pin AddressBook::pin(Address a) const { return pinOf(m_pins[a.value]); }
+Pin AddressBook::pin(Address a) const { return has(a, kFormer) ? Pin() : pinOf(m_pins[a.value]); }
+
+Pin AddressBook::formerPin(Address a) const { return has(a, kFormer) ? pinOf(m_pins[a.value]) : Pin(); }
 
 ClaimState AddressBook::claim(Address a, Instant now) const {
   if (isContested(a)) return ClaimState::Contested;
@@ -49,6 +51,38 @@ ClaimState AddressBook::claim(Address a, Instant now) const {
 }
 
 void AddressBook::sayDrive(Address a, bool isDrive) { isDrive ? set(a, kDrive) : clear(a, kDrive); }
+
+void AddressBook::linkWentDown() {
+  for (const Contest& open : m_contests) {
+    if (open.since != kNotYet) clear(open.address, kContested);
+  }
+  m_contests = {};
+  m_nextDecision = kNever;
+}
+
+void AddressBook::linkCameBack() {
+  linkWentDown();  // a log of several parts may have frames meanwhile
+  for (std::size_t i = 0; i < m_flags.size(); ++i) {
+    const Address a = addressAt(i);
+    if (has(a, kAkron | kForeign | kHeld) || !m_names[i].isNull() || m_pins[i] != 0) set(a, kFormer);
+  }
+  m_turns = {};
+  m_akronNodes.reset();
+  m_openRequests = {};
+}
+
+void AddressBook::forgetFormer(Address a) {
+  if (!has(a, kFormer)) return;
+  clear(a, kFormer | kAkron | kForeign | kHeld);
+  m_names[a.value] = {};
+}
+
+Address AddressBook::formerAddress(const Pin& pin) const {
+  for (std::size_t i = 0; i < m_pins.size(); ++i) {
+    if (has(addressAt(i), kFormer) && m_pins[i] != 0 && pinOf(m_pins[i]) == pin) return addressAt(i);
+  }
+  return kNullAddress;
+}
 
 bool AddressBook::learn(const Frame& frame, Instant time, const Classified& classified, Lost& lost) {
   const Address source = addressAt(frame.id & 0xFF);
@@ -135,6 +169,7 @@ bool AddressBook::forgetTurns(IsMeant isMeant, Address except) {
 bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lost& lost) {
   if (!isNode(source)) return false;
   const bool isNews = !isAkron(source);
+  forgetFormer(source);
   set(source, kAkron);
   const std::uint64_t pin = loadLittle(frame.data);
   if (m_pins[source.value] == pin || !announcedPin(frame)) return isNews;
@@ -181,30 +216,31 @@ bool AddressBook::cannotClaim(Name name, Lost& lost) {
   bool hasChanged = false;
   for (std::size_t i = 0; i < m_names.size(); ++i) {
     const Address a = addressAt(i);
-    if (m_names[i] != name || !isHeld(a)) continue;
+    if (m_names[i] != name || !has(a, kHeld)) continue;
     hasChanged = true;
-    lost.set(i);
     if (isContested(a)) {
       const Contest open = contestAt(a);
       ++m_lost[i];
       take(a, open.challenger, open.since, lost);
-    } else {
-      clear(a, kHeld | kAkron | kForeign);
-      m_pins[i] = 0;
+      continue;
     }
+    lost.set(i);
+    forgetFormer(a);
+    clear(a, kHeld | kAkron | kForeign);
+    m_pins[i] = 0;
   }
   return hasChanged;
 }
 
 void AddressBook::take(Address a, Name name, Instant since, Lost& lost) {
-  const Name before = lastHolder(a);
-  const Pin pin = this->pin(a);
+  const Name before = m_names[a.value];
+  const Pin pin = pinOf(m_pins[a.value]);
   const bool isOther = !before.isNull() && before != name;
   const bool keepsPin = !pin.isNull() && isNameOf(name, pin);
   if (pin.isNull() ? isOther || !name.isAkron() : !keepsPin) lost.set(a.value);
   if (!keepsPin) m_pins[a.value] = 0;
   if (isContested(a)) end(contestAt(a));
-  clear(a, kAkron | kForeign);
+  clear(a, kFormer | kAkron | kForeign);
   if (isOther) clear(a, kDrive);
   set(a, kHeld | (name.isAkron() ? kAkron : kForeign));
   m_names[a.value] = name;

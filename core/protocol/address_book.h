@@ -16,6 +16,9 @@
 //   5. A drive stays where the person said until a NAME other than the one before takes the address.
 //   6. An announcement to all tells the PIN at its source. A PIN is at one address only: its last.
 //   7. Claims from the global address or with NAME 0 mean nothing.
+//   8. Behind a gap, while the link was down, another bus may be at the plug. Nobody holds an address and no role
+//      holds there until a NAME or an announcement is heard from it anew; what was known is told as former. Messages
+//      of what was Akron's are presumed. A drive stays where the person said.
 #pragma once
 
 #include <array>
@@ -50,8 +53,10 @@ class AddressBook {
 
   // --- Whose messages are sent from an address. While it is contested: its holder's.
 
-  bool isAkron(Address a) const { return has(a, kAkron); }
-  bool isForeign(Address a) const { return has(a, kForeign); }
+  bool isAkron(Address a) const { return holds(a, kAkron); }
+  bool isForeign(Address a) const { return holds(a, kForeign); }
+  // Akron's before the link was down, and nobody has said since who is there.
+  bool wasAkron(Address a) const { return has(a, kFormer) && has(a, kAkron); }
   bool isDrive(Address a) const { return has(a, kDrive); }
   // Answered SDO 5000.01 with a part number.
   bool isAkronNode(NodeId node) const { return m_akronNodes[node.value & 0x7F]; }
@@ -59,13 +64,18 @@ class AddressBook {
 
   // --- Who is there.
 
-  bool isHeld(Address a) const { return has(a, kHeld); }
+  bool isHeld(Address a) const { return holds(a, kHeld); }
   // The NAME that holds it; 0 = none.
   Name holder(Address a) const { return isHeld(a) ? lastHolder(a) : Name{}; }
   // The NAME that holds it, or did until it said 'cannot claim'; 0 = none.
-  Name lastHolder(Address a) const { return m_names[a.value]; }
+  Name lastHolder(Address a) const { return has(a, kFormer) ? Name{} : m_names[a.value]; }
   // Null while none was announced there.
   Pin pin(Address a) const;
+  // The NAME and the PIN that were there before the link was down, as long as nobody has said since who is there.
+  Name formerHolder(Address a) const { return has(a, kFormer) ? m_names[a.value] : Name{}; }
+  Pin formerPin(Address a) const;
+  // Where a PIN was so; null: nowhere.
+  Address formerAddress(const Pin& pin) const;
   // Any frame came from there.
   bool isHeard(Address a) const { return has(a, kHeard); }
   // The PIN that was here was announced elsewhere, and nothing was heard from here since.
@@ -88,6 +98,10 @@ class AddressBook {
 
   // The person says that a Copley drive is at this address, or takes it back.
   void sayDrive(Address a, bool isDrive);
+  // Nothing is heard from now on: no contest can be decided.
+  void linkWentDown();
+  // Frames come again after that.
+  void linkCameBack();
   // Learns from a frame that was classified with this book. Returns whether anything changed; adds to `lost`.
   bool observe(const Frame& frame, Instant time, const Classified& classified, Lost& lost) {
     return mayTeach(frame, classified) && learn(frame, time, classified, lost);
@@ -113,6 +127,7 @@ class AddressBook {
     kHeld = 16,
     kContested = 32,
     kLeft = 64,
+    kFormer = 128,  // kAkron, kForeign, kHeld, the NAME and the PIN are of before the link was down
   };
   struct Contest {
     Instant since = kNotYet;  // kNotYet: a free place
@@ -134,6 +149,7 @@ class AddressBook {
   static constexpr std::size_t kContests = 8;
 
   bool has(Address a, std::uint8_t flag) const { return (m_flags[a.value] & flag) != 0; }
+  bool holds(Address a, std::uint8_t flag) const { return (m_flags[a.value] & (flag | kFormer)) == flag; }
   void set(Address a, unsigned flag) {
     m_flags[a.value] = static_cast<std::uint8_t>(m_flags[a.value] | flag);
   }
@@ -150,6 +166,8 @@ class AddressBook {
   bool heard(Address source);
   bool claimed(Address source, const Frame& frame, Instant time, Lost& lost);
   bool cannotClaim(Name name, Lost& lost);
+  // The PIN stays.
+  void forgetFormer(Address a);
   bool announced(Address source, const Frame& frame, Instant time, Lost& lost);
   bool exchanged(const Frame& frame, Instant time, const Classified& classified);
   void take(Address a, Name name, Instant since, Lost& lost);

@@ -101,7 +101,7 @@ Classified classifyProprietary(const Frame& frame, const J1939Id& id, Instant ti
   const MessageId message = akronMessage(entry, frame, id, time, book);
   const Message& m = messageOf(message);
   const Address device = m.device == DeviceEnd::Sender ? id.source : id.destination;
-  if (m.broadcast != broadcast || !isDynamicAddress(device)) return {};
+  if (m.broadcast != broadcast || (!isDynamicAddress(device) && !book.wasAkron(device))) return {};
   return decoded(Family::Presumed, message, length);
 }
 

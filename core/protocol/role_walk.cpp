@@ -17,6 +17,15 @@ void RoleWalk::sayDrive(Channel channel, Address address, bool isDrive, Instant 
   (place == 0 ? addBook(channel) : m_books[place - 1u]).sayDrive(address, isDrive);
 }
 
+void RoleWalk::linkIs(Channel channel, bool isUp, Instant time) {
+  timeCame(time);
+  if (m_isDown[channel.value] != isUp) return;
+  m_isDown[channel.value] = !isUp;
+  const std::uint16_t place = m_places[channel.value];
+  if (place == 0) return;
+  isUp ? m_books[place - 1u].linkCameBack() : m_books[place - 1u].linkWentDown();
+}
+
 AddressBook& RoleWalk::addBook(Channel channel) {
   AddressBook& book = m_books.emplace_back();
   m_places[channel.value] = static_cast<std::uint16_t>(m_books.size());

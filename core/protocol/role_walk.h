@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <vector>
 
 #include "protocol/address_book.h"
@@ -34,6 +35,8 @@ class RoleWalk {
   const AddressBook& book(Channel channel) const;
   // The person said at `time` that a Copley drive is at this address, or took it back.
   void sayDrive(Channel channel, Address address, bool isDrive, Instant time);
+  // The link of this channel went up or down at `time`.
+  void linkIs(Channel channel, bool isUp, Instant time);
 
  private:
   AddressBook& addBook(Channel channel);
@@ -42,6 +45,7 @@ class RoleWalk {
 
   std::vector<AddressBook> m_books;           // of the channels that had a frame
   std::array<std::uint16_t, 256> m_places{};  // by channel: 1 + the index of its book; 0 = none
+  std::bitset<256> m_isDown;                  // by channel: its link
   Instant m_nextDecision = kNever;            // no book's is earlier
   bool m_learned = false;
 };

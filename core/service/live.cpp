@@ -17,9 +17,15 @@ std::optional<Address> Live::addressOf(const DeviceKey& key) const {
   return device->address;
 }
 
+Refusal Live::whyNowhere(const DeviceKey& key) const {
+  const bool isFormer = key.kind == DeviceKey::Kind::Pin && key.channel == channel && find(key) == nullptr &&
+                        bus().book.formerAddress(key.pin) != kNullAddress;
+  return isFormer ? Refusal::FormerPin : Refusal::NoDevice;
+}
+
 Refusal Live::whyNotTo(Instant now, const DeviceKey& key) const {
   const Device* device = find(key);
-  if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
+  if (device == nullptr || device->address == kNullAddress) return whyNowhere(key);
   if (bus().book.isContested(device->address)) return Refusal::Contested;
   return now - device->lastHeard > kHeardWithin ? Refusal::NotHeard : Refusal::None;
 }

@@ -26,6 +26,9 @@ struct Live {
   const Device* find(const DeviceKey& key) const;
   // Where it is now; nothing where it is not on this channel or has no address.
   std::optional<Address> addressOf(const DeviceKey& key) const;
+  // Why a device that has no address now has none: a PIN that was said before a gap means nobody until it is heard
+  // anew.
+  Refusal whyNowhere(const DeviceKey& key) const;
   // Why no command and no packet may go to a device now; None if it may. Polls are not asked for this.
   Refusal whyNotTo(Instant now, const DeviceKey& key) const;
   // An address that is a device's own with a PIN is that device.

@@ -89,7 +89,7 @@ Refusal RequestService::request(Instant now, const Live& live, const intent::Sen
     return Refusal::None;
   }
   const Device* device = live.find(intent.device);
-  if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
+  if (device == nullptr || device->address == kNullAddress) return live.whyNowhere(intent.device);
   const RequestSet takes = requestsTakenBy(live, *device) & intent.requests;
   if (takes.isEmpty()) return Refusal::NotTaken;
   // A silent device may be polled; nothing is sent to an address that is contested.
@@ -136,7 +136,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const intent::Repe
     return Refusal::None;
   }
   const Device* device = live.find(key);
-  if (device == nullptr || device->address == kNullAddress) return Refusal::NoDevice;
+  if (device == nullptr || device->address == kNullAddress) return live.whyNowhere(key);
   const RequestSet takes = requestsTakenBy(live, *device) & intent.requests & kPolls;
   if (takes.isEmpty()) return Refusal::NotTaken;
   Asked& at = asked(key);

@@ -54,6 +54,17 @@ void BusWatch::linkChanged(const State& state) {
   }
 }
 
+void BusWatch::linkCameBack() {
+  m_first = kNotYet;
+  m_secondEnd = m_sharedDue = m_contestsDue = kNever;
+  m_holders = m_formerHolders = {};
+  m_claims = {};
+  m_cannotClaim.clear();
+  m_shared.reset();
+  m_strangerSince = neverHeard<256>();
+  m_nodeSince = neverHeard<128>();
+}
+
 Address BusWatch::formerAddress(Address address, Instant now) const {
   const Name name = m_holders[address.value];
   if (!name.isAkron()) return kNullAddress;
@@ -186,7 +197,11 @@ bool BusWatch::stickCame(const State& state, Address source, std::vector<Event>&
   for (std::size_t i = 0; i < sticks.size(); ++i) {
     if (sticks[i].source != source) continue;
     // The state took none: controllers take no input from a message of a wrong length.
-    if (sticks[i].basic.at != state.cursor().time) return false;
+    if (sticks[i].basic.at != state.cursor().time) {
+      m_sticks[i].malformedCame(state, m_channel, sticks[i], out);
+      m_sticksDue = std::min(m_sticksDue, m_sticks[i].due());
+      return false;
+    }
     const bool isBack = m_sticks[i].look(state, m_channel, sticks[i], isSettled(state.cursor().time), out);
     m_sticksDue = std::min(m_sticksDue, m_sticks[i].due());
     return isBack;

@@ -35,6 +35,8 @@ class BusWatch {
   }
   // The link went up or down, and nothing is known any more of its controller.
   void linkChanged(const State& state);
+  // It is up again: whoever is heard now is compared with nobody of before.
+  void linkCameBack();
   void errorCame(const State& state, std::vector<Event>& out);
   // A NAME was sent, or a contest for an address decided. Comes before DeviceWatch::lookAtIdentity().
   void lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out);

@@ -82,15 +82,28 @@ void Device::timeCame(Instant time) {
   }
 }
 
+void Device::linkCameBack() {
+  isPartFormer = partNumber.isKnown();
+  malformed = 0;
+  m_malformed = {};
+  doubledSince = doubled = paired = kNotYet;
+  isOnlyEqual = false;
+  m_paces = {};
+  for (Instant& asked : m_askedInVain) asked = kNotYet;
+  m_refused = {};
+}
+
 void Device::statusCame(Instant time) {
-  if (lastStatus != kNotYet && hasPeriod() && time - lastStatus >= silentAfter()) resumed = time;
+  if (lastStatus != kNotYet && hasPeriod() && time - std::max(lastStatus, listenedSince) >= silentAfter())
+    resumed = time;
   lastStatus = time;
 }
 
 // A status replaces the one before it, which tells how far the two are apart.
 void Device::takeStatus(const Frame& frame, MessageId id, Instant time) {
   statusCame(time);
-  if (!report(id).isKnown()) return;
+  // What came before the link was down is not compared.
+  if (!report(id).isKnown() || report(id).at < listenedSince) return;
   const Frame before = report(id).frame();
   const bool differs = before.data != frame.data;
   bool leaps = false;
@@ -158,6 +171,7 @@ void Device::takeSdo(const Frame& frame, Instant time) {
   const unsigned size = sdo::valueSize(frame.data[0]);
   if (object == sdo::kDeviceType && size == 4) {
     partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
+    isPartFormer = false;
   } else if (object == sdo::kFaultStatus && size == 4) {
     m_reports[kReportPlaces[MessageId::FaultResponse]].set(frame, time);
     answered(Request::Fault);

@@ -65,10 +65,11 @@ struct Device {
   // as it has the address.
   Instant doubledSince = kNotYet;
   Instant doubled = kNotYet;
-  Instant paired = kNotYet;  // when a status changed last as in a log that holds each frame twice
-  bool isOnlyEqual = false;  // nothing but equal statuses showed the two: the log may hold each frame twice
-  bool isCoarse = false;     // its log has times that are good to the second
-  bool isErrorOver = false;  // so says a status of the operational error whose code an answer gave before
+  Instant paired = kNotYet;   // when a status changed last as in a log that holds each frame twice
+  bool isOnlyEqual = false;   // nothing but equal statuses showed the two: the log may hold each frame twice
+  bool isCoarse = false;      // its log has times that are good to the second
+  bool isPartFormer = false;  // its part number was said before the link was down
+  bool isErrorOver = false;   // so says a status of the operational error whose code an answer gave before
 
   Address permissiveFrom;  // the master controller that sent the permissive
 
@@ -77,6 +78,8 @@ struct Device {
   Timed<std::uint16_t> operationalErrorCode;
   Reported<&BasicJoystick::of> commanded;  // RPDO1; the sender is not known
 
+  // The part number; 0: not said, or not since the link came back.
+  std::uint32_t part() const { return isPartFormer ? 0 : partNumber.value; }
   // Null where it had none before.
   Address previousAddress() const { return formerAddresses.front().address; }
   // A frame of it came.
@@ -85,6 +88,9 @@ struct Device {
     lastHeard = time;
     ++frames;
   }
+
+  // Frames come again after its link was down. What it said keeps its time; what is counted begins anew.
+  void linkCameBack();
 
   // It claims an address and then announces itself: that is one start.
   void starts(Instant time) {

@@ -103,9 +103,19 @@ void DeviceWatch::linkChanged(Instant time) {
   m_permissiveDue = time;
 }
 
+void DeviceWatch::linkCameBack(const Device& device, Instant now) {
+  if (device.kind == Device::Kind::Free) {
+    *this = {};
+    return;
+  }
+  begin(device, now);
+  m_linkChanged = m_comparedFrom = now;
+  m_isUnheard = true;
+}
+
 void DeviceWatch::heard(const State& state, const Device& device, std::vector<Event>& out) {
   if (m_silence.isSilent()) {
-    if (lastBeat(state, device) == m_silence.lastHeard() || healthOf(state, device).has(HealthCause::Silent))
+    if (lastBeat(state, device) <= m_silence.lastHeard() || healthOf(state, device).has(HealthCause::Silent))
       return;
     m_silence.end(state.cursor().time);
     compareSilence(state, out);
@@ -160,7 +170,7 @@ void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::v
     if (health.has(HealthCause::TwoAtOneAddress)) m_silenceDue = now + kSilentAfter;
     return;
   }
-  m_silence.begin(lastBeat(state, device));
+  m_silence.begin(std::max(lastBeat(state, device), m_linkChanged));
   compareSilence(state, out);
 }
 
@@ -169,7 +179,7 @@ void DeviceWatch::timeCame(const State& state, const Device& device, std::vector
   if (m_silenceDue <= now) lookAtSilence(state, device, out);
   if (m_permissiveDue <= now) {
     m_permissiveDue = kNever;
-    if (device.permissive().isKnown()) comparePermissive(state, device, out);
+    if (isCompared(device.permissive().at)) comparePermissive(state, device, out);
   }
   if (m_retry > now) return;
   m_retry = kNever;
@@ -177,9 +187,9 @@ void DeviceWatch::timeCame(const State& state, const Device& device, std::vector
   compareSilence(state, out);
   compareLengths(state, out);
   for (const MessageId id : kReports) {
-    if (device.report(id).isKnown()) compare(state, device, id, out);
+    if (isCompared(device.report(id).at)) compare(state, device, id, out);
   }
-  if (device.operationalErrorCode.isKnown()) compareFaults(state, device, out);
+  if (isCompared(device.operationalErrorCode.at)) compareFaults(state, device, out);
 }
 
 void DeviceWatch::lookAtIdentity(const State& state, const Device& device, std::vector<Event>& out) {
@@ -300,8 +310,8 @@ void DeviceWatch::comparePosition(const State& state, const Device& device, std:
 void DeviceWatch::compareFaults(const State& state, const Device& device, std::vector<Event>& out) {
   Event event = eventOf(state);
   std::optional<std::uint16_t> code;
-  if (device.operationalErrorCode.isKnown()) code = device.operationalErrorCode.value;
-  if (const auto answer = device.faults(); answer.isKnown()) {
+  if (isCompared(device.operationalErrorCode.at)) code = device.operationalErrorCode.value;
+  if (const auto answer = device.faults(); isCompared(answer.at)) {
     const FaultStatus faults = answer.value();
     if (faults.pcodeError) code = faults.pcodeError;
     for (std::size_t bit = 0; bit < m_faults.size(); ++bit) {

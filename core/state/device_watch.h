@@ -25,6 +25,7 @@ class DeviceWatch {
   // of it is told.
   void look(const State& state, const Device& device, MessageId id, const Payload& data,
             std::vector<Event>& out) {
+    if (m_isUnheard) heardFirst(state);
     if (m_silence.isSilent() || m_silenceDue == kNever) heard(state, device, out);
     if (device.malformed != m_malformedSeen || m_hasMalformed) lookAtLengths(state, device, id, out);
     if (id != MessageId::Count && !isAsCompared(device, id, data)) compareNew(state, device, id, data, out);
@@ -37,7 +38,11 @@ class DeviceWatch {
   void addressWasTaken() { m_hasAddress = false; }
   // The link of its channel went up or down.
   void linkChanged(Instant time);
+  // It is up again: whoever is at the address is watched from here on, and nothing is compared with before.
+  void linkCameBack(const Device& device, Instant now);
 
+  // Of one behind a gap that has not said who it is: since when it is heard. kNotYet otherwise.
+  Instant nobodySince() const { return m_pin.isNull() ? m_heardFrom : kNotYet; }
   // Nothing changes before then unless a frame comes.
   Instant due() const { return std::min({m_silenceDue, m_permissiveDue, m_retry}); }
   const Pin& pin() const { return m_pin; }
@@ -60,6 +65,11 @@ class DeviceWatch {
   void compareNew(const State& state, const Device& device, MessageId id, const Payload& data,
                   std::vector<Event>& out);
   Event eventOf(const State& state) const;
+  void heardFirst(const State& state) {
+    m_isUnheard = false;
+    m_heardFrom = state.cursor().time;
+  }
+  bool isCompared(Instant came) const { return came != kNotYet && came >= m_comparedFrom; }
   void heard(const State& state, const Device& device, std::vector<Event>& out);
   void lookAtLengths(const State& state, const Device& device, MessageId id, std::vector<Event>& out);
   void compareLengths(const State& state, std::vector<Event>& out);
@@ -88,6 +98,9 @@ class DeviceWatch {
   Pin m_pin;
   bool m_hasAddress = false;
   Instant m_linkChanged = kNotYet;
+  Instant m_comparedFrom = kNotYet;  // what came before is not compared
+  bool m_isUnheard = false;          // since then
+  Instant m_heardFrom = kNotYet;     // the first time since then
   Instant m_restarted = kNotYet;
   Instant m_silenceDue = kNever;     // it may be silent then; never: once it is heard again
   Instant m_permissiveDue = kNever;  // its permissive may have timed out then

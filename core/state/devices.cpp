@@ -129,6 +129,28 @@ void Devices::addressLost(Channel channel, Address address, Instant time) {
   if (Device* device = findAddress(channel, address)) takeAddress(*device, time);
 }
 
+void Devices::named(Channel channel, Address address, const Pin& pin) {
+  Device* device = findAddress(channel, address);
+  if (device == nullptr || device->kind == Device::Kind::Pin) return;
+  device->kind = Device::Kind::Pin;
+  device->pin = pin;
+}
+
+void Devices::linkCameBack(Channel channel) {
+  for (Device& device : std::span(m_devices).first(m_used)) {
+    if (device.kind == Device::Kind::Free || device.channel != channel) continue;
+    if (device.kind == Device::Kind::Pin) {
+      device.kind = Device::Kind::Address;
+      device.pin = {};
+      if (device.address == kNullAddress) {
+        device = {};
+        continue;
+      }
+    }
+    device.linkCameBack();
+  }
+}
+
 Instant Devices::nextDeadline() const {
   Instant next = kNever;
   for (const Device& device : used()) {

@@ -42,6 +42,11 @@ class Devices {
   // The device at an address, if any, is not there any more, says the address book. One that was known only
   // by its address is forgotten.
   void addressLost(Channel channel, Address address, Instant time);
+  // Frames come again on a channel after its link was down: nobody has said yet whose its addresses are now. What had
+  // a PIN is known by its address alone, and what had no address is forgotten.
+  void linkCameBack(Channel channel);
+  // Behind a gap the device at an address claimed it under the NAME of the PIN that it had: it is the same one.
+  void named(Channel channel, Address address, const Pin& pin);
   // A device announced itself: it has this address from now on. Whoever had it lost it before.
   void announced(Channel channel, Address address, const Pin& pin, Instant time);
 

@@ -26,7 +26,7 @@ struct Event {
   std::int64_t now = 0;
   std::uint32_t bitRate = 0;   // LoadHigh, LoadNormal: the load is of so many bit/s
   bool isRateAssumed = false;  // the log does not say that rate
-  // Silent, JoystickEnded: when it was heard last. Others: since when it holds, if it was told later.
+  // Silent, JoystickEnded: when it was heard last, or when the link came up, if that was later. Others: since when it holds, if it was told later.
   Instant since = kNotYet;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -117,15 +117,21 @@ void EventWalk::dropSilences(std::size_t since) {
 
 void EventWalk::apply(const Note& note) {
   timeCame(std::max(note.time, cursor().time));
+  const auto channel = channelOf(note.value);
+  const bool wasDown = channel && m_state->channel(*channel).link == ChannelLink::Down;
   m_state->apply(note);
   const bool isLink =
       std::holds_alternative<note::LinkUp>(note.value) || std::holds_alternative<note::LinkDown>(note.value);
-  const auto channel = channelOf(note.value);
   if (!isLink || channel->value >= kMaxChannels) return;
-  for (DeviceWatch& device : m_devices) {
-    if (device.isUsed() && device.channel() == channel) device.linkChanged(cursor().time);
+  const bool isBack = wasDown && m_state->channel(*channel).link == ChannelLink::Up;
+  for (std::size_t i = 0; i < m_used; ++i) {
+    DeviceWatch& watch = m_devices[i];
+    if (!watch.isUsed() || watch.channel() != channel) continue;
+    isBack ? watch.linkCameBack(m_state->devices().all()[i], cursor().time)
+           : watch.linkChanged(cursor().time);
   }
   m_nodes[channel->value].linkChanged(cursor().time);
+  if (isBack) m_buses[channel->value].linkCameBack();
   m_buses[channel->value].linkChanged(*m_state);
   plan();
 }
@@ -229,6 +235,9 @@ void EventWalk::lookAtIdentities(Channel channel, BusWatch& bus) {
     DeviceWatch& watch = m_devices[i];
     if (!watch.isUsed()) continue;
     if (!watch.isOf(devices[i])) {
+      // It says now who it is, and was heard before.
+      if (watch.channel() == channel && watch.nobodySince() != kNotYet)
+        bus.strangerCame(watch.address(), watch.nobodySince());
       watch = {};
     } else if (watch.channel() == channel) {
       const std::size_t found = m_found.size();

@@ -16,7 +16,7 @@ constexpr Duration kLostWithin = 10s;
 // What the manual says of the device's type; null where it names none, or where the type is not known.
 const DeviceTypeFacts* typeOf(const Device& d) {
   const bool isNode = d.kind == Device::Kind::Node;
-  return deviceTypeOf(isNode ? deviceTypeOfPart(d.partNumber.value) : d.pin.deviceType());
+  return deviceTypeOf(isNode ? deviceTypeOfPart(d.part()) : d.pin.deviceType());
 }
 
 // Whether the announced type sends no such status: then another device sent it.
@@ -44,11 +44,9 @@ struct Subject {
 
   // While the link is down, answers get no older than they were then.
   Instant now() const { return channel.heardUntil(state.cursor().time); }
-  // Whether nothing came for `after` since `last`, and is missing. What was missing when the link went down is
-  // missing until it is heard; all else has as long again once the link is up.
+  // Whether nothing came for `after` since `last`, or since the link came up, and is missing.
   bool isMissing(Instant last, Duration after = kSilentAfter) const {
-    return last == kNotYet || last + (after - kSilentAfter) <= channel.missingUpTo ||
-           now() - std::max(last, channel.linkUp) >= after;
+    return last == kNotYet || now() - channel.missedFrom(last) >= after;
   }
   bool hasAddress() const { return address != kNullAddress; }
   const Joystick* joystick() const { return hasAddress() ? channel.joysticks.find(address) : nullptr; }
@@ -56,7 +54,11 @@ struct Subject {
   // A status counts as long as it is fresh, and the device's own.
   bool has(MessageId id) const {
     return device != nullptr && device->report(id).isKnown() && !device->isStale(id) &&
-           !isForeign(*device, id);
+           !channel.isBeforeGap(device->report(id).at) && !isForeign(*device, id);
+  }
+  // Whether such a status came before a gap, and who is there now has not said its PIN.
+  bool isAnothers(MessageId id) const {
+    return device->kind != Device::Kind::Pin && channel.isBeforeGap(device->report(id).at);
   }
   bool hasPosition() const { return has(MessageId::PositionLimitStatus); }
   PositionLimitStatus position() const { return device->position().value(); }
@@ -75,7 +77,7 @@ bool canBeRequested(const Subject& s) {
   if (s.device == nullptr) return false;
   if (!s.isNode()) return true;
   const Device& d = *s.device;
-  return d.partNumber.isKnown() || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
+  return d.part() != 0 || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
 }
 
 // What the device has to repeat, as far as its type says it, or without one what it sends. The heartbeat of a gateway
@@ -85,7 +87,7 @@ EnumSet<MessageId> repeats(const Subject& s) {
   const Device& d = *s.device;
   EnumSet<MessageId> heard;
   for (const MessageId id : kOwnPeriodicReports) {
-    if (messageOf(id).family == Family::Akron && d.report(id).isKnown()) heard.add(id);
+    if (messageOf(id).family == Family::Akron && d.report(id).isKnown() && !s.isAnothers(id)) heard.add(id);
   }
   if (const DeviceTypeFacts* type = typeOf(d); type != nullptr) return type->repeats;
   return heard.isEmpty() ? heard : repeatedBySenderOf(heard);
@@ -134,6 +136,7 @@ AnswerAge ageOf(const Subject& s, Instant answered) {
   const Device& d = *s.device;
   if (answered < d.restarted && !s.state.isFiltered()) return AnswerAge::BeforeRestart;
   if (answered < d.resumed && !s.state.isFiltered()) return AnswerAge::BeforeSilence;
+  if (s.channel.isBeforeGap(answered)) return AnswerAge::BeforeGap;
   // An answer that came while the statuses were missing is as good as any.
   if (isSilent(s) && s.now() - answered >= missingAfter(s)) return AnswerAge::BeforeSilence;
   return isLinkDown(s.state, d.channel) ? AnswerAge::BeforeLinkDown : AnswerAge::Current;
@@ -164,7 +167,8 @@ Shared sharedAt(const Subject& s, Address address) {
     const bool isFromOneLink = s.channel.link != ChannelLink::Unknown;
     if (d.doubled != kNotYet && s.now() - d.doubled <= kDoubledFor)
       found(d.doubledSince, !d.isOnlyEqual && isFromOneLink);
-    if (const Instant foreign = lastForeign(d); foreign != kNotYet && s.now() - foreign <= kDoubledFor)
+    const Instant foreign = lastForeign(d);
+    if (foreign != kNotYet && !s.channel.isBeforeGap(foreign) && s.now() - foreign <= kDoubledFor)
       found(foreign, true);
     const Name holder = book.holder(address);
     if (d.kind == Device::Kind::Pin && holder.isAkron() && !isNameOf(holder, d.pin) &&
@@ -232,7 +236,7 @@ Health factsOf(const Subject& s) {
   takeAnswers(s, h);
   for (const MessageId id : kOwnPeriodicReports) {
     // It comes, if in a wrong length.
-    if (isForeign(d, id) || d.isMalformedNow(id, s.now())) continue;
+    if (isForeign(d, id) || d.isMalformedNow(id, s.now()) || s.isAnothers(id)) continue;
     if (d.isStale(id) && d.hasPeriod(id) && !isNotFitted(s, id)) h.late.add(id);
     if (repeats(s).has(id) && !d.report(id).isKnown()) h.neverHeard.add(id);
   }
@@ -352,6 +356,8 @@ Health judge(const Subject& s) {
   // Only where a cause speaks of it, so that a health changes only when its words do.
   if (h.has(HealthCause::Silent)) h.since = lastBeat(s);
   if (h.has(HealthCause::Idle)) h.since = s.lastHeard();
+  h.isSinceLinkUp = s.channel.isBeforeGap(h.since);
+  if (h.isSinceLinkUp) h.since = s.channel.linkUp;
   if (!h.has(HealthCause::FaultsOld)) {
     h.answered = kNotYet;
     h.answer = AnswerAge::Current;

@@ -3,6 +3,9 @@
 // a rule for each). A pure function of the state and so of the cursor, live or of a log. It says what was reported
 // and what stopped coming; what to do about it is for the findings to say.
 //
+// Behind a gap, while the link was down, whatever is missing is missing from then on, no value of before counts, and
+// of a device that has not said its PIN anew nothing is expected by what it sent before.
+//
 // A device is fine only if it sends all that its type sends (protocol/device_types.h), can act, and has answered
 // since its last restart or silence that it has no faults. While its link is down, that alone is known.
 #pragma once
@@ -18,6 +21,7 @@ enum class AnswerAge : std::uint8_t {
   BeforeRestart,   // the device restarted after it
   BeforeSilence,   // the device's periodic messages stopped after it, even if they came back
   BeforeLinkDown,  // the link went down after it, and is down
+  BeforeGap,       // … and is up again
 };
 
 // What an answer said of faults.
@@ -50,6 +54,7 @@ struct Health {
   // Silent: when a periodic message came last, kNotYet if none ever did. Idle: when it was heard last. LinkDown: when
   // the link went down.
   Instant since = kNotYet;
+  bool isSinceLinkUp = false;             // Silent, Idle: … not since the link came back, at `since`
   Instant asked = kNotYet;                // FaultsNotAnswered: the first try
   Instant answered = kNotYet;             // FaultsOld: when the answer came
   AnswerAge answer = AnswerAge::Current;  // FaultsOld: why it is old

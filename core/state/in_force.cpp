@@ -9,7 +9,7 @@
 #include "base/overload.h"
 #include "bus/j1939.h"
 #include "protocol/lists.h"
-#include "protocol/role_walk.h"
+#include "state/role_notes.h"
 
 namespace deckpipe {
 namespace {
@@ -85,10 +85,7 @@ std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& note
     for (const Frame& frame : frames.run(i)) {
       if (i == at) break;
       if (i % kGlance == 0 && stop.stop_requested()) return {};
-      for (; note != before.end() && note->frame <= i; ++note) {
-        if (const auto* said = std::get_if<note::DriveSaid>(&note->value))
-          walk.sayDrive(said->channel, said->address, said->isDrive, note->time);
-      }
+      for (; note != before.end() && note->frame <= i; ++note) teach(walk, *note);
       const Classified what = walk.next(frame, times.at(i));
       if (what.isDecoded() && kIsIdentity[what.message]) {
         const Address source = J1939Id::of(frame.identifier()).source;

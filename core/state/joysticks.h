@@ -33,6 +33,8 @@ struct Joystick {
     if (!isJoystickAddress(source)) return {};
     return source.value - kFirstJoystick.value;
   }
+  // Whether any message of its had a right length.
+  bool isUnderstood() const { return basic.isKnown() || extended.isKnown(); }
   // Whether the source sends now: controllers hold its input.
   bool isActive() const { return basic.isKnown() && !timedOut; }
   friend bool operator==(const Joystick&, const Joystick&) = default;
@@ -48,6 +50,8 @@ class Joysticks {
 
   void heardBasic(Address source, const Frame& frame, Instant time);
   void heardExtended(Address source, const Frame& frame, Instant time);
+  // A joystick message of a wrong length came: a source that sends nothing else is known, and asks for nothing.
+  void heardMalformed(Address source) { at(source); }
   // Whether times are good to the second.
   void setCoarse(bool areCoarse) { m_areCoarse = areCoarse; }
   // The link came up; kNever: it went down, and no source times out.

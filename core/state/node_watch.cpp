@@ -24,7 +24,7 @@ void NodeWatch::timeCame(const State& state, std::vector<Event>& out) {
       if (due > now) {
         m_due = std::min(m_due, due);
       } else if (healthOf(state, m_channel, address).has(HealthCause::Silent)) {
-        m_silences[a].begin(node.lastHeard);
+        m_silences[a].begin(std::max(node.lastHeard, m_linkChanged));
       }
     }
     if (m_silences[a].lastHeard() != kNotYet) compare(state, address, out);

@@ -19,6 +19,11 @@ class Broadcasts {
  public:
   void heard(Instant time) {
     const std::uint32_t second = static_cast<std::uint32_t>(time.ns / 1'000'000'000) & kSeconds;
+    if (m_isCut != 0) {
+      m_isCut = 0;
+      m_second = second & kSeconds;
+      return;
+    }
     const std::uint32_t gap = (second - m_second) & kSeconds;
     if (m_inRow != 0 && gap == 0) return;
     m_second = second & kSeconds;
@@ -33,13 +38,15 @@ class Broadcasts {
       takeAlike(gap);
     }
   }
+  // The link was down: the gap to the next one says nothing.
+  void linkCameBack() { m_isCut = m_inRow != 0 ? 1 : 0; }
   bool isSteady() const { return m_inRow >= (m_gap == 1 ? kSteadyFast : kSteady); }
   // The longest pause between two broadcasts that is no surprise.
   Duration period() const { return m_gap * Duration(1s); }
   friend bool operator==(const Broadcasts&, const Broadcasts&) = default;
 
  private:
-  static constexpr std::uint32_t kSeconds = (1u << 20) - 1;  // 12 days
+  static constexpr std::uint32_t kSeconds = (1u << 19) - 1;  // 6 days
   static constexpr std::uint32_t kLongest = 63;
   static constexpr std::uint32_t kSteadyFast = 4, kSteady = 5;
   static constexpr std::uint32_t kShorter = 7;
@@ -58,7 +65,8 @@ class Broadcasts {
     }
   }
 
-  std::uint32_t m_second : 20 = 0;  // of the last broadcast
+  std::uint32_t m_second : 19 = 0;  // of the last broadcast
+  std::uint32_t m_isCut : 1 = 0;    // the link was down since then
   std::uint32_t m_inRow : 3 = 0;    // seconds with one, at even gaps, up to kSteady; 0: there was none
   std::uint32_t m_gap : 6 = 0;      // the longest of these gaps; 0: there was none
   std::uint32_t m_shorter : 3 = 0;  // gaps in a row that were shorter
@@ -96,6 +104,11 @@ class Nodes {
   void left(Address address) {
     m_broadcasts[address.value] = {};
     m_malformed[address.value] = 0;
+  }
+  // Frames come again after the link was down: whose messages had a wrong length may not be there any more.
+  void linkCameBack() {
+    for (Broadcasts& broadcasts : m_broadcasts) broadcasts.linkCameBack();
+    m_malformed.fill(0);
   }
   void countMalformed(Address source) {
     std::uint16_t& count = m_malformed[source.value];

@@ -9,10 +9,7 @@ namespace deckpipe {
 void RoleIndex::take(RoleWalk& walk, const Change& change) const {
   switch (change.kind) {
     case Change::Kind::Time: walk.timeCame(change.time); break;
-    case Change::Kind::DriveSaid:
-    case Change::Kind::DriveUnsaid:
-      walk.sayDrive(change.channel, change.address, change.kind == Change::Kind::DriveSaid, change.time);
-      break;
+    case Change::Kind::Note: teach(walk, change.said, change.time); break;
     case Change::Kind::Frame: walk.next(m_frames[change.frame], change.time); break;
   }
 }
@@ -41,18 +38,17 @@ bool RoleIndex::build(std::uint64_t atMost) {
       if (i == end) break;
       for (; nextNote < notes.size() && notes[nextNote].frame <= i; ++nextNote) {
         const Note& note = notes[nextNote];
-        const auto* said = std::get_if<note::DriveSaid>(&note.value);
-        if (said == nullptr) continue;
-        if (walk.timeCame(note.time)) record({i, note.time, Change::Kind::Time, {}, {}});
-        const auto kind = said->isDrive ? Change::Kind::DriveSaid : Change::Kind::DriveUnsaid;
-        const Change change{i, note.time, kind, said->channel, said->address};
+        const std::optional<RoleNote> said = roleNoteOf(note.value);
+        if (!said) continue;
+        if (walk.timeCame(note.time)) record({i, note.time, Change::Kind::Time, {}});
+        const Change change{i, note.time, Change::Kind::Note, *said};
         take(walk, change);
         record(change);
       }
       const Instant time = times.at(i);
-      if (walk.timeCame(time)) record({i, time, Change::Kind::Time, {}, {}});
+      if (walk.timeCame(time)) record({i, time, Change::Kind::Time, {}});
       walk.next(frame, time);
-      if (walk.learned()) record({i, time, Change::Kind::Frame, {}, {}});
+      if (walk.learned()) record({i, time, Change::Kind::Frame, {}});
       ++i;
     }
   }

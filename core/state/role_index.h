@@ -11,7 +11,7 @@
 
 #include "log/frame_store.h"
 #include "log/note_store.h"
-#include "protocol/role_walk.h"
+#include "state/role_notes.h"
 
 namespace deckpipe {
 
@@ -45,15 +45,13 @@ class RoleIndex {
   struct Change {
     enum class Kind : std::uint8_t {
       Time,  // a contest was decided: first of what happens before the frame or note at that time
-      DriveSaid,
-      DriveUnsaid,
+      Note,
       Frame,
     };
     std::uint64_t frame;  // the frame; of the other kinds the one that they stand before
     Instant time;
     Kind kind;
-    Channel channel;  // of drives
-    Address address;
+    RoleNote said;  // Kind::Note
   };
   void take(RoleWalk& walk, const Change& change) const;
   // The changes before frame `i`: its time and its notes come before it, its own lesson does not.

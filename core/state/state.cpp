@@ -59,11 +59,16 @@ bool isMute(const Device& device, Instant lastBeat, Instant time) {
 
 // Whether a device that says its NAME or PIN has just started: it had no cause to say it, or it is the first thing
 // that it says after its periodic messages were missing. One that runs without them is asked more than once.
+// What it was asked while its link was down nobody heard, and what it sent before that tells nothing.
 bool isStart(const ChannelState& channel, const Device& device, Instant time) {
+  if (channel.isBeforeGap(device.lastHeard)) return false;
   Instant lastBeat = device.lastStatus;
   if (const Joystick* stick = channel.joysticks.find(device.address))
     lastBeat = std::max({lastBeat, stick->basic.at, stick->extended.at});
-  const bool isUnasked = !isRecent(channel.namesAsked, time) && !isRecent(device.provoked, time);
+  if (channel.isBeforeGap(lastBeat)) lastBeat = kNotYet;
+  const bool isListening = channel.linkDown == kNotYet || !isRecent(channel.linkUp, time);
+  const bool isUnasked =
+      isListening && !isRecent(channel.namesAsked, time) && !isRecent(device.provoked, time);
   if (isMute(device, lastBeat, time)) return isUnasked || device.restarted <= lastBeat;
   return isUnasked && device.address != kNullAddress;
 }
@@ -142,7 +147,13 @@ void State::applyExtended(const Frame& frame, Instant time, const Classified& wh
     if (isOfItsOwnAccord(id)) channel.nodes.broadcast(id.source, time);
   }
   Device* sender = isNode(id.source) ? m_devices.findAddress(channelId, id.source) : nullptr;
-  if (what.malformed) channel.nodes.countMalformed(id.source);
+  // Who was there before the link was down may not be there any more.
+  if (sender != nullptr && channel.isBeforeGap(sender->lastHeard)) sender->addressSince = time;
+  if (what.malformed) {
+    channel.nodes.countMalformed(id.source);
+    if (what.message == MessageId::BasicJoystick || what.message == MessageId::ExtendedJoystick)
+      channel.joysticks.heardMalformed(id.source);
+  }
   if (commandsAddress(frame, id)) channel.namesAsked = time;
 
   if (what.isDecoded()) {
@@ -200,6 +211,7 @@ void State::nameHeard(Channel channelId, const Frame& frame, Instant time) {
   const Address source = J1939Id::of(frame.identifier()).source;
   const Name name = Name::of(frame);
   if (name.isNull()) return;
+  if (const Pin pin = channel.book.pin(source); !pin.isNull()) m_devices.named(channelId, source, pin);
   for (Device& device : m_devices.all()) {
     const bool isJ1939 = device.kind == Device::Kind::Pin || device.kind == Device::Kind::Address;
     if (!isJ1939 || device.channel != channelId) continue;
@@ -280,11 +292,15 @@ void State::apply(const Note& note) {
 void State::linkIs(Channel channelId, ChannelLink link) {
   ChannelState& channel = m_channels[channelId.value];
   if (channel.link == link) return;
+  const bool isBack = channel.link == ChannelLink::Down;
   channel.link = link;
   const bool isDown = link == ChannelLink::Down;
-  // Behind a link that was up for less, what was missing before it is missing still, and nothing else.
-  if (isDown && m_cursor.time - channel.linkUp >= kSilentAfter)
-    channel.missingUpTo = m_cursor.time - kSilentAfter;
+  if (isDown) channel.book.linkWentDown();
+  if (isBack) {
+    channel.book.linkCameBack();
+    channel.nodes.linkCameBack();
+    m_devices.linkCameBack(channelId);
+  }
   (isDown ? channel.linkDown : channel.linkUp) = m_cursor.time;
   const Instant since = isDown ? kNever : m_cursor.time;
   channel.joysticks.listensSince(since);

@@ -9,6 +9,7 @@
 //   3. Channels beyond kMaxChannels are counted, not followed.
 #pragma once
 
+#include <algorithm>
 #include <bitset>
 #include <cstdint>
 #include <vector>
@@ -56,8 +57,10 @@ struct ChannelState {
   std::uint32_t bitRate = 0;  // bit/s; 0: the log does not say it
   // When the link last came up, and when it last went down: nothing can be heard in between.
   Instant linkUp = kNotYet, linkDown = kNotYet;
-  // Whatever was heard last at this time or before was missing when the link last went down.
-  Instant missingUpTo = kNotYet;
+  // Whether the link was down since something was heard, and is up again: another bus may be at the plug.
+  bool isBeforeGap(Instant at) const { return link == ChannelLink::Up && at != kNotYet && at <= linkDown; }
+  // Whatever is missing is missing since then, at the earliest.
+  Instant missedFrom(Instant lastHeard) const { return std::max(lastHeard, linkUp); }
   // The last instant at or before `now` at which this channel could be heard.
   Instant heardUntil(Instant now) const { return link == ChannelLink::Down ? linkDown : now; }
   Address ownAddress;        // of the console that recorded this; null while it held none

@@ -33,8 +33,11 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
     if (isNews) m_sending = EventSlot(0);
   }
   const Instant now = state.cursor().time;
-  const Duration gap = m_last == kNotYet ? Duration{0} : now - m_last;
+  m_wrongSince = kNotYet;
+  m_isWrong = false;
+  compareLength(state, channel, out);
   const bool wasDeaf = m_last < state.channel(channel).linkUp;
+  const Duration gap = m_last == kNotYet ? Duration{0} : now - state.channel(channel).missedFrom(m_last);
   const bool wasSending = std::exchange(m_isSending, true), hadTimedOut = std::exchange(m_hasTimedOut, false);
   m_last = now;
   const Duration slack = state.slack();
@@ -54,12 +57,35 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   return !wasSending;
 }
 
+void StickWatch::malformedCame(const State& state, Channel channel, const Joystick& stick,
+                               std::vector<Event>& out) {
+  if (stick.source != m_source) {
+    *this = {};
+    m_source = stick.source;
+  }
+  const Instant now = state.cursor().time;
+  if (m_wrongSince == kNotYet || now - m_wrongLast > Joystick::kSilence) m_wrongSince = now;
+  m_wrongLast = now;
+  m_isWrong = m_isWrong || now - m_wrongSince >= kInputTimeout + state.slack();
+  // It is known now that it does not send.
+  if (m_isWrong && !m_sending.isKnown()) m_sending.set(0);
+  compareLength(state, channel, out);
+}
+
+void StickWatch::compareLength(const State& state, Channel channel, std::vector<Event>& out) {
+  if (!m_length.moves(m_isWrong ? 1 : 0, state.cursor().time, m_due)) return;
+  Event event =
+      eventAt(state, channel, m_isWrong ? EventKind::Malformed : EventKind::MalformedOver, m_source);
+  event.since = m_isWrong ? m_wrongSince : kNotYet;
+  m_length.tell(event, out);
+}
+
 void StickWatch::compareSending(const State& state, Channel channel, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
   if (!m_sending.moves(m_isSending ? 1 : 0, now, m_due)) return;
   Event event =
       eventAt(state, channel, m_isSending ? EventKind::JoystickBegan : EventKind::JoystickEnded, m_source);
-  if (!m_isSending) event.since = m_last;
+  if (!m_isSending) event.since = state.channel(channel).missedFrom(m_last);
   m_sending.tell(event, out);
 }
 
@@ -100,16 +126,17 @@ void StickWatch::timeCame(const State& state, Channel channel, const Joystick& s
   if (m_due > now) return;
   m_due = kNever;
   const bool isDeaf = state.channel(channel).link == ChannelLink::Down;
-  const Instant from = std::max(m_last, state.channel(channel).linkUp);
+  const Instant from = state.channel(channel).missedFrom(m_last);
   const Instant timeout = isDeaf ? kNever : from + kInputTimeout + state.slack();
   const Instant end = isDeaf ? kNever : from + Joystick::kSilence;
   if (m_isSending && !m_hasTimedOut && timeout <= now) {
     m_hasTimedOut = true;
-    m_timeoutGap = now - m_last;
+    m_timeoutGap = now - from;
   }
   if (m_isSending) m_isSending = now < end;
   compareTimeout(state, channel, out);
   compareSending(state, channel, out);
+  compareLength(state, channel, out);
   if (stick.priority()) lookAtRank(state, channel, stick, out);
   if (m_isSending) m_due = std::min(m_due, m_hasTimedOut ? end : timeout);
 }

@@ -18,15 +18,21 @@ class StickWatch {
   // A basic message came. `isNews`: the channel was heard long enough before to know that it did not send. Returns
   // whether none had come for a while.
   bool look(const State& state, Channel channel, const Joystick& stick, bool isNews, std::vector<Event>& out);
+  // One of a wrong length came: controllers take no input from it.
+  void malformedCame(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
   void timeCame(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
   // The link of its channel went up or down: nothing can be heard while it is down, which is told by itself.
   void linkChanged(Instant time) {
     if (m_source != kNullAddress) m_due = time;
+    m_wrongSince = kNotYet;
+    m_isWrong = false;
+    m_length.set(0);
   }
   Instant due() const { return m_due; }
 
  private:
   void compareSending(const State& state, Channel channel, std::vector<Event>& out);
+  void compareLength(const State& state, Channel channel, std::vector<Event>& out);
   void compareTimeout(const State& state, Channel channel, std::vector<Event>& out);
   void lookAtRank(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
 
@@ -36,7 +42,9 @@ class StickWatch {
   bool m_hasTimedOut = false;
   Duration m_timeoutGap{0};  // how long it had not sent when the latter changed last
   Instant m_due = kNever;
-  EventSlot m_sending, m_timeout{0};
+  EventSlot m_sending, m_timeout{0}, m_length{0};
+  Instant m_wrongSince = kNotYet, m_wrongLast = kNotYet;  // basic messages, with no right one since
+  bool m_isWrong = false;  // … for longer than controllers wait for a right one
   TellCount m_gaps;
   // The source that goes before it, of x and of y.
   bool m_isOutranked = false;

@@ -78,6 +78,8 @@ QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabel
   const Device* device = findDevice(state, key);
   QStringList lines{
       Details::tr("%1 – %2", "device and its type").arg(nameText(*row, labels), typeText(*row))};
+  if (const QString former = formerText(*row, labels); !former.isEmpty())
+    lines << Details::tr("PIN: %1").arg(former);
   if (const QString channel = channelText(view, row->channel); !channel.isEmpty())
     lines << Details::tr("Channel: %1").arg(channel);
   if (device != nullptr && device->kind != Device::Kind::Node) {
@@ -98,7 +100,10 @@ QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabel
     lines << Details::tr("Contests for the address: %1").arg(contests);
   lines << Details::tr("Claim: %1")
                .arg(wordText(claimKey(channel.book.claim(row->address, state.cursor().time))));
-  if (const Name name = channel.book.lastHolder(row->address); !name.isNull()) {
+  const Name former = channel.book.formerHolder(row->address);
+  if (!former.isNull()) lines << Details::tr("Before the link went down:");
+  const Name name = former.isNull() ? channel.book.lastHolder(row->address) : former;
+  if (!name.isNull()) {
     lines
         << Details::tr("NAME %1 hex").arg(QString::number(name.value, 16).toUpper().rightJustified(16, u'0'));
     for (const QString& line : nameLines(name)) lines << QStringLiteral("    ") + line;

@@ -57,11 +57,17 @@ QString sharedText(const Health& health) {
 QString whatOf(HealthCause cause, const Health& health, Instant now) {
   switch (cause) {
     case HealthCause::Silent:
+      if (health.isSinceLinkUp)
+        return HealthWords::tr("None of its periodic messages has come since the link came back %1")
+            .arg(agoOf(health.since, now));
       return health.since == kNotYet
                  ? HealthWords::tr("None of its periodic messages has come")
                  : HealthWords::tr("Its periodic messages stopped %1").arg(agoOf(health.since, now));
-    case HealthCause::LinkDown:
-    case HealthCause::Idle: return agoOf(health.since, now);
+    case HealthCause::Idle:
+      if (health.isSinceLinkUp)
+        return HealthWords::tr("before the link came back %1").arg(agoOf(health.since, now));
+      return agoOf(health.since, now);
+    case HealthCause::LinkDown: return agoOf(health.since, now);
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
     case HealthCause::TwoAtOneAddress: return sharedText(health);
     case HealthCause::FaultsNamed: return faultSummary(health.faults.map, health.faults.errorCode);
@@ -151,6 +157,7 @@ QString answerAgeText(AnswerAge age) {
     case AnswerAge::BeforeRestart: return HealthWords::tr("restarted since");
     case AnswerAge::BeforeSilence: return HealthWords::tr("silent since");
     case AnswerAge::BeforeLinkDown: return HealthWords::tr("link down since");
+    case AnswerAge::BeforeGap: return HealthWords::tr("before the link went down");
   }
   return {};
 }

@@ -32,7 +32,8 @@ QString noAnswerText(const State& state, const Device& device, std::optional<Req
 // What came of the last asking where an earlier answer is shown; empty if that is the last one's, or is
 // awaited.
 QString askedAgainText(const State& state, const Device& device, Request request, Instant now);
-// "restarted since", "silent since", "link down since"; empty for an answer that still holds.
+// "restarted since", "silent since", "link down since", "before the link went down"; empty for an answer that still
+// holds.
 QString answerAgeText(AnswerAge age);
 
 }  // namespace deckpipe

@@ -58,12 +58,15 @@ void DeviceModel::setView(const LogView& view) {
     if (row.age) row.age = shownAge(*row.age);
   }
 
-  // What was an address without a PIN and has one now is the same row under a new key.
+  // What was an address without a PIN and has one now is the same row under a new key, and so is what had a PIN before
+  // the link was down.
   for (std::size_t i = 0; i < next.size(); ++i) {
     const DeviceRow& row = next[i];
-    if (row.key.kind != DeviceKey::Kind::Pin || row.address == kNullAddress) continue;
+    const bool hasPin = row.key.kind == DeviceKey::Kind::Pin;
+    if (hasPin ? row.address == kNullAddress : row.formerPin.isNull()) continue;
     if (findRow(m_rows, row.key, i) >= 0) continue;
-    const DeviceKey before = DeviceKey::at(row.channel, row.address);
+    const DeviceKey before =
+        hasPin ? DeviceKey::at(row.channel, row.address) : DeviceKey::of(row.formerPin, row.channel);
     const int at = rowOf(before);
     if (at < 0 || findRow(next, before) >= 0) continue;
     replace(at, row);
@@ -113,7 +116,7 @@ void DeviceModel::replace(int row, const DeviceRow& next) {
     last = std::max(last, column);
   };
   const bool isOther = shown.key != next.key || shown.type != next.type || shown.group != next.group ||
-                       shown.isJoystick != next.isJoystick;
+                       shown.isJoystick != next.isJoystick || shown.formerPin != next.formerPin;
   changed(DeviceColumn, isOther);
   changed(FramesColumn, isOther);  // all columns: sorted by any of them, the row may belong elsewhere now
   changed(AddressColumn, shown.address != next.address || shown.previousAddress != next.previousAddress);
@@ -174,6 +177,8 @@ QString DeviceModel::textOf(const DeviceRow& row, int column) const {
 QString DeviceModel::detailOf(const DeviceRow& row) const {
   QStringList parts;
   if (!m_labels.of(row.key).isEmpty()) parts << deviceText(row);
+  if (const QString label = m_labels.of(row.formerPin); !label.isEmpty())
+    parts << tr("was %1", "a label").arg(label);
   parts << typeText(row);
   if (const QString channel = channelText(m_view, row.channel); !channel.isEmpty()) parts << channel;
   return parts.join(QStringLiteral(" · "));

@@ -97,6 +97,11 @@ DevicePageValues devicePageOf(const LogView& view, const DeviceKey& key, const D
   page.health = row->health;
   page.reasons = reasonsOf(row->health, now);
 
+  if (const QString former = formerText(*row, labels); !former.isEmpty())
+    page.reasons.insert(
+        page.reasons.begin(),
+        {Page::tr("Who is at this address has not said its PIN since the link came back: it %1.").arg(former),
+         Severity::Unknown});
   const Device* device = findDevice(state, key);
   if (device != nullptr) describeDevice(page, state, *device);
   if (row->key.kind == DeviceKey::Kind::Node) return page;

@@ -46,6 +46,7 @@ DeviceRow rowOf(const State& state, const Device& d) {
   row.channel = d.channel;
   row.address = d.address;
   row.previousAddress = d.previousAddress();
+  if (d.kind == Device::Kind::Address) row.formerPin = state.channel(d.channel).book.formerPin(d.address);
   row.age = ageAt(d.lastHeard, state.cursor().time);
   row.health = healthOf(state, d);
   row.frames = d.frames;
@@ -64,6 +65,7 @@ DeviceRow rowOf(const State& state, Channel channel, Address address) {
                                                  : DeviceGroup::OtherNodes;
   row.channel = channel;
   row.address = address;
+  row.formerPin = state.channel(channel).book.formerPin(address);
   row.age = ageAt(node.lastHeard, state.cursor().time);
   row.health = healthOf(state, channel, address);
   row.frames = node.frames;
@@ -102,7 +104,12 @@ DeviceKey keyOf(const Device& d) {
 
 const Device* findDevice(const State& state, const DeviceKey& key) {
   switch (key.kind) {
-    case DeviceKey::Kind::Pin: return state.devices().byPin(key.channel, key.pin);
+    case DeviceKey::Kind::Pin: {
+      const Device* device = state.devices().byPin(key.channel, key.pin);
+      if (device != nullptr) return device;
+      const Address former = state.channel(key.channel).book.formerAddress(key.pin);
+      return former == kNullAddress ? nullptr : state.devices().byAddress(key.channel, former);
+    }
     case DeviceKey::Kind::Address: return state.devices().byAddress(key.channel, key.address);
     case DeviceKey::Kind::Node: return state.devices().byNode(key.channel, key.node);
     case DeviceKey::Kind::None: break;
@@ -113,7 +120,7 @@ const Device* findDevice(const State& state, const DeviceKey& key) {
 DeviceType typeOf(const Device& d) {
   if (d.kind == Device::Kind::Pin) return {From::Pin, d.pin.deviceType()};
   if (d.kind == Device::Kind::Node) {
-    if (d.partNumber.isKnown()) return {From::Part, d.partNumber.value};
+    if (d.part() != 0) return {From::Part, d.part()};
     if (sendsMonitorStatus(d)) return {From::MonitorNode};
     return {d.node == kGatewayNode ? From::GatewayNode : From::CanopenNode};
   }
@@ -216,10 +223,19 @@ QString typeText(const DeviceRow& row) {
 }
 
 QString deviceText(const DeviceRow& row) {
+  if (!row.formerPin.isNull())
+    return Row::tr("Address %1, was %2", "an address and a PIN")
+        .arg(hexText(row.address.value), pinText(row.formerPin));
   const bool lacksPin = row.group == DeviceGroup::Monitors || row.group == DeviceGroup::OtherAkron;
   if (row.key.kind == DeviceKey::Kind::Address && lacksPin)
     return Row::tr("No PIN, address %1").arg(hexText(row.address.value));
   return keyText(row.key);
+}
+
+QString formerText(const DeviceRow& row, const DeviceLabels& labels) {
+  if (row.formerPin.isNull()) return {};
+  return Row::tr("was %1, before the link went down")
+      .arg(nameText(DeviceKey::of(row.formerPin, row.channel), labels));
 }
 
 QString nameText(const DeviceRow& row, const DeviceLabels& labels) {

@@ -50,6 +50,8 @@ struct DeviceRow {
   Channel channel;
   Address address;          // null: none (a node), or lost
   Address previousAddress;  // null: none
+  // The PIN that was there before the link was down, as long as nobody has said since who is there. Null: none.
+  Pin formerPin;
   std::optional<Duration> age;
   Health health;
   std::uint32_t frames = 0;
@@ -60,7 +62,8 @@ struct DeviceRow {
 };
 
 DeviceKey keyOf(const Device& device);
-// Whoever the key means now: an address means the device that has it. Null where that is none.
+// Whoever the key means now: an address means the device that has it, and a PIN of before the link was down whoever is
+// where it was. Null where that is none.
 const Device* findDevice(const State& state, const DeviceKey& key);
 DeviceType typeOf(const Device& device);
 DeviceType typeOf(const State& state, Channel channel, Address address);
@@ -77,8 +80,10 @@ QString untrackedText(const State& state);
 
 QString groupText(DeviceGroup group);
 QString typeText(const DeviceRow& row);
-// "1032AE100801035", "No PIN, address 80", "Address 21" of who needs none, "Node 24".
+// "1032AE100801035", "No PIN, address 80", "Address 21" of who needs none, "Node 24", "Address 80, was 1032AE100801035".
 QString deviceText(const DeviceRow& row);
+// "was Roof monitor (1032AE100801035), before the link went down"; empty if it was nobody.
+QString formerText(const DeviceRow& row, const DeviceLabels& labels);
 QString keyText(const DeviceKey& key);
 // What people call it, the label first: "Roof monitor (1032AE100801035)"; without a label as above.
 QString nameText(const DeviceRow& row, const DeviceLabels& labels);

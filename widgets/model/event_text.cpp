@@ -63,7 +63,8 @@ QString whatHappened(const Event& event, const QString& since) {
       return event.address == kNullAddress
                  ? EventText::tr("Appeared")
                  : EventText::tr("Appeared at address %1").arg(hexText(event.address.value));
-    case EventKind::Silent: return EventText::tr("Silent since %1: its periodic messages stopped").arg(since);
+    case EventKind::Silent:
+      return EventText::tr("Silent since %1: its periodic messages are missing").arg(since);
     case EventKind::Back: return EventText::tr("Heard again after %1").arg(lengthOf(event.now));
     case EventKind::Restarted: return EventText::tr("Restarted");
     case EventKind::NotOperational: return EventText::tr("Not operational (NMT)");
@@ -78,8 +79,9 @@ QString whatHappened(const Event& event, const QString& since) {
       return event.address == kNullAddress
                  ? EventText::tr("Cannot claim any address: %1").arg(makerOf(event.was))
                  : EventText::tr("Cannot claim any address; it had %1").arg(hexText(event.address.value));
-    case EventKind::Malformed: return EventText::tr("A status comes in a wrong length only");
-    case EventKind::MalformedOver: return EventText::tr("Its statuses have their right lengths again");
+    case EventKind::Malformed: return EventText::tr("A periodic message comes in a wrong length only");
+    case EventKind::MalformedOver:
+      return EventText::tr("Its periodic messages have their right lengths again");
     case EventKind::TwoAtOneAddress: return sharedText(event);
     case EventKind::TwoAtOneAddressOver:
       return EventText::tr("One device sends from address %1 again").arg(hexText(event.address.value));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "state/log_view.h"
+#include "state/role_notes.h"
 
 namespace deckpipe {
 
@@ -32,11 +33,8 @@ class LogWalk {
   // What frame next() is; `time` its log time. Notes are looked up for some frames at once.
   Classified take(const Frame& frame, Instant time) {
     if (m_next >= m_noted) fetchNotes();
-    for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame <= m_next; ++m_nextNote) {
-      const Note& note = m_notes[m_nextNote];
-      if (const auto* said = std::get_if<note::DriveSaid>(&note.value))
-        m_walk.sayDrive(said->channel, said->address, said->isDrive, note.time);
-    }
+    for (; m_nextNote < m_notes.size() && m_notes[m_nextNote].frame <= m_next; ++m_nextNote)
+      teach(m_walk, m_notes[m_nextNote]);
     ++m_next;
     return m_walk.next(frame, time);
   }

@@ -82,10 +82,12 @@ QString certaintyText(const Frame& frame, const Classified& what) {
   if (what.family != Family::Presumed) return {};
   if (frame.isExtended())
     return MessageText::tr(
-        "Presumed: neither end has been heard to be an Akron device, but type, length and "
-        "direction fit.");
-  return MessageText::tr("Presumed: node %1 has not been heard to be an Akron device, but the message fits.")
-      .arg(hexText(CobId::of(frame.identifier()).node.value, 2));
+        "Presumed: neither end has been heard to be an Akron device since the link came up, but type, length "
+        "and direction fit.");
+  return MessageText::
+      tr("Presumed: node %1 has not been heard to be an Akron device since the link came up, but the message "
+         "fits.")
+          .arg(hexText(CobId::of(frame.identifier()).node.value, 2));
 }
 
 QString malformedText(const Classified& what, unsigned length) {

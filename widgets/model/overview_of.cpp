@@ -22,6 +22,7 @@ struct Overview {
 QString detailOf(const LogView& view, const DeviceRow& row) {
   QStringList parts;
   parts << typeText(row);
+  if (!row.formerPin.isNull()) parts << Overview::tr("before the link went down");
   if (row.key.kind == DeviceKey::Kind::Pin) {
     parts << (row.hasLostAddress() ? Overview::tr("address lost") : addressText(row.address));
   }

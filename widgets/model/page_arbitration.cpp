@@ -44,6 +44,10 @@ QStringList heard(const State& state, Channel channel, Address from, Address to)
       lines << Arbitration::tr("%1: not heard since the link went down").arg(name);
       continue;
     }
+    if (!stick->isUnderstood()) {
+      lines << Arbitration::tr("%1: messages of a wrong length only").arg(name);
+      continue;
+    }
     if (!stick->isActive()) {
       lines << (state.isFiltered() ? Arbitration::tr("%1: not known, the log was saved through a filter")
                                    : Arbitration::tr("%1: stopped sending"))

@@ -139,7 +139,7 @@ PageFactGroup nodeOf(const State& bus, const Device& d) {
   if (!d.heartbeat().isKnown()) {
     state.value = Facts::tr("no heartbeat heard");
     state.tone = Severity::Unknown;
-  } else if (isLinkDown(bus, d.channel)) {
+  } else if (isCutOff(bus, d.channel, d.heartbeat().at)) {
     state.value = Facts::tr("%1, before the link went down").arg(state.value);
     state.tone = Severity::Unknown;
   } else if (d.isStale(MessageId::Heartbeat)) {
@@ -166,6 +166,12 @@ PageFactGroup joystickOf(const State& state, Channel channel, const Joystick& st
                       ? plain(Facts::tr("Priority"), priorityText(*stick.priority()))
                       : plain(Facts::tr("Priority"), Facts::tr("none: monitors listen to 33 to 38 hex"),
                               Severity::Warning));
+  if (!stick.isUnderstood()) {
+    facts.push_back(plain(Facts::tr("Sending"),
+                          Facts::tr("messages of a wrong length only; monitors take no input from them"),
+                          Severity::Warning));
+    return group;
+  }
   // Without times nothing is known of its rhythm.
   if (!ageAt(std::max(stick.basic.at, stick.extended.at), now)) return group;
   if (isLinkDown(state, channel)) {
@@ -175,6 +181,9 @@ PageFactGroup joystickOf(const State& state, Channel channel, const Joystick& st
     facts.push_back({Facts::tr("Sending"), Facts::tr("not known, the log was saved through a filter"),
                      Severity::Unknown, ageAt(stick.basic.at, now)});
     return group;
+  } else if (state.channel(channel).isBeforeGap(std::max(stick.basic.at, stick.extended.at))) {
+    facts.push_back({Facts::tr("Sending"), Facts::tr("not heard since the link came back"), Severity::Unknown,
+                     ageAt(stick.basic.at, now)});
   } else if (stick.timedOut) {
     facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), Severity::Unknown,
                      ageAt(stick.basic.at, now)});
@@ -218,6 +227,11 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
     facts.push_back(plain(Facts::tr("Contests"), contests, Severity::Warning));
   if (const Name name = book.lastHolder(address); !name.isNull())
     facts.push_back(plain(Facts::tr("NAME"), nameLines(name).join(QLatin1Char('\n'))));
+  if (const Name former = book.formerHolder(address); !former.isNull()) {
+    const QString was = nameLines(former).join(QLatin1Char('\n'));
+    facts.push_back(plain(Facts::tr("NAME"), Facts::tr("%1\nbefore the link went down", "a NAME").arg(was),
+                          Severity::Unknown));
+  }
   const Node node = state.channel(channelId).nodes[address];
   const std::uint32_t frames = device != nullptr ? device->frames : node.frames;
   const std::uint32_t malformed = device != nullptr ? device->malformed : node.malformed;

@@ -79,6 +79,8 @@ QString refusalText(Refusal refusal) {
     case Refusal::Contested: return ServiceText::tr("Two nodes claim the device's address at this moment.");
     case Refusal::Disputed:
       return ServiceText::tr("Another node sends from the console's address at this moment.");
+    case Refusal::FormerPin:
+      return ServiceText::tr("The device has not said its PIN since the link was down.");
     case Refusal::ListenOnly: return ServiceText::tr("The adapter is in listen-only mode: it cannot send.");
   }
   return {};

@@ -292,6 +292,41 @@ TEST(EventsOfTheTool, AreNeitherSilencesOfALogSavedThroughAFilterNorFramesThatWe
             QStringLiteral("filtered"));
 }
 
+TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDown) {
+  const QTemporaryDir folder;
+  FrameStore frames;
+  NoteStore notes;
+  frames.channel("can0");
+  const auto hear = [&](const char* data, std::int64_t ms) {
+    const Frame frame = test::frame("18EFFF80", data, 0, ms * 1'000'000);
+    ASSERT_TRUE(frames.append({&frame, 1}));
+  };
+  hear("FF83150206021A0B", 1000);
+  notes.append({.frame = 1, .time = {1'100'000'000}, .value = note::LinkDown{}});
+  notes.append({.frame = 1, .time = {9'000'000'000}, .value = note::LinkUp{}});
+  hear("83C051", 9100);
+  {
+    JournalWriter writer(
+        frames, notes,
+        [&] { return createJournalFile(folder.filePath(QStringLiteral("one")).toStdString()); },
+        [] { return JournalHead{.begin = 1'796'000'000'000'000'000}; });
+    writer.timeCame({});
+    writer.end();
+  }
+  const auto told = [&](const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral(DECKPIPECTL),
+                  arguments + QStringList{folder.filePath(QStringLiteral("one.deckpipe"))});
+    EXPECT_TRUE(process.waitForFinished(60'000));
+    return test::outcomeOf(process).out;
+  };
+  EXPECT_TRUE(told({QStringLiteral("info"), QStringLiteral("--devices")})
+                  .contains("was 1032AE100801035 before the link went down  can0  address 80"));
+  EXPECT_TRUE(told({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json")})
+                  .contains("\"pin\":null,\"former_pin\":\"1032AE100801035\""));
+  EXPECT_TRUE(told({QStringLiteral("decode")}).contains("\"family\":\"presumed\""));
+}
+
 TEST(EventsOfTheTool, HaveTheNotesOfARecordingAmongThem) {
   const QTemporaryDir folder;
   FrameStore frames;

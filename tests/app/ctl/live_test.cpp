@@ -601,6 +601,7 @@ TEST_F(Live, WatchTellsDevicesValuesAndSilence) {
   EXPECT_TRUE(says("\"event\":\"stale\""));
   m_simulator.obey({0, SimulatorButton::PowerOn});
   EXPECT_TRUE(says("\"event\":\"fresh\""));
+  EXPECT_TRUE(says("\"event\":\"restarted\""));
   ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
   EXPECT_EQ(end(process).status, 0);
 }

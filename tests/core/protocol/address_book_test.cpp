@@ -236,6 +236,7 @@ TEST(AddressBook, SaysWhichAddressesTheirDeviceLost) {
       {"a PIN moves", "80!P 81!P", "80"},
       {"a PIN moves to another's place", "80!P 81!Q 81!P", "80 81"},
       {"cannot claim", "80=A FE=A", "80"},
+      {"cannot claim, and the one whose PIN is there takes it", "80=A +1000 80!Q 80=B FE=A", ""},
   };
   for (const Row& row : rows) EXPECT_EQ(Script(row.script).lost(), row.at80) << row.name;
 }

@@ -357,6 +357,25 @@ TEST_F(RequestServiceTest, ACopleyDriveIsNeverPolled) {
   EXPECT_EQ(request(Request::Fault), Refusal::NotTaken);
 }
 
+TEST_F(RequestServiceTest, APinOfBeforeAGapIsNobodyUntilItIsHeardAnew) {
+  pair.run(2s);
+  ASSERT_EQ(request(Request::Fault), Refusal::None);
+  pair.run(1s);
+  State& state = pair.console().state;
+  state.apply(Note{.time = pair.now(), .value = note::LinkDown{}});
+  state.apply(Note{.time = pair.now(), .value = note::LinkUp{}});
+  pair.run(100ms);
+  const std::size_t before = sent(0x02);
+  EXPECT_EQ(request(Request::Fault), Refusal::FormerPin);
+  EXPECT_EQ(request(Request::Reset), Refusal::FormerPin);
+  EXPECT_EQ(pair.intend(intent::Repeat{monitor, kPolls, 500ms}), Refusal::FormerPin);
+  EXPECT_EQ(pair.intend(intent::PipeWrite{monitor, "A?"}), Refusal::FormerPin);
+  EXPECT_EQ(sent(0x02), before);
+  pair.intend(intent::RequestNames{});
+  pair.run(2s);
+  EXPECT_EQ(request(Request::Fault), Refusal::None);
+}
+
 TEST_F(RequestServiceTest, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
   pair.intend(intent::Repeat{monitor, kPolls, 500ms});
   pair.run(1s);

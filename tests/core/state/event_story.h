@@ -53,6 +53,9 @@ class EventStory {
     for (Duration t = 0s; t < d; t += 100ms) statuses(position, outputs).pass(100ms);
     return *this;
   }
+  // The link was down for 40 s.
+  EventStory& gap() { return note(note::LinkDown{}).pass(40s).note(note::LinkUp{}); }
+  EventStory& asksForNames() { return hear("18EAFFF9", "00EE00"); }
   EventStory& answers(std::string_view faults) { return hear("18EF80F9", "02").hear("18EFF980", faults); }
   // A joystick sends every 20 ms for so long.
   EventStory& stick(Duration d, std::string_view id = "0CFDD633", std::string_view data = kNeutral,

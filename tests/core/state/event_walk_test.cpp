@@ -89,10 +89,69 @@ const std::vector<EventCase> kCases{
        s.monitor().hear("18EF8021", "A1000F").note(note::LinkDown{}).pass(40s).note(note::LinkUp{});
        s.hear("18EF8021", "A1000F").goOn(1s);
      },
-     {"46.300 permissive_lost" MONITOR}},
+     {"46.300 permissive_lost 80"}},
     {"ASilenceAfterTheLinkIsUpAgain",
-     [](Story& s) { s.monitor().note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
-     {"49.000 silent" MONITOR " since 5.900"}},
+     [](Story& s) { s.monitor().gap().pass(9s); },
+     {"49.000 silent 80 since 46.000"}},
+    {"ASilenceThatTheLinkIsDownIn",
+     [](Story& s) { s.monitor().pass(4s).gap().pass(4s).goOn(1s); },
+     {"8.900 silent" MONITOR " since 5.900", "53.000 silent 80 since 50.000", "54.000 back 80 4000 ms"}},
+    {"ADeviceBehindAGapThatSaysItsPinAnew",
+     [](Story& s) {
+       s.monitor().answers("02002000000000").gap().goOn(1s).asksForNames();
+       s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+       s.answers(Story::kNoFaults).goOn(1s);
+     },
+     {"6.000 fault" MONITOR " 21>21"}},
+    {"ADeviceBehindAGapWhoseFaultIsToldAnew",
+     [](Story& s) { s.monitor().answers("02002000000000").gap().goOn(1s).answers("02002000000000"); },
+     {"6.000 fault" MONITOR " 21>21", "47.000 fault 80 21>21"}},
+    {"AnotherDeviceBehindAGapAtTheSameAddress",
+     [](Story& s) {
+       s.monitor().gap().goOn(5s).asksForNames().hear("18EEFF80", Story::kNameOfB);
+       s.hear("18EFFF80", Story::kAnnouncesB).goOn(5s);
+     },
+     {}},
+    {"AnotherDeviceBehindAGapThatOnlyAnnouncesItself",
+     [](Story& s) { s.monitor().gap().goOn(5s).hear("18EFFF80", Story::kAnnouncesB).goOn(5s); },
+     {}},
+    {"OtherStatesBehindAGap",
+     [](Story& s) { s.monitor().gap().goOn(5s, "0123283284401041", "830051"); },
+     {"46.000 disabled 80"}},
+    {"ADeviceOfAnotherTypeBehindAGap",
+     [](Story& s) {
+       s.monitor().gap();
+       for (int i = 0; i < 50; ++i) s.hear("18EFFF80", "848000").pass(100ms);
+     },
+     {}},
+    {"DevicesBehindAGapThatChangedPlaces",
+     [](Story& s) {
+       s.monitor().hear("18EEFF81", Story::kNameOfB).hear("18EFFF81", Story::kAnnouncesB).goOn(100ms);
+       s.gap().asksForNames().hear("18EEFF80", Story::kNameOfB).hear("18EFFF80", Story::kAnnouncesB);
+       s.hear("18EEFF81", Story::kNameOfA).hear("18EFFF81", Story::kAnnouncesA).goOn(2s);
+     },
+     {"6.000 appeared 1032AE100801036"}},
+    {"ADeviceThatStartsLongAfterAGap",
+     [](Story& s) {
+       s.monitor().gap().goOn(5s).hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA);
+     },
+     {"51.000 restarted" MONITOR}},
+    {"ADeviceThatWasAskedWhileTheLinkWasDown",
+     [](Story& s) {
+       s.monitor().gap().pass(300ms).hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA);
+       s.goOn(2s);
+     },
+     {}},
+    {"AnAddressWhoseLinkGoesDownWhileItIsContested",
+     [](Story& s) { s.monitor().hear("18EEFF80", Story::kHigherName).pass(10ms).gap().goOn(1s); },
+     {}},
+    {"TwoDevicesAtOneAddressBeforeAGap",
+     [](Story& s) {
+       s.monitor();
+       for (int i = 0; i < 20; ++i) s.statuses().pass(30ms).statuses("0112C10644000041").pass(70ms);
+       s.gap().goOn(5s);
+     },
+     {"6.200 two_at_one_address" MONITOR}},
     {"ADeviceThatNeverSendsWhatItsTypeRepeats",
      [](Story& s) {
        s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA).pass(5s).goOn(100ms);
@@ -248,7 +307,15 @@ const std::vector<EventCase> kCases{
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
        s.note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s);
      },
-     {"50.000 silent 28 since 6.000"}},
+     {"50.000 silent 28 since 47.000"}},
+    {"ANodeOfAnotherMakerThatSendsEverySecondBeforeAndAfterAGap",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
+       s.gap();
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
+       s.pass(9s);
+     },
+     {"55.000 silent 28 since 52.000"}},
     // Addresses.
     {"AMove",
      [](Story& s) {
@@ -503,10 +570,19 @@ const std::vector<EventCase> kCases{
      {}},
     {"AJoystickThatIsNotBackWithItsLink",
      [](Story& s) { s.stick(1s).note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
-     {"42.200 joystick_timed_out 33", "44.000 joystick_ended 33 since 1.980"}},
+     {"42.200 joystick_timed_out 33", "44.000 joystick_ended 33 since 42.000"}},
+    {"AJoystickWhoseMessagesHaveWrongLengthsFromTheStart",
+     [](Story& s) { s.stick(5s, "0CFDD633", "01000100").stick(1s); },
+     {"1.200 malformed 33 since 1.000", "6.000 malformed_over 33", "6.000 joystick_began 33"}},
+    {"AJoystickMessageOfAWrongLengthNowAndThen",
+     [](Story& s) {
+       for (int i = 0; i < 5; ++i) s.hear("0CFDD633", "01000100").stick(1s);
+     },
+     {}},
     {"AJoystickWhoseMessagesHaveWrongLengths",
      [](Story& s) { s.stick(1s).stick(3s, "0CFDD633", "01000100").stick(100ms); },
-     {"2.180 joystick_timed_out 33", "3.980 joystick_ended 33 since 1.980", "5.000 joystick_began 33"}},
+     {"2.180 joystick_timed_out 33", "2.200 malformed 33 since 2.000", "3.980 joystick_ended 33 since 1.980",
+      "5.000 malformed_over 33", "5.000 joystick_began 33"}},
     {"AJoystickWithSomeMessagesOfWrongLengths",
      [](Story& s) {
        s.stick(1s);

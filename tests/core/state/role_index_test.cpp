@@ -29,9 +29,12 @@ TEST(RoleIndex, ClassifiesFromAnyRowAsAWalkFromTheStartDoes) {
   }
   ASSERT_TRUE(frames.append(batch));
   for (std::uint64_t i = 50; i < batch.size(); i += 611) {
-    notes.append({.frame = i,
-                  .time = frames.timeAt(i - 1),
-                  .value = note::DriveSaid{{static_cast<std::uint8_t>(random() % 6)}, {0x81}, i % 2 == 0}});
+    const Channel channel{static_cast<std::uint8_t>(random() % 6)};
+    const NoteValue values[] = {note::DriveSaid{channel, {0x81}, i % 2 == 0}, note::LinkDown{channel, {}, {}},
+                                note::LinkUp{channel}};
+    for (const NoteValue& value : values) {
+      if (random() % 2 == 0) notes.append({.frame = i, .time = frames.timeAt(i - 1), .value = value});
+    }
   }
   RoleIndex index(frames, notes);
   while (index.build(777)) {
@@ -43,10 +46,7 @@ TEST(RoleIndex, ClassifiesFromAnyRowAsAWalkFromTheStartDoes) {
   const std::vector<Note> all = notes.all();
   std::size_t nextNote = 0;
   for (std::uint64_t i = 0; i < frames.count(); ++i) {
-    for (; nextNote < all.size() && all[nextNote].frame == i; ++nextNote) {
-      const auto& said = std::get<note::DriveSaid>(all[nextNote].value);
-      straight.sayDrive(said.channel, said.address, said.isDrive, all[nextNote].time);
-    }
+    for (; nextNote < all.size() && all[nextNote].frame == i; ++nextNote) teach(straight, all[nextNote]);
     expected.push_back(straight.next(frames[i], frames.timeAt(i)));
   }
   for (int round = 0; round < 300; ++round) {

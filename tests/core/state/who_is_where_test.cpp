@@ -63,11 +63,14 @@ class ClaimTraffic : public testing::TestWithParam<bool> {
       // Anywhere in the silence before the frame.
       const Instant from = m_log.frames.timeAt(i - 1);
       const auto gap = (m_log.frames.timeAt(i) - from).count();
+      const Channel channel{static_cast<std::uint8_t>(random() % kChannels)};
+      const NoteValue values[] = {
+          note::DriveSaid{channel, {static_cast<std::uint8_t>(address())}, random() % 2 == 0},
+          note::LinkDown{channel, {}, {}}, note::LinkUp{channel}};
+      const std::size_t which = random() % 8;
       m_log.notes.append({.frame = i,
                           .time = from + Duration(gap == 0 ? 0 : static_cast<std::int64_t>(random()) % gap),
-                          .value = note::DriveSaid{{static_cast<std::uint8_t>(random() % kChannels)},
-                                                   {static_cast<std::uint8_t>(address())},
-                                                   random() % 2 == 0}});
+                          .value = values[which < std::size(values) ? which : 0]});
     }
     while (m_log.roles.build(777)) {
     }
@@ -79,10 +82,7 @@ class ClaimTraffic : public testing::TestWithParam<bool> {
     const std::vector<Note> notes = m_log.notes.all();
     std::size_t nextNote = 0;
     for (std::uint64_t i = 0; i < m_log.frames.count(); ++i) {
-      for (; nextNote < notes.size() && notes[nextNote].frame == i; ++nextNote) {
-        const auto& said = std::get<note::DriveSaid>(notes[nextNote].value);
-        walk.sayDrive(said.channel, said.address, said.isDrive, notes[nextNote].time);
-      }
+      for (; nextNote < notes.size() && notes[nextNote].frame == i; ++nextNote) teach(walk, notes[nextNote]);
       const Instant time = m_log.frames.timeAt(i);
       walk.timeCame(time);
       each(i, walk);

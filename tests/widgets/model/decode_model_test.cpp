@@ -110,7 +110,8 @@ TEST_F(DecodeModelTest, TakesAnSdoApart) {
 TEST_F(DecodeModelTest, SaysHowSureItIs) {
   show({test::frame("18EFFF80", "011D940371000041")}, 0);
   EXPECT_EQ(line("Note"),
-            "Note | Presumed: neither end has been heard to be an Akron device, but type, length and "
+            "Note | Presumed: neither end has been heard to be an Akron device since the link came up, but "
+            "type, length and "
             "direction fit. |  | ");
   show({test::frame("18EF81A0", "FE0102")}, 0);
   EXPECT_EQ(line("Note"),

@@ -245,6 +245,47 @@ TEST_F(DeviceTable, GivesANodeThatHadOnlyANameItsPinInPlace) {
   EXPECT_EQ(m_model.rowCount(), 2);
 }
 
+TEST_F(DeviceTable, SaysWhoWasAtAnAddressBeforeTheLinkWasDown) {
+  const auto note = [this](const NoteValue& value) { m_bus.note({.time = m_bus.now(), .value = value}); };
+  note(note::LinkUp{});
+  m_bus.monitor();
+  show();
+  QSignalSpy changed(&m_model, &Model::keyChanged), removed(&m_model, &Model::rowsRemoved);
+  note(note::LinkDown{});
+  m_bus.pass(90s);
+  note(note::LinkUp{});
+  m_bus.pass(5s);
+  show();
+  EXPECT_EQ(all(0),
+            "Address 80, was 1032AE100801035 | Monitor, type not known | 80 | 95 s | silent | 0/s | 5");
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(changed[0][0].value<DeviceKey>(), keyOfA());
+  EXPECT_EQ(changed[0][1].value<DeviceKey>(), DeviceKey::at(Channel{0}, Address{0x80}));
+  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("PIN: was 1032AE100801035, before the link went down")))
+      << tooltip(0).toStdString();
+  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("Before the link went down:\nNAME ")));
+  EXPECT_TRUE(tooltip(0).contains(
+      QStringLiteral("None of its periodic messages has come since the link came back 5.0 s ago.")))
+      << tooltip(0).toStdString();
+  DeviceLabels labels;
+  labels.set(*Pin::parse(kPinA), QStringLiteral("Roof"));
+  m_model.setLabels(labels);
+  EXPECT_TRUE(m_model.index(0, 0).data(Model::DetailRole).toString().startsWith(QStringLiteral("was Roof")));
+  m_bus.hear("18EFFF80", kAnnouncesA);
+  show();
+  EXPECT_EQ(text(0, Model::DeviceColumn), QStringLiteral("Roof"));
+  EXPECT_EQ(changed.size(), 2);
+  EXPECT_TRUE(removed.isEmpty());
+}
+
+TEST_F(DeviceTable, ListsAJoystickWhoseMessagesHaveAWrongLength) {
+  m_bus.hear("0CFDD633", "01000100");
+  show();
+  ASSERT_EQ(m_model.rowCount(), 1);
+  EXPECT_EQ(all(0), "Address 33 | Joystick source | 33 | < 1 s | wrong length | 0/s | 1");
+  EXPECT_EQ(m_model.index(0, 0).data(Model::GroupTextRole).toString(), QStringLiteral("Controls"));
+}
+
 TEST_F(DeviceTable, TellsOnlyWhatChanged) {
   m_bus.monitor();
   show();

@@ -596,6 +596,32 @@ TEST(DevicePageOf, SaysWhereAJoystickStandsAndWhatItMoves) {
   EXPECT_EQ(fact(page, "After it").value, QStringLiteral("Joystick 38: stopped sending"));
 }
 
+TEST(DevicePageOf, SaysThatASourceSendsWrongLengthsOnly) {
+  Heard bus;
+  bus.hear("0CFDD634", "01000100").hear("0CFDD633", kRestingStick);
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x34)), "Sending").value,
+            QStringLiteral("messages of a wrong length only; monitors take no input from them"));
+  EXPECT_EQ(fact(pageOf(bus, addressKey(0x33)), "After it").value,
+            QStringLiteral("Joystick 34: messages of a wrong length only"));
+}
+
+TEST(DevicePageOf, SaysWhoWasThereBeforeTheLinkWasDown) {
+  Heard bus = linkThatGoesDown().pass(4s);
+  bus.note({.time = bus.now(), .value = note::LinkUp{}}).pass(20ms).statuses();
+  const DevicePageValues page = pageOf(bus);
+  EXPECT_EQ(page.key, addressKey(0x80));
+  EXPECT_EQ(page.title, QStringLiteral("Address 80, was 1032AE100801035"));
+  ASSERT_FALSE(page.reasons.empty());
+  EXPECT_EQ(page.reasons.front().text,
+            QStringLiteral("Who is at this address has not said its PIN since the link came back: it was "
+                           "1032AE100801035, before the link went down."));
+  EXPECT_EQ(fact(page, "Fault bits").value,
+            QStringLiteral("none set\nasked 4.0 s ago, before the link went down"));
+  EXPECT_TRUE(fact(page, "NAME").value.endsWith(QStringLiteral("before the link went down")));
+  bus.hear("18EFFF80", kAnnouncesA);
+  EXPECT_EQ(pageOf(bus).title, QStringLiteral("1032AE100801035"));
+}
+
 TEST(DevicePageOf, SaysThatAnotherSourceMovesNothing) {
   Heard bus;
   bus.monitor().hear("0CFDD640", kStickLeft);

@@ -92,7 +92,7 @@ TEST_F(ModelOfEvents, TakesEventsAsTheyAreFound) {
   }
   model.setView(viewOf(log));
   ASSERT_EQ(model.rowCount(), 1);
-  EXPECT_EQ(what(0), "Silent since 0:00:00.000: its periodic messages stopped");
+  EXPECT_EQ(what(0), "Silent since 0:00:00.000: its periodic messages are missing");
   EXPECT_EQ(model.index(0, EventModel::When).data().toString().toStdString(), "0:00:03.000");
 }
 
