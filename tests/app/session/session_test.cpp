@@ -494,8 +494,10 @@ TEST(Link, ConnectedAgainGoesOnInTheSameLogAndFileAfterAGap) {
   EXPECT_EQ(session.snapshot().source.progress, SourceStatus::Progress::Opening);
   ASSERT_TRUE(QTest::qWaitFor(isRunning, kPatience));
   EXPECT_EQ(session.snapshot().view.document, document);
-  EXPECT_NE(session.snapshot().view.state->devices().byPin(kMonitor), nullptr) << "known from before the gap";
+  const auto hasMonitor = [&] { return session.snapshot().view.state->devices().byPin(kMonitor) != nullptr; };
+  EXPECT_FALSE(hasMonitor()) << "of before the gap";
   ASSERT_TRUE(hears(2));
+  EXPECT_TRUE(QTest::qWaitFor(hasMonitor, kPatience)) << "heard anew";
   std::vector<std::string_view> keys;
   for (const Note& note : document->notes.all()) keys.push_back(noteKey(note.value));
   EXPECT_EQ(keys, (std::vector<std::string_view>{"link_up", "link_down", "link_up"}));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QLabel>
 #include <QPointer>
 #include <QScrollArea>
@@ -59,6 +60,10 @@ class OverviewTest : public testing::Test {
     m_panel.resize(1030, 500);
     m_panel.show();
     m_panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&m_panel));
+    for (const QPoint& outside :
+         {QPoint(2, 2), QPoint(1, 1)})  // among no tiles, where an earlier test left it
+      QTest::mouseMove(m_panel.windowHandle(), outside);
   }
   // This many monitors, the first with a PIN.
   void hear(int count) {
