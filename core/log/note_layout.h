@@ -115,6 +115,12 @@ inline constexpr auto kLayout<note::Label> = layout(15, "label", field("pin", &n
                                                     field("text", &note::Label::text));
 template <>
 inline constexpr auto kLayout<note::Added> = layout(16, "added", field("count", &note::Added::count));
+template <>
+inline constexpr auto kLayout<note::AnglesBefore> =
+    layout(17, "angles_before", field("channel", &note::AnglesBefore::channel),
+           field("address", &note::AnglesBefore::address), field("pin", &note::AnglesBefore::pin),
+           field("ask", &note::AnglesBefore::request), field("rotation", &note::AnglesBefore::rotation),
+           field("elevation", &note::AnglesBefore::elevation));
 
 namespace checks {
 

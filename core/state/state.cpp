@@ -269,9 +269,9 @@ void State::apply(const Note& note) {
                  if (isNode(n.address)) channel.wereOwn.set(n.address.value);
                },
                [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
-               [](const note::Asked&) {}, [](const note::RequestWaits&) {}, [](const note::RequestEnded&) {},
-               [](const note::StillWaits&) {}, [](const note::Pipe&) {}, [](const note::LeftOut&) {},
-               [](const note::Label&) {}, [](const note::Added&) {}},
+               [](const note::Asked&) {}, [](const note::AnglesBefore&) {}, [](const note::RequestWaits&) {},
+               [](const note::RequestEnded&) {}, [](const note::StillWaits&) {}, [](const note::Pipe&) {},
+               [](const note::LeftOut&) {}, [](const note::Label&) {}, [](const note::Added&) {}},
       note.value);
 }
 

@@ -54,6 +54,9 @@ template <>
 inline const note::Label kSample<note::Label>{kNotedPin, "front bumper"};
 template <>
 inline const note::Added kSample<note::Added>{9};
+template <>
+inline const note::AnglesBefore kSample<note::AnglesBefore>{kNotedChannel,  kNotedAddress,    kNotedPin,
+                                                            Request::Reset, {.tenths = -473}, {.tenths = {}}};
 
 template <typename... Kinds>
 std::vector<NoteValue> samplesOf(const std::variant<Kinds...>*) {

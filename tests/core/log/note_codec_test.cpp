@@ -66,6 +66,7 @@ TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
       {"left_out", "0e 02020700000000000000"},
       {"label", "0f " + std::string(kPinHex) + "0c66726f6e742062756d706572"},
       {"added", "10 0900000000000000"},
+      {"angles_before", "11 0281" + std::string(kPinHex) + "0627fe0080"},
   };
   for (const NoteValue& value : test::noteSamples()) {
     const auto found = expected.find(noteKey(value));
