@@ -141,7 +141,8 @@ void MainWindow::connectPanels() {
   m_session.setLabels(byPin(m_labels.read()));
   connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
   connect(m_workspace, &Workspace::intended, m_sending, &SendingActions::intent);
-  connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);
+  connect(m_workspace, &Workspace::unlockRequested, m_sending, [this] { m_sending->askToUnlock(); });
+  connect(m_workspace, &Workspace::unlockForRequested, m_sending, &SendingActions::askToUnlock);
   connect(m_workspace, &Workspace::simulatorIntended, &m_session, &Session::intendForSimulator);
   connect(&m_session, &Session::simulatorChanged, m_workspace, &Workspace::setSimulator);
   connect(m_transport, &TransportBar::playRequested, &m_session, &Session::play);

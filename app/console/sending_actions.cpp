@@ -68,7 +68,7 @@ void SendingActions::intent(const Intent& intent) { m_session.intend(intent); }
 
 void SendingActions::lock() { m_session.intend(intent::Lock{}); }
 
-void SendingActions::askToUnlock() {
+void SendingActions::askToUnlock(const std::function<void()>& then) {
   const SourceStatus& source = m_session.snapshot().source;
   // Is refused; the notice says why and what to do.
   if (source.isListenOnly) return intent(intent::Unlock{});
@@ -81,7 +81,10 @@ void SendingActions::askToUnlock() {
           "for. It stays unlocked until you lock it or close the link.")
            .arg(where),
        tr("Unlock"), tr("Keep locked")},
-      [this] { intent(intent::Unlock{}); });
+      [this, then] {
+        intent(intent::Unlock{});
+        if (then) then();
+      });
 }
 
 ClaimSettings claimSettings() {

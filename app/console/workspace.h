@@ -70,6 +70,7 @@ class Workspace : public QMainWindow {
   void labelsEdited(const deckpipe::DeviceLabels& labels);
 
  public Q_SLOTS:
+  void unlockForRequested(const std::function<void()>& then);
   // Of the demo; its dock is there only while one runs.
   void setSimulator(const deckpipe::SimulatorStatus& status);
   // Panels ask for these.
