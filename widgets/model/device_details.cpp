@@ -7,6 +7,7 @@
 #include "model/device_rows.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
+#include "text/j1939_text.h"
 #include "text/time_text.h"
 
 namespace deckpipe {
@@ -95,6 +96,8 @@ QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabel
   if (const QString use = reservedUse(row->address); !use.isEmpty())
     lines << Details::tr("J1939 keeps this address for: %1").arg(use);
   if (const QString contests = contestText(channel.book, row->address); !contests.isEmpty())
+  if (const QString use = usualUse(row->address); !use.isEmpty())
+    lines << Details::tr("By J1939 this address is %1, which is no proof").arg(use);
     lines << Details::tr("Contests for the address: %1").arg(contests);
   lines << Details::tr("Claim: %1")
                .arg(wordText(claimKey(channel.book.claim(row->address, state.cursor().time))));

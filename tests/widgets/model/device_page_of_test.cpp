@@ -490,7 +490,7 @@ TEST(DevicePageOf, ShowsAForeignNodeWithItsNameInWords) {
   EXPECT_TRUE(page.isFound);
   EXPECT_FALSE(page.dial);
   EXPECT_TRUE(page.lamps.empty());
-  EXPECT_EQ(page.type, QStringLiteral("Other maker, code 9"));
+  EXPECT_EQ(page.type, QStringLiteral("Other maker, code 9; usually body controller"));
   EXPECT_TRUE(fact(page, "NAME").value.startsWith(QStringLiteral("Maker: other maker, code 9")));
   EXPECT_EQ(fact(page, "Claim").value, QStringLiteral("claimed"));
 }
