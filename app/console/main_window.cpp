@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMenu>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -26,6 +28,7 @@
 #include "panel/common/about_page.h"
 #include "panel/common/build.h"
 #include "panel/common/settings_page.h"
+#include "panel/connect/bit_rates.h"
 #include "panel/connect/connection_page.h"
 #include "panel/connect/recordings_page.h"
 #include "panel/play/transport_bar.h"
@@ -169,6 +172,12 @@ void MainWindow::rememberWhatWasRead() {
   if (m_snapshot.view.frameCount == 0 && source.progress != SourceStatus::Progress::Done) return;
   m_remembered = document;
   rememberLog(source.name);
+  const bool isUp =
+      source.kind == SourceStatus::Kind::Link && source.progress == SourceStatus::Progress::Running;
+  if (isUp && !source.simulated && m_remembered.lock() != document) {
+    m_remembered = document;
+    rememberLink({source.plugin, source.interfaceName, source.bitRate, QDateTime::currentDateTime()});
+  }
 }
 
 void MainWindow::setSnapshot(const Snapshot& snapshot) {
@@ -303,6 +312,25 @@ void MainWindow::setLook(Theme theme, Density density) {
   QApplication::setStyle(new AppStyle(density, theme));
   QApplication::setFont(fontFor(density, QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
   m_settings->setTheme(theme);
+  if (action == Notice::Action::ChangeBitRate) chooseBitRate();
+}
+
+// Connects to the same bus at another rate.
+void MainWindow::chooseBitRate() {
+  const SourceStatus& source = m_snapshot.source;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("bitRateMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const int rate : offeredBitRates()) {
+    QAction* action = menu->addAction(bitRateText(rate), this,
+                                      [this, rate, plugin = source.plugin, name = source.interfaceName] {
+                                        m_connection->keepBitRate(rate);
+                                        openLink({plugin, name, rate, {}});
+                                      });
+    action->setCheckable(true);
+    action->setChecked(rate == source.bitRate);
+  }
+  menu->popup(m_notice->mapToGlobal(m_notice->rect().bottomRight() - QPoint(menu->sizeHint().width(), 0)));
   m_settings->setDensity(density);
   m_fieldAction->setChecked(density == Density::Field);
   for (QAction* action : m_themes->actions())

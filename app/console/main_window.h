@@ -83,6 +83,7 @@ class MainWindow : public QMainWindow {
   void saveLayout() const;
   QStringList runningWork() const;
   // A question with a verb, and with a way to leave things as they are, which Enter takes.
+  void chooseBitRate();
   struct Question {
     const char* name;
     QString title, text, verb, otherwise;
