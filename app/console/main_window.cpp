@@ -156,6 +156,8 @@ void MainWindow::connectPanels() {
   connect(m_transport, &TransportBar::spanRequested, m_workspace->trace(), &TracePanel::setFilter);
   connect(m_workspace->trace(), &TracePanel::saveRequested, this, &MainWindow::savePartByHand);
   connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
+  connect(m_transport, &TransportBar::saveRequested, this,
+          [this](std::uint64_t begin, std::uint64_t end) { savePartByHand(begin, end, {}); });
   connect(m_transport, &TransportBar::endRequested, &m_session, &Session::goToEnd);
   connect(m_transport, &TransportBar::speedRequested, &m_session, &Session::setSpeed);
 }

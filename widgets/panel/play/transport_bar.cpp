@@ -181,8 +181,12 @@ void TransportBar::showMenu(const QPoint& at) {
   QAction* only = menu->addAction(tr("Show only the selection in the trace"), this, [this, span, seconds] {
     Q_EMIT spanRequested(QStringLiteral("t>=%1 and t<%2").arg(seconds(span->begin), seconds(span->end)));
   });
+  QAction* save = menu->addAction(tr("Save the selection…"), this, [this, span] {
+    const FrameStore& frames = m_view.document->frames;
+    Q_EMIT saveRequested(frames.firstAtOrAfter(span->begin), frames.firstAtOrAfter(span->end));
+  });
   QAction* none = menu->addAction(tr("No selection"), this, [this] { m_timeline->select({}); });
-  for (QAction* action : {zoom, only, none}) action->setEnabled(span.has_value());
+  for (QAction* action : {zoom, only, save, none}) action->setEnabled(span && m_view.document);
   menu->addSeparator();
   menu->addAction(tr("The whole log"), m_timeline, &Timeline::fit)->setEnabled(m_timeline->isZoomed());
   // What each mark stands for, and which are drawn.
