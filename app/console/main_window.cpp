@@ -39,6 +39,7 @@
 #include "save_bar.h"
 #include "sending_actions.h"
 #include "status_strip.h"
+#include "status_text.h"
 #include "workspace.h"
 
 namespace deckpipe {
@@ -137,6 +138,7 @@ void MainWindow::connectPanels() {
   connect(m_workspace, &Workspace::frameRequested, this,
           [this](std::uint64_t frame) { m_session.seekFrames(frame + 1); });
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
+  connect(m_workspace, &Workspace::viewShown, this, &MainWindow::offerActions);
   connect(m_workspace, &Workspace::labelsChanged, m_transport, &TransportBar::setLabels);
   m_transport->setLabels(m_workspace->labels());
   connect(m_workspace, &Workspace::labelsEdited, this,
@@ -154,10 +156,10 @@ void MainWindow::connectPanels() {
   connect(m_transport, &TransportBar::stepRequested, &m_session, &Session::step);
   connect(m_transport, &TransportBar::rowStepRequested, m_workspace->trace(), &TracePanel::stepCursor);
   connect(m_transport, &TransportBar::spanRequested, m_workspace->trace(), &TracePanel::setFilter);
-  connect(m_workspace->trace(), &TracePanel::saveRequested, this, &MainWindow::savePartByHand);
-  connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
   connect(m_transport, &TransportBar::saveRequested, this,
           [this](std::uint64_t begin, std::uint64_t end) { savePartByHand(begin, end, {}); });
+  connect(m_workspace->trace(), &TracePanel::saveRequested, this, &MainWindow::savePartByHand);
+  connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
   connect(m_transport, &TransportBar::endRequested, &m_session, &Session::goToEnd);
   connect(m_transport, &TransportBar::speedRequested, &m_session, &Session::setSpeed);
 }
@@ -170,16 +172,16 @@ void MainWindow::showSnapshot() {
 void MainWindow::rememberWhatWasRead() {
   const SourceStatus& source = m_snapshot.source;
   const auto& document = m_snapshot.view.document;
-  if (source.kind != SourceStatus::Kind::File || m_remembered.lock() == document) return;
-  if (m_snapshot.view.frameCount == 0 && source.progress != SourceStatus::Progress::Done) return;
-  m_remembered = document;
-  rememberLog(source.name);
   const bool isUp =
       source.kind == SourceStatus::Kind::Link && source.progress == SourceStatus::Progress::Running;
   if (isUp && !source.simulated && m_remembered.lock() != document) {
     m_remembered = document;
     rememberLink({source.plugin, source.interfaceName, source.bitRate, QDateTime::currentDateTime()});
   }
+  if (source.kind != SourceStatus::Kind::File || m_remembered.lock() == document) return;
+  if (m_snapshot.view.frameCount == 0 && source.progress != SourceStatus::Progress::Done) return;
+  m_remembered = document;
+  rememberLog(source.name);
 }
 
 void MainWindow::setSnapshot(const Snapshot& snapshot) {
@@ -194,8 +196,8 @@ void MainWindow::setSnapshot(const Snapshot& snapshot) {
   m_notice->setNotice(notice.text.isEmpty() ? kept : notice);
   showPage();
   const bool isFile = snapshot.source.kind == SourceStatus::Kind::File;
-  setWindowTitle(isFile ? tr("%1 – Deckpipe").arg(QFileInfo(snapshot.source.name).fileName())
-                        : tr("Deckpipe"));
+  setWindowTitle(view.document == nullptr ? tr("Deckpipe")
+                                          : tr("%1 – Deckpipe").arg(sourceTitle(snapshot.source)));
   setWindowFilePath(isFile ? snapshot.source.name : QString());
   m_workspace->setSnapshot(snapshot);
   m_transport->setView(
@@ -212,13 +214,17 @@ void MainWindow::showPage() {
   QWidget* page = isOpen ? static_cast<QWidget*>(m_workspace) : m_connection->page();
   if (m_extra != nullptr) page = m_extra;
   m_transport->setVisible(isOpen);
-  m_saveAction->setEnabled(isOpen && hasFrames);
-  m_markAction->setEnabled(isOpen && hasFrames);
-  m_helpAction->setEnabled(page == m_workspace);
   if (!isOpen) m_markBar->hide();
-  if (page == m_pages->currentWidget()) return;
+  const bool isOther = page != m_pages->currentWidget();
   m_pages->setCurrentWidget(page);
-  focusNextPane({panes().first()}, false);
+  offerActions();
+  if (isOther) focusNextPane({panes().first()}, false);
+}
+
+// Every pane that finds something by Ctrl+F takes the key before this. From anywhere else it looks in the trace.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Find)) return m_findAction->trigger();
+  QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::showExtra(QWidget* page) {
@@ -306,14 +312,6 @@ void MainWindow::follow(Notice::Action action) {
   if (action == Notice::Action::Reconnect) reconnect();
   if (action == Notice::Action::ShowRecordings) showRecordings();
   if (action == Notice::Action::AddUpTimes) addUpTimes();
-}
-
-void MainWindow::setLook(Theme theme, Density density) {
-  m_theme = theme;
-  m_density = density;
-  QApplication::setStyle(new AppStyle(density, theme));
-  QApplication::setFont(fontFor(density, QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
-  m_settings->setTheme(theme);
   if (action == Notice::Action::ChangeBitRate) chooseBitRate();
 }
 
@@ -333,6 +331,14 @@ void MainWindow::chooseBitRate() {
     action->setChecked(rate == source.bitRate);
   }
   menu->popup(m_notice->mapToGlobal(m_notice->rect().bottomRight() - QPoint(menu->sizeHint().width(), 0)));
+}
+
+void MainWindow::setLook(Theme theme, Density density) {
+  m_theme = theme;
+  m_density = density;
+  QApplication::setStyle(new AppStyle(density, theme));
+  QApplication::setFont(fontFor(density, QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
+  m_settings->setTheme(theme);
   m_settings->setDensity(density);
   m_fieldAction->setChecked(density == Density::Field);
   for (QAction* action : m_themes->actions())

@@ -49,6 +49,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -58,6 +59,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeFileMenu();
   void makeViewMenu();
+  void makeTraceMenu();
   void makeEventsMenu();
   void makeHelpMenu();
   void connectPanels();
@@ -67,6 +69,8 @@ class MainWindow : public QMainWindow {
   void showPage();
   // Settings, about, recordings: in the place of the work until closed. Null: none.
   void showExtra(QWidget* page);
+  // What can be done now.
+  void offerActions();
   QFileDialog* fileDialog(const QString& title, const QStringList& filters);
   void openLogByHand();
   void saveLogByHand();
@@ -79,11 +83,11 @@ class MainWindow : public QMainWindow {
   void saveRecordingByHand(const QString& path);
   void deleteRecordingByHand(const QString& path);
   void follow(Notice::Action action);
+  void chooseBitRate();
   QList<QWidget*> panes() const;
   void saveLayout() const;
   QStringList runningWork() const;
   // A question with a verb, and with a way to leave things as they are, which Enter takes.
-  void chooseBitRate();
   struct Question {
     const char* name;
     QString title, text, verb, otherwise;
@@ -125,10 +129,14 @@ class MainWindow : public QMainWindow {
   TransportBar* m_transport;
   QActionGroup* m_themes = nullptr;
   SendingActions* m_sending = nullptr;
-  QAction* m_saveAction = nullptr;
-  QAction* m_markAction = nullptr;
+  QList<QAction*> m_frameActions;  // want frames
+  QList<QAction*> m_workActions;   // want the work in sight
+  QList<QAction*> m_eventActions;  // … and an event in the list
+  QAction* m_closeAction = nullptr;
+  QAction* m_findAction = nullptr;
+  QAction* m_dialAction = nullptr;
+  QAction* m_traceDeviceAction = nullptr;
   QAction* m_fieldAction = nullptr;
-  QAction* m_helpAction = nullptr;
 };
 
 }  // namespace deckpipe
