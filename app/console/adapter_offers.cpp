@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
+#include <utility>
 
 #include "link/plugins.h"
 #include "notice_of.h"
@@ -82,6 +84,7 @@ AdapterOffer offerOf(const Adapter& adapter, int bitRate, bool isHeard) {
   offer.interfaceName = adapter.interfaceName;
   offer.title = adapter.interfaceName;
   offer.maker = makerLine(adapter);
+  offer.isVirtual = adapter.isVirtual;
   if (adapter.plugin == kSocketCan) {
     describeInterface(offer, adapter, bitRate, isHeard);
   } else if (adapter.isVirtual) {
@@ -104,13 +107,12 @@ AdapterOffers offersOf(const AdapterList& list, int bitRate, bool isSearching,
                        const std::function<bool(const Adapter&)>& isHeard) {
   AdapterOffers offers;
   offers.isSearching = isSearching && list.plugins.isEmpty();
-  // Real buses first, virtual ones last.
-  for (const bool isVirtual : {false, true}) {
-    for (const Adapter& adapter : list.adapters) {
-      if (adapter.isVirtual == isVirtual)
-        offers.adapters.push_back(offerOf(adapter, bitRate, isHeard(adapter)));
-    }
-  }
+  for (const Adapter& adapter : list.adapters)
+    offers.adapters.push_back(offerOf(adapter, bitRate, isHeard(adapter)));
+  // What can be connected to first, then what needs something first; virtual buses last.
+  std::ranges::stable_sort(offers.adapters, {}, [](const AdapterOffer& offer) {
+    return std::pair(offer.isVirtual, !offer.canConnect);
+  });
   QStringList missing;
   bool hasSocketCan = false;
   bool hasInterface = false;

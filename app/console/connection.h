@@ -18,6 +18,8 @@ class Connection : public QObject {
   explicit Connection(QWidget* parent);
 
   ConnectionPage* page() const { return m_page; }
+  // A person chose it, on the page or elsewhere.
+  void keepBitRate(int bitRate);
 
  Q_SIGNALS:
   void linkRequested(const deckpipe::LinkSettings& settings);

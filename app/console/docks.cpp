@@ -57,6 +57,7 @@ constexpr auto makeTerminal = make<TerminalPanel, Wire<&TerminalPanel::intended,
                                    Wire<&TerminalPanel::unlockRequested, &W::unlockRequested>>;
 constexpr auto makeRequests = make<RequestPanel, Wire<&RequestPanel::intended, &W::intended>,
                                    Wire<&RequestPanel::unlockRequested, &W::unlockRequested>,
+                                   Wire<&RequestPanel::unlockForRequested, &W::unlockForRequested>,
                                    Wire<&RequestPanel::frameRequested, &W::frameRequested>>;
 constexpr auto makeSimulator =
     makeApart<SimulatorPanel, Wire<&SimulatorPanel::simulatorIntended, &W::simulatorIntended>>;

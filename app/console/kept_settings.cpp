@@ -19,6 +19,10 @@ const QString kDesk = QStringLiteral("desk"), kField = QStringLiteral("field");
 
 const QString kRecentKey = QStringLiteral("logs/recent");
 
+const QString kLinksKey = QStringLiteral("link/recent"), kPluginKey = QStringLiteral("plugin"),
+              kInterfaceKey = QStringLiteral("interface"), kRateKey = QStringLiteral("bitRate"),
+              kWhenKey = QStringLiteral("when");
+
 const QString kLabelGroup = QStringLiteral("labels");
 
 // A PIN's letters may be any printable sign, also one that parts groups in settings.
@@ -61,6 +65,36 @@ void rememberLog(const QString& path) {
 }
 
 void forgetLogs() { QSettings().remove(kRecentKey); }
+
+QList<KeptLink> recentLinks() {
+  QList<KeptLink> links;
+  QSettings settings;
+  const int count = std::min(settings.beginReadArray(kLinksKey), kMaxRecentLinks);
+  for (int i = 0; i < count; ++i) {
+    settings.setArrayIndex(i);
+    links.append({settings.value(kPluginKey).toString(), settings.value(kInterfaceKey).toString(),
+                  settings.value(kRateKey).toInt(), settings.value(kWhenKey).toDateTime()});
+  }
+  return links;
+}
+
+void rememberLink(const KeptLink& link) {
+  QList<KeptLink> links = recentLinks();
+  links.removeIf([&link](const KeptLink& kept) {
+    return kept.plugin == link.plugin && kept.interfaceName == link.interfaceName &&
+           kept.bitRate == link.bitRate;
+  });
+  links.prepend(link);
+  QSettings settings;
+  settings.beginWriteArray(kLinksKey, static_cast<int>(std::min<qsizetype>(links.size(), kMaxRecentLinks)));
+  for (int i = 0; i < links.size() && i < kMaxRecentLinks; ++i) {
+    settings.setArrayIndex(i);
+    settings.setValue(kPluginKey, links[i].plugin);
+    settings.setValue(kInterfaceKey, links[i].interfaceName);
+    settings.setValue(kRateKey, links[i].bitRate);
+    settings.setValue(kWhenKey, links[i].when);
+  }
+}
 
 DeviceLabels SettingsLabels::read() const {
   DeviceLabels labels;

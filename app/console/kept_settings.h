@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The console keeps three things in its settings beside the layout: how the window looks, by the keys that the
-// command line knows too; the logs that were opened last; the person's own labels.
+// What the console keeps in its settings beside the layout: how the window looks, by the keys that the command line knows
+// too; the logs that were opened and the buses that were connected to last; the person's own labels.
 #pragma once
 
+#include <QDateTime>
+#include <QList>
 #include <QString>
 #include <QStringList>
 #include <optional>
@@ -31,6 +33,18 @@ inline constexpr int kMaxRecentLogs = 10;
 QStringList recentLogs();
 void rememberLog(const QString& path);
 void forgetLogs();
+
+// The buses that were connected to last, newest first, each once.
+struct KeptLink {
+  QString plugin{};
+  QString interfaceName{};
+  int bitRate = 0;  // bit/s; 0: as the interface had it
+  QDateTime when{};
+};
+inline constexpr int kMaxRecentLinks = 4;
+
+QList<KeptLink> recentLinks();
+void rememberLink(const KeptLink& link);
 
 // The person's labels of devices in the program's settings, one key a PIN. MainWindow passes one to the
 // workspace, which reads it at the start and writes it at every edit.

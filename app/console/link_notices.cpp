@@ -128,12 +128,14 @@ Notice runningLink(const Snapshot& snapshot, const BusRates& rates) {
   if (Notice notice = listenOnlyNotice(snapshot); !notice.text.isEmpty()) return notice;
   const Instant heard = std::max(lastFrame(*view.state), upSince(*view.document));
   if (view.atEnd && heard != kNotYet && view.cursor.time - heard >= kSilence) {
-    return {Severity::Warning,
-            NoticeText::tr(
-                "Connected, but nothing heard for %Ln seconds. Check in this order: is the truck's CAN "
-                "powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H "
-                "and CAN-L; CAN-H and CAN-L not swapped.",
-                nullptr, static_cast<int>((view.cursor.time - heard) / 1s))};
+    Notice notice{Severity::Warning,
+                  NoticeText::tr(
+                      "Connected, but nothing heard for %Ln seconds. Check in this order: is the truck's CAN "
+                      "powered; is the bit rate right (J1939 250 kbit/s, gateway 125); 60 ohms between CAN-H "
+                      "and CAN-L; CAN-H and CAN-L not swapped.",
+                      nullptr, static_cast<int>((view.cursor.time - heard) / 1s))};
+    if (!source.simulated) notice.action = Notice::Action::ChangeBitRate;
+    return notice;
   }
   if (view.atEnd) return trafficNotice(snapshot, rates);
   return {};

@@ -3,7 +3,9 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenuBar>
+#include <QStackedWidget>
 #include <QWhatsThis>
+#include <utility>
 
 #include "kept_settings.h"
 #include "main_window.h"
@@ -23,35 +25,42 @@ void MainWindow::makeMenus() {
   makeFileMenu();
   m_menus->addMenu(m_sending->menu());
   m_sending->menu()->addSeparator();
-  addNamed(m_sending->menu(), "askDeviceAction", tr("Ask the chosen &device…"),
-           QKeySequence(Qt::CTRL | Qt::Key_R), m_workspace, &Workspace::showRequests);
+  m_workActions << addNamed(m_sending->menu(), "askDeviceAction", tr("Ask the chosen &device…"),
+                            QKeySequence(Qt::CTRL | Qt::Key_R), m_workspace, &Workspace::showRequests);
   makeViewMenu();
   makeReplayMenu();
+  makeTraceMenu();
   makeEventsMenu();
   makeHelpMenu();
+  // Why something cannot be done now stands in its tip.
+  for (QMenu* menu : m_menus->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
+  m_sending->menu()->setToolTipsVisible(true);
 }
 
 void MainWindow::makeFileMenu() {
   QMenu* menu = m_menus->addMenu(tr("&File"));
   addNamed(menu, "openLogAction", tr("&Open log…"), QKeySequence::Open, this, &MainWindow::openLogByHand);
-  m_saveAction = addNamed(menu, "saveLogAction", tr("&Save log as…"), QKeySequence::Save, this,
-                          &MainWindow::saveLogByHand);
+  m_frameActions << addNamed(menu, "saveLogAction", tr("&Save log as…"), QKeySequence::Save, this,
+                             &MainWindow::saveLogByHand);
   TracePanel* trace = m_workspace->trace();
   QAction* selection = addNamed(menu, "saveSelectionAction", tr("Save the trace's se&lection…"), trace,
                                 &TracePanel::saveSelection);
   QAction* shown = addNamed(menu, "saveShownAction", tr("Save all that &passes the trace's filter…"), trace,
                             &TracePanel::saveShown);
   connect(menu, &QMenu::aboutToShow, this, [this, trace, selection, shown] {
-    selection->setEnabled(m_saveAction->isEnabled() && trace->hasSelection());
-    shown->setEnabled(m_saveAction->isEnabled() && trace->isFiltered());
+    const QString none = m_frameActions.first()->isEnabled() ? QString() : tr("There are no frames.");
+    offer(*selection,
+          !none.isEmpty() || trace->hasSelection() ? none : tr("No rows of the trace are selected."));
+    offer(*shown, !none.isEmpty() || trace->isFiltered() ? none : tr("The trace has no filter."));
   });
   addNamed(menu, "recordingsAction", tr("&Recordings"), this, &MainWindow::showRecordings);
   menu->addSeparator();
-  m_markAction = addNamed(menu, "markAction", tr("&Mark this place…"), QKeySequence(Qt::CTRL | Qt::Key_M),
-                          this, [this] { m_markBar->open(m_snapshot.view); });
+  m_frameActions << addNamed(menu, "markAction", tr("&Mark this place…"), QKeySequence(Qt::CTRL | Qt::Key_M),
+                             this, [this] { m_markBar->open(m_snapshot.view); });
   menu->addSeparator();
   addNamed(menu, "demoAction", tr("Start the simulated &truck"), this, &MainWindow::openDemo);
-  addNamed(menu, "closeAction", tr("&Close"), QKeySequence::Close, this, &MainWindow::closeSource);
+  m_closeAction =
+      addNamed(menu, "closeAction", tr("&Close"), QKeySequence::Close, this, &MainWindow::closeSource);
   menu->addSeparator();
   addNamed(menu, "quitAction", tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 }
@@ -73,17 +82,17 @@ void MainWindow::makeViewMenu() {
   m_fieldAction->setCheckable(true);
   menu->addSeparator();
   menu->addActions(m_workspace->dockActions());
+  m_workActions << m_workspace->dockActions();
   menu->addSeparator();
-  addNamed(menu, "fullDialAction", tr("Large &dial"), QKeySequence(Qt::Key_F11), m_workspace,
-           &Workspace::toggleFullDial);
-  addNamed(menu, "traceDeviceAction", tr("Only &this device in the trace"),
-           QKeySequence(Qt::CTRL | Qt::Key_T), m_workspace, &Workspace::traceDevice);
+  m_dialAction = addNamed(menu, "fullDialAction", tr("Large &dial"), QKeySequence(Qt::Key_F11), m_workspace,
+                          &Workspace::toggleFullDial);
   menu->addSeparator();
   addNamed(menu, "nextPaneAction", tr("&Next pane"), QKeySequence(Qt::Key_F6), this,
            [this] { focusNextPane(panes(), false); });
   addNamed(menu, "previousPaneAction", tr("&Previous pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), this,
            [this] { focusNextPane(panes(), true); });
-  addNamed(menu, "resetLayoutAction", tr("&Reset layout"), m_workspace, &Workspace::resetLayout);
+  m_workActions << addNamed(menu, "resetLayoutAction", tr("&Reset layout"), m_workspace,
+                            &Workspace::resetLayout);
   menu->addSeparator();
   addNamed(menu, "settingsAction", tr("S&ettings"), QKeySequence(Qt::CTRL | Qt::Key_Comma), this,
            [this] { showExtra(m_settings); });
@@ -118,21 +127,54 @@ void MainWindow::makeReplayMenu() {
   connect(menu, &QMenu::aboutToHide, this, [this, loop] { loop->setEnabled(m_replay->isEnabled()); });
 }
 
+void MainWindow::makeTraceMenu() {
+  QMenu* menu = m_menus->addMenu(tr("&Trace"));
+  m_findAction =
+      addNamed(menu, "findAction", tr("&Find…"), QKeySequence::Find, m_workspace, &Workspace::findInTrace);
+  // Written here; other panes have the same key for what they find.
+  m_findAction->setShortcutContext(Qt::WidgetShortcut);
+  m_workActions << m_findAction
+                << addNamed(menu, "filterAction", tr("Show &only…"),
+                            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F), m_workspace,
+                            &Workspace::filterTrace);
+  m_traceDeviceAction = addNamed(menu, "traceDeviceAction", tr("Only &this device"),
+                                 QKeySequence(Qt::CTRL | Qt::Key_T), m_workspace, &Workspace::traceDevice);
+}
+
 void MainWindow::makeEventsMenu() {
   QMenu* menu = m_menus->addMenu(tr("&Events"));
   EventPanel* events = m_workspace->events();
-  addNamed(menu, "nextEventAction", tr("&Next event"), QKeySequence(Qt::Key_F8), events,
-           &EventPanel::goToNext);
-  addNamed(menu, "previousEventAction", tr("&Previous event"), QKeySequence(Qt::SHIFT | Qt::Key_F8), events,
-           &EventPanel::goToPrevious);
-  addNamed(menu, "beforeEventAction", tr("&Five seconds before this event"), QKeySequence(Qt::Key_F9), events,
-           &EventPanel::goBefore);
+  m_eventActions << addNamed(menu, "nextEventAction", tr("&Next event"), QKeySequence(Qt::Key_F8), events,
+                             &EventPanel::goToNext)
+                 << addNamed(menu, "previousEventAction", tr("&Previous event"),
+                             QKeySequence(Qt::SHIFT | Qt::Key_F8), events, &EventPanel::goToPrevious)
+                 << addNamed(menu, "beforeEventAction", tr("&Five seconds before this event"),
+                             QKeySequence(Qt::Key_F9), events, &EventPanel::goBefore);
+}
+
+void MainWindow::offerActions() {
+  const bool isWorkSeen = m_pages->currentWidget() == m_workspace;
+  const QString noFrames = m_snapshot.view.frameCount > 0 ? QString() : tr("There are no frames.");
+  for (QAction* action : std::as_const(m_frameActions)) offer(*action, noFrames);
+  const bool isOpen = m_snapshot.view.document != nullptr;
+  offer(*m_closeAction, isOpen ? QString() : tr("Nothing is open."));
+  const QString notSeen = isWorkSeen ? QString()
+                          : isOpen   ? tr("Another page is in the place of the work.")
+                                     : tr("Nothing is open.");
+  for (QAction* action : std::as_const(m_workActions)) offer(*action, notSeen);
+  const auto ifSeen = [&](QAction* action, bool canBe, const QString& whyNot) {
+    offer(*action, !notSeen.isEmpty() || canBe ? notSeen : whyNot);
+  };
+  ifSeen(m_dialAction, m_workspace->hasDial(), tr("The chosen device has no dial."));
+  ifSeen(m_traceDeviceAction, m_workspace->canTraceDevice(), tr("No device with an address is chosen."));
+  for (QAction* action : std::as_const(m_eventActions))
+    ifSeen(action, m_workspace->events()->hasEvents(), tr("Nothing happened so far."));
 }
 
 void MainWindow::makeHelpMenu() {
   QMenu* menu = m_menus->addMenu(tr("&Help"));
-  m_helpAction = addNamed(menu, "explainAction", tr("&Explain what has the focus"),
-                          QKeySequence::HelpContents, m_workspace, &Workspace::showHelp);
+  m_workActions << addNamed(menu, "explainAction", tr("&Explain what has the focus"),
+                            QKeySequence::HelpContents, m_workspace, &Workspace::showHelp);
   QAction* pointed = QWhatsThis::createAction(this);  // Shift+F1, then a click
   pointed->setText(tr("Explain what is &pointed at"));
   pointed->setIcon({});

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -27,6 +28,7 @@
 #include "panel/common/about_page.h"
 #include "panel/common/build.h"
 #include "panel/common/settings_page.h"
+#include "panel/connect/bit_rates.h"
 #include "panel/connect/connection_page.h"
 #include "panel/connect/recordings_page.h"
 #include "panel/play/transport_bar.h"
@@ -37,6 +39,7 @@
 #include "save_bar.h"
 #include "sending_actions.h"
 #include "status_strip.h"
+#include "status_text.h"
 #include "workspace.h"
 
 namespace deckpipe {
@@ -139,6 +142,7 @@ void MainWindow::connectPanels() {
   connect(m_workspace, &Workspace::frameRequested, this,
           [this](std::uint64_t frame) { m_session.seekFrames(frame + 1); });
   connect(m_workspace, &Workspace::seekRequested, &m_session, &Session::seek);
+  connect(m_workspace, &Workspace::viewShown, this, &MainWindow::offerActions);
   connect(m_workspace, &Workspace::labelsChanged, m_transport, &TransportBar::setLabels);
   m_transport->setLabels(m_workspace->labels());
   connect(m_workspace, &Workspace::labelsEdited, this,
@@ -146,7 +150,8 @@ void MainWindow::connectPanels() {
   m_session.setLabels(byPin(m_labels.read()));
   connect(m_status, &StatusStrip::lockToggled, m_sending, &SendingActions::toggleLock);
   connect(m_workspace, &Workspace::intended, m_sending, &SendingActions::intent);
-  connect(m_workspace, &Workspace::unlockRequested, m_sending, &SendingActions::askToUnlock);
+  connect(m_workspace, &Workspace::unlockRequested, m_sending, [this] { m_sending->askToUnlock(); });
+  connect(m_workspace, &Workspace::unlockForRequested, m_sending, &SendingActions::askToUnlock);
   connect(m_workspace, &Workspace::simulatorIntended, &m_session, &Session::intendForSimulator);
   connect(&m_session, &Session::simulatorChanged, m_workspace, &Workspace::setSimulator);
   connect(m_transport, &TransportBar::playRequested, &m_session, &Session::play);
@@ -155,6 +160,8 @@ void MainWindow::connectPanels() {
   connect(m_transport, &TransportBar::stepRequested, &m_session, &Session::step);
   connect(m_transport, &TransportBar::rowStepRequested, m_workspace->trace(), &TracePanel::stepCursor);
   connect(m_transport, &TransportBar::spanRequested, m_workspace->trace(), &TracePanel::setFilter);
+  connect(m_transport, &TransportBar::saveRequested, this,
+          [this](std::uint64_t begin, std::uint64_t end) { savePartByHand(begin, end, {}); });
   connect(m_workspace->trace(), &TracePanel::saveRequested, this, &MainWindow::savePartByHand);
   connect(m_workspace->trace(), &TracePanel::filteredChanged, m_transport, &TransportBar::setFiltered);
   connect(m_transport, &TransportBar::endRequested, &m_session, &Session::goToEnd);
@@ -174,6 +181,12 @@ void MainWindow::showSnapshot() {
 void MainWindow::rememberWhatWasRead() {
   const SourceStatus& source = m_snapshot.source;
   const auto& document = m_snapshot.view.document;
+  const bool isUp =
+      source.kind == SourceStatus::Kind::Link && source.progress == SourceStatus::Progress::Running;
+  if (isUp && !source.simulated && m_remembered.lock() != document) {
+    m_remembered = document;
+    rememberLink({source.plugin, source.interfaceName, source.bitRate, QDateTime::currentDateTime()});
+  }
   if (source.kind != SourceStatus::Kind::File || m_remembered.lock() == document) return;
   if (m_snapshot.view.frameCount == 0 && source.progress != SourceStatus::Progress::Done) return;
   m_remembered = document;
@@ -192,8 +205,8 @@ void MainWindow::setSnapshot(const Snapshot& snapshot) {
   m_notice->setNotice(notice.text.isEmpty() ? kept : notice);
   showPage();
   const bool isFile = snapshot.source.kind == SourceStatus::Kind::File;
-  setWindowTitle(isFile ? tr("%1 – Deckpipe").arg(QFileInfo(snapshot.source.name).fileName())
-                        : tr("Deckpipe"));
+  setWindowTitle(view.document == nullptr ? tr("Deckpipe")
+                                          : tr("%1 – Deckpipe").arg(sourceTitle(snapshot.source)));
   setWindowFilePath(isFile ? snapshot.source.name : QString());
   m_workspace->setSnapshot(snapshot);
   const bool isLive = snapshot.source.kind == SourceStatus::Kind::Link;
@@ -214,14 +227,18 @@ void MainWindow::showPage() {
   QWidget* page = isOpen ? static_cast<QWidget*>(m_workspace) : m_connection->page();
   if (m_extra != nullptr) page = m_extra;
   m_transport->setVisible(isOpen);
-  m_saveAction->setEnabled(isOpen && hasFrames);
-  m_markAction->setEnabled(isOpen && hasFrames);
   m_replay->setEnabled(isOpen && hasFrames);
-  m_helpAction->setEnabled(page == m_workspace);
   if (!isOpen) m_markBar->hide();
-  if (page == m_pages->currentWidget()) return;
+  const bool isOther = page != m_pages->currentWidget();
   m_pages->setCurrentWidget(page);
-  focusNextPane({panes().first()}, false);
+  offerActions();
+  if (isOther) focusNextPane({panes().first()}, false);
+}
+
+// Every pane that finds something by Ctrl+F takes the key before this. From anywhere else it looks in the trace.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Find)) return m_findAction->trigger();
+  QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::showExtra(QWidget* page) {
@@ -311,6 +328,25 @@ void MainWindow::follow(Notice::Action action) {
   if (action == Notice::Action::Reconnect) reconnect();
   if (action == Notice::Action::ShowRecordings) showRecordings();
   if (action == Notice::Action::AddUpTimes) addUpTimes();
+  if (action == Notice::Action::ChangeBitRate) chooseBitRate();
+}
+
+// Connects to the same bus at another rate.
+void MainWindow::chooseBitRate() {
+  const SourceStatus& source = m_snapshot.source;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("bitRateMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const int rate : offeredBitRates()) {
+    QAction* action = menu->addAction(bitRateText(rate), this,
+                                      [this, rate, plugin = source.plugin, name = source.interfaceName] {
+                                        m_connection->keepBitRate(rate);
+                                        openLink({plugin, name, rate, {}});
+                                      });
+    action->setCheckable(true);
+    action->setChecked(rate == source.bitRate);
+  }
+  menu->popup(m_notice->mapToGlobal(m_notice->rect().bottomRight() - QPoint(menu->sizeHint().width(), 0)));
 }
 
 void MainWindow::setLook(Theme theme, Density density) {

@@ -50,6 +50,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -60,6 +61,7 @@ class MainWindow : public QMainWindow {
   void makeFileMenu();
   void makeViewMenu();
   void makeReplayMenu();
+  void makeTraceMenu();
   void makeEventsMenu();
   void makeHelpMenu();
   void connectPanels();
@@ -69,6 +71,8 @@ class MainWindow : public QMainWindow {
   void showPage();
   // Settings, about, recordings: in the place of the work until closed. Null: none.
   void showExtra(QWidget* page);
+  // What can be done now.
+  void offerActions();
   QFileDialog* fileDialog(const QString& title, const QStringList& filters);
   void openLogByHand();
   void saveLogByHand();
@@ -81,6 +85,7 @@ class MainWindow : public QMainWindow {
   void saveRecordingByHand(const QString& path);
   void deleteRecordingByHand(const QString& path);
   void follow(Notice::Action action);
+  void chooseBitRate();
   QList<QWidget*> panes() const;
   void saveLayout() const;
   QStringList runningWork() const;
@@ -128,10 +133,14 @@ class MainWindow : public QMainWindow {
   QActionGroup* m_themes = nullptr;
   QActionGroup* m_replay = nullptr;  // all that moves the cursor of a log
   SendingActions* m_sending = nullptr;
-  QAction* m_saveAction = nullptr;
-  QAction* m_markAction = nullptr;
+  QList<QAction*> m_frameActions;  // want frames
+  QList<QAction*> m_workActions;   // want the work in sight
+  QList<QAction*> m_eventActions;  // … and an event in the list
+  QAction* m_closeAction = nullptr;
+  QAction* m_findAction = nullptr;
+  QAction* m_dialAction = nullptr;
+  QAction* m_traceDeviceAction = nullptr;
   QAction* m_fieldAction = nullptr;
-  QAction* m_helpAction = nullptr;
 };
 
 }  // namespace deckpipe

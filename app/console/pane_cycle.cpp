@@ -34,6 +34,7 @@ void focusNextPane(const QList<QWidget*>& panes, bool backwards) {
     QWidget* target = firstFocus(panes[((here + tried * step) % count + count) % count]);
     if (target == nullptr) continue;
     target->setFocus(Qt::TabFocusReason);
+    target->window()->setAttribute(Qt::WA_KeyboardFocusChange);  // its ring is drawn, whichever key it was
     return;
   }
 }

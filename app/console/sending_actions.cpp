@@ -11,6 +11,7 @@
 #include "panel/common/danger_dialog.h"
 #include "protocol/address_use.h"
 #include "protocol/name.h"
+#include "text/service_text.h"
 
 namespace deckpipe {
 namespace {
@@ -34,13 +35,13 @@ SendingActions::SendingActions(Session& session, QWidget* window)
   m_menu->addSeparator();
   m_names = addNamed(m_menu, "askNamesAction", tr("Ask who is &there"), this,
                      [this] { intent(intent::RequestNames{}); });
-  m_names->setToolTip(tr("A request for the NAME to everyone (PGN 60928)"));
+  m_names->setWhatsThis(tr("A request for the NAME to everyone (PGN 60928)"));
   m_everyone = addNamed(m_menu, "askEveryoneAction", tr("&Ask every device"), this, [this] {
     intent(intent::SendRequests{{}, kPolls});
   });
   m_stop = addNamed(m_menu, "stopAskingAction", tr("&Give up all that is asked"), this,
                     [this] { intent(intent::Cancel{}); });
-  m_stop->setToolTip(tr("Ends every poll of every device, repeated ones too"));
+  m_stop->setWhatsThis(tr("Ends every poll of every device, repeated ones too"));
   m_endRepeats = addNamed(m_menu, "endRepeatsAction", QString(), this, [this] {
     intent(intent::Repeat{{}, kPolls, Duration{0}});
   });
@@ -52,13 +53,24 @@ void SendingActions::setSnapshot(const Snapshot& snapshot) {
   const bool isLive = snapshot.source.kind == SourceStatus::Kind::Link;
   m_isLocked = services.locked;
   m_lock->setText(m_isLocked ? tr("&Unlock sending…") : tr("&Lock sending"));
-  m_lock->setEnabled(isLive && (!m_isLocked || (snapshot.view.atEnd && services.linkUp)));
-  m_names->setEnabled(isLive && snapshot.view.atEnd && !m_isLocked && services.linkUp);
-  m_everyone->setEnabled(isLive && snapshot.view.atEnd && services.canRequest());
-  m_stop->setEnabled(isLive && services.canRequest());
+  const QString noLink = isLive ? QString() : tr("No link is open.");
+  const QString past = !noLink.isEmpty()     ? noLink
+                       : snapshot.view.atEnd ? QString()
+                                             : refusalText(Refusal::NotLive);
+  const QString down = !past.isEmpty() ? past : services.linkUp ? QString() : refusalText(Refusal::NoLink);
+  const QString locked = !down.isEmpty() ? down : m_isLocked ? refusalText(Refusal::Locked) : QString();
+  const QString mute = !locked.isEmpty() || services.canRequest() ? locked : refusalText(Refusal::NoAddress);
+  offer(*m_lock, m_isLocked ? down : noLink);
+  offer(*m_names, locked);
+  offer(*m_everyone, mute);
+  const bool isAsking = std::ranges::any_of(services.devices, [](const DeviceServices& device) {
+    return device.longestPeriod() > 0ns ||
+           std::ranges::any_of(device.requests, [](const RequestStatus& status) { return status.isOpen(); });
+  });
+  offer(*m_stop, isAsking ? noLink : tr("Nothing is asked at the moment."));
   const auto repeated = std::ranges::count_if(
       services.devices, [](const DeviceServices& device) { return device.longestPeriod() > 0ns; });
-  m_endRepeats->setEnabled(repeated > 0);
+  offer(*m_endRepeats, repeated > 0 ? QString() : tr("No poll is repeated."));
   m_endRepeats->setText(
       repeated == 0 ? tr("&End repeated polls")
                     : tr("&End the repeated polls of %n devices", nullptr, static_cast<int>(repeated)));
@@ -68,7 +80,7 @@ void SendingActions::intent(const Intent& intent) { m_session.intend(intent); }
 
 void SendingActions::lock() { m_session.intend(intent::Lock{}); }
 
-void SendingActions::askToUnlock() {
+void SendingActions::askToUnlock(const std::function<void()>& then) {
   const SourceStatus& source = m_session.snapshot().source;
   // Is refused; the notice says why and what to do.
   if (source.isListenOnly) return intent(intent::Unlock{});
@@ -81,7 +93,10 @@ void SendingActions::askToUnlock() {
           "for. It stays unlocked until you lock it or close the link.")
            .arg(where),
        tr("Unlock"), tr("Keep locked")},
-      [this] { intent(intent::Unlock{}); });
+      [this, then] {
+        intent(intent::Unlock{});
+        if (then) then();
+      });
 }
 
 ClaimSettings claimSettings() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 #include "session/session.h"
 
@@ -25,8 +26,8 @@ class SendingActions : public QObject {
 
  public Q_SLOTS:
   void intent(const deckpipe::Intent& intent);
-  // Unlocking is a deliberate act: it asks once. Locking is not.
-  void askToUnlock();
+  // Unlocking is a deliberate act: it asks once. Locking is not. `then` is called where the person unlocks.
+  void askToUnlock(const std::function<void()>& then = {});
   void lock();
   void toggleLock() { m_isLocked ? askToUnlock() : lock(); }
 

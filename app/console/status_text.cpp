@@ -23,12 +23,6 @@ QString sourceName(const SourceStatus& source) {
   return source.interfaceName;
 }
 
-// Where the frames come from, with its rate.
-QString sourceTitle(const SourceStatus& source) {
-  if (source.kind != From::Link || source.bitRate == 0) return sourceName(source);
-  return StatusText::tr("%1 · %2 kbit/s").arg(sourceName(source)).arg(source.bitRate / 1000);
-}
-
 QString deviceName(const DeviceKey& device) {
   return device.kind == DeviceKey::Kind::Pin ? pinText(device.pin)
                                              : StatusText::tr("address %1").arg(addressText(device.address));
@@ -137,6 +131,11 @@ QString linkErrorWords(const LinkError& error) {
 }
 
 }  // namespace
+
+QString sourceTitle(const SourceStatus& source) {
+  if (source.kind != From::Link || source.bitRate == 0) return sourceName(source);
+  return StatusText::tr("%1 · %2 kbit/s").arg(sourceName(source)).arg(source.bitRate / 1000);
+}
 
 QString sourceErrorText(const SourceError& error) {
   return std::visit(

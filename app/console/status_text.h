@@ -22,6 +22,8 @@ struct StatusFact {
 // The sentence for an error, with the system's own words where it has any; empty if there is no error.
 QString sourceErrorText(const SourceError& error);
 QString unkeptMarksText(const UnkeptMarks& marks);
+// Where the frames come from: "can0 · 250 kbit/s", "Simulated truck", "truck.log".
+QString sourceTitle(const SourceStatus& source);
 StatusFact sourceFact(const SourceStatus& source);
 StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);
 StatusFact rateFact(const BusRates& rates);

@@ -69,6 +69,7 @@ void Workspace::showView() {
   m_view.name = nameOf(m_view.device);
   for (const Dock& dock : m_docks) dock.panel.show(m_view);
   for (const Panel& page : m_pages) page.show(m_view);
+  Q_EMIT viewShown();
 }
 
 void Workspace::selectDevice(const DeviceKey& key) {
@@ -120,10 +121,21 @@ void Workspace::traceDevice() {
   show(dock(kTraceDock));
 }
 
-void Workspace::showRequests() {
-  show(dock(kRequestsDock));
-  focusNextPane({dock(kRequestsDock).dock}, false);
+bool Workspace::hasDial() const { return m_page->hasDial(); }
+
+bool Workspace::canTraceDevice() const { return !m_page->traceFilter().isEmpty(); }
+
+void Workspace::findInTrace() {
+  show(dock(kTraceDock));
+  m_trace->find();
 }
+
+void Workspace::filterTrace() {
+  show(dock(kTraceDock));
+  m_trace->goToFilter();
+}
+
+void Workspace::showRequests() { open(dock(kRequestsDock)); }
 
 void Workspace::showDetail() { show(dock(kDecodeDock)); }
 

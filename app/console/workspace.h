@@ -47,6 +47,12 @@ class Workspace : public QMainWindow {
   // A small screen's: what stands in a smaller place is squeezed, the window never grows for it.
   QSize minimumSizeHint() const override { return {640, 240}; }
   void resetLayout();
+  bool hasDial() const;
+  // Whether the trace can be filtered down to the chosen device.
+  bool canTraceDevice() const;
+  // Open the trace: to look for a frame in it, or at the line of its filter.
+  void findInTrace();
+  void filterTrace();
   // The chosen device's dial over the whole window, and back.
   void toggleFullDial();
   // Opens the dock where the chosen device is asked.
@@ -64,7 +70,10 @@ class Workspace : public QMainWindow {
   void seekRequested(deckpipe::Instant time);
   void intended(const deckpipe::Intent& intent);
   void unlockRequested();
+  void unlockForRequested(const std::function<void()>& then);
   void simulatorIntended(const deckpipe::SimulatorIntent& intent);
+  // Every panel shows what is chosen now.
+  void viewShown();
   void labelsChanged(const deckpipe::DeviceLabels& labels);
   // The person's own, after an edit.
   void labelsEdited(const deckpipe::DeviceLabels& labels);
@@ -100,6 +109,7 @@ class Workspace : public QMainWindow {
   Dock makeDock(const DockRow& row);
   const Dock& dock(const char* id) const;
   void show(const Dock& dock);
+  void open(const Dock& dock);
   void arrange();
   void shareRoom();
   // How the docks stand, in a workspace of which size.

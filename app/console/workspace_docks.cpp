@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "dock_frame.h"
+#include "pane_cycle.h"
 #include "panel/common/dock_title.h"
 #include "workspace.h"
 
@@ -37,13 +38,12 @@ Workspace::Dock Workspace::makeDock(const DockRow& row) {
   action->setShortcut(QKeySequence(QLatin1String(row.shortcut)));
   action->setCheckable(true);
   connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
-  connect(action, &QAction::triggered, dock, [dock](bool isOn) {
-    if (!isOn) {
-      dock->close();
-      return;
+  connect(action, &QAction::triggered, dock, [this, id = row.id](bool isOn) {
+    if (isOn) {
+      open(this->dock(id));
+    } else {
+      this->dock(id).dock->close();
     }
-    dock->show();
-    dock->raise();
   });
   return {&row, dock, new DockTitle(dock), action, panel};
 }
@@ -56,6 +56,12 @@ const Workspace::Dock& Workspace::dock(const char* id) const {
 void Workspace::show(const Dock& dock) {
   dock.dock->show();
   dock.dock->raise();
+}
+
+// A person opens it to work in it.
+void Workspace::open(const Dock& dock) {
+  show(dock);
+  focusNextPane({dock.dock}, false);
 }
 
 void Workspace::arrange() {

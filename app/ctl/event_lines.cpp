@@ -76,7 +76,8 @@ constexpr const char* kNotesHelp =
     "unlocked, own_address (reason),\n"
     "drive_said, drive_unsaid, asked (ask), ask_ended (ask, end), ask_waits (ask), still_waits (frames), "
     "pipe (file),\n"
-    "left_out (frames, reason), label (text), filtered (text)";
+    "left_out (frames, reason), label (text), filtered (text),\n"
+    "angles_before (ask, rotation_deg, elevation_deg: where it stood before a command)";
 
 std::string faultKey(std::int64_t bit) {
   const auto found =
@@ -204,6 +205,10 @@ std::string detailText(const NoteValue& value) {
         if constexpr (requires { n.text; }) say(n.text.str());
         if constexpr (requires { n.adapter; }) say(n.adapter.str());
         if constexpr (requires { n.request; }) say(requestWord(n.request));
+        if constexpr (requires { n.rotation; }) {
+          if (n.rotation.tenths) say("rotation " + tenthsText(*n.rotation.tenths));
+          if (n.elevation.tenths) say("elevation " + tenthsText(*n.elevation.tenths));
+        }
         if constexpr (requires { n.end; }) say(spoken(endWord(n.request, n.end)));
         if constexpr (requires { n.count; }) say(framesText(n.count));
         if constexpr (requires { n.why; }) say(spoken(leftOutWord(n.why)));
@@ -335,6 +340,9 @@ void addNoteFields(JsonLine& line, const NoteValue& value) {
   const auto addText = [&line](const char* key, const NoteText& text) {
     if (!text.isEmpty()) line.add(key, text.str());
   };
+  const auto addAngle = [&line](const char* key, const note::NotedAngle& angle) {
+    line.addJson(key, angle.tenths ? tenthsText(*angle.tenths) : "null");
+  };
   std::visit(
       [&](const auto& n) {
         if constexpr (requires { n.text; }) line.add("text", n.text.str());
@@ -346,6 +354,10 @@ void addNoteFields(JsonLine& line, const NoteValue& value) {
         if constexpr (requires { n.words; }) addText("words", n.words);
         if constexpr (requires { n.how; }) line.add("reason", ownAddressWord(n.how));
         if constexpr (requires { n.request; }) line.add("ask", requestWord(n.request));
+        if constexpr (requires { n.rotation; }) {
+          addAngle("rotation_deg", n.rotation);
+          addAngle("elevation_deg", n.elevation);
+        }
         if constexpr (requires { n.end; }) line.add("end", endWord(n.request, n.end));
         if constexpr (requires { n.file; }) addText("file", n.file);
         if constexpr (requires { n.count; }) line.add("frames", n.count);

@@ -27,7 +27,7 @@ enum class Refusal : std::uint8_t {
   TooMuch,     // more characters than may wait
   NotLive,     // the view stood in the past; nothing is begun from there
   LogFull,     // what would be sent could not be recorded
-  NotHeard,    // a command or packet to a device that was not heard for 1 s
+  NotHeard,    // a command or packet to a device that was not heard for kHeardWithin
   Contested,   // … or whose address two nodes claim at this moment
   ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
   Disputed,    // a command or packet while another node sends from our address: its acks would look like ours
@@ -35,6 +35,9 @@ enum class Refusal : std::uint8_t {
 };
 template <>
 inline constexpr Refusal kLastOf<Refusal> = Refusal::FormerPin;
+
+// A device that was silent for longer may be gone, or hear nothing: no command and no packet goes to it.
+inline constexpr Duration kHeardWithin = 1s;
 
 struct ClaimStatus {
   enum class Progress : std::uint8_t {

@@ -37,6 +37,7 @@ Severity noteWeight(const NoteValue& value) {
                                return isMeant ? Severity::Plain : Severity::Warning;
                              },
                              [](const note::Asked&) { return Severity::Plain; },
+                             [](const note::AnglesBefore&) { return Severity::Plain; },
                              [](const note::RequestEnded& n) {
                                return n.end == RequestEnd::Answered ? Severity::Plain : Severity::Warning;
                              },

@@ -121,6 +121,21 @@ struct RequestWaits {
   Request request = Request::Fault;
   friend bool operator==(const RequestWaits&, const RequestWaits&) = default;
 };
+// An angle in 0.1 degree, right and up positive; nothing where none held.
+struct NotedAngle {
+  std::optional<std::int16_t> tenths;
+  friend bool operator==(const NotedAngle&, const NotedAngle&) = default;
+};
+// Where a device stood by its own last report when a command was handed over that changes it. Left out where no angle
+// held.
+struct AnglesBefore {
+  Channel channel;
+  Address address;
+  Pin pin;  // null where the device has none
+  Request request = Request::ZeroAxes;
+  NotedAngle rotation, elevation;
+  friend bool operator==(const AnglesBefore&, const AnglesBefore&) = default;
+};
 // At a lock, a close or the loss of an address so many frames of ours were not on the bus yet.
 struct StillWaits {
   Channel channel;
@@ -175,10 +190,10 @@ inline constexpr note::OwnAddress::How kLastOf<note::OwnAddress::How> = note::Ow
 template <>
 inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::CanXl;
 
-using NoteValue =
-    std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
-                 note::DriveSaid, note::OwnAddress, note::Asked, note::RequestEnded, note::RequestWaits,
-                 note::StillWaits, note::Pipe, note::LeftOut, note::Label, note::Added, note::Filtered>;
+using NoteValue = std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked,
+                               note::Unlocked, note::DriveSaid, note::OwnAddress, note::Asked,
+                               note::RequestEnded, note::RequestWaits, note::StillWaits, note::Pipe,
+                               note::LeftOut, note::Label, note::Added, note::Filtered, note::AnglesBefore>;
 
 struct Note {
   std::uint64_t frame = 0;  // stands before this frame; the store's count where it is the last thing so far

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "log/note_codec.h"
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -10,6 +11,9 @@
 
 namespace deckpipe {
 namespace {
+
+// What stands in the place of an angle that is not known.
+constexpr std::int16_t kNoAngle = std::numeric_limits<std::int16_t>::min();
 
 class NoteWriter {
  public:
@@ -29,6 +33,9 @@ class NoteWriter {
   void put(Address address) { put(address.value); }
   void put(const Pin& pin) { putText(pin.text()); }
   void put(const NoteText& text) { putText(text.str()); }
+  void put(const note::NotedAngle& angle) {
+    put(static_cast<std::uint16_t>(angle.tenths.value_or(kNoAngle)));
+  }
 
  private:
   void putText(std::string_view text) {
@@ -64,6 +71,11 @@ class Reader : public layouts::FieldReader<Reader> {
   }
   void take(Address& address) { take(address.value); }
   void take(NoteText& text) { text = takeText(); }
+  void take(note::NotedAngle& angle) {
+    std::uint16_t tenths = 0;
+    take(tenths);
+    if (const auto number = static_cast<std::int16_t>(tenths); number != kNoAngle) angle.tenths = number;
+  }
   std::string takeText() {
     std::uint8_t length = 0;
     take(length);

@@ -117,6 +117,12 @@ template <>
 inline constexpr auto kLayout<note::Added> = layout(16, "added", field("count", &note::Added::count));
 template <>
 inline constexpr auto kLayout<note::Filtered> = layout(17, "filtered", field("text", &note::Filtered::text));
+template <>
+inline constexpr auto kLayout<note::AnglesBefore> =
+    layout(18, "angles_before", field("channel", &note::AnglesBefore::channel),
+           field("address", &note::AnglesBefore::address), field("pin", &note::AnglesBefore::pin),
+           field("ask", &note::AnglesBefore::request), field("rotation", &note::AnglesBefore::rotation),
+           field("elevation", &note::AnglesBefore::elevation));
 
 namespace checks {
 

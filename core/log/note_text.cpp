@@ -9,6 +9,8 @@
 namespace deckpipe {
 namespace {
 
+// In the place of an angle that is not known.
+constexpr std::string_view kNoAngle = "none";
 constexpr std::string_view kHexDigits = "0123456789ABCDEF";
 
 class TextWriter {
@@ -30,6 +32,9 @@ class TextWriter {
   }
   void put(const Pin& pin) { putQuoted(pin.text()); }
   void put(const NoteText& text) { putQuoted(text.str()); }
+  void put(const note::NotedAngle& angle) {
+    m_out += angle.tenths ? std::to_string(*angle.tenths) : std::string(kNoAngle);
+  }
 
  private:
   // Control characters would end the line or hide; '\' and '"' would end the text.
@@ -65,6 +70,10 @@ class TextReader : public layouts::FieldReader<TextReader> {
     std::string words = takeText();
     if (words.size() > NoteText::kMaxBytes) m_isDamaged = true;
     text = std::move(words);
+  }
+  void take(note::NotedAngle& angle) {
+    if (m_text.starts_with(kNoAngle)) return takeWord(kNoAngle);
+    takeNumber(angle.tenths.emplace());
   }
   template <typename Member, typename T>
   void take(const layouts::Field<Member>& field, T& value) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/trace_text.h"
 
+#include "bus/j1939.h"
 #include "protocol/decode.h"
+#include "protocol/j1939_names.h"
 #include "report/decode_lines.h"
 #include "report/json.h"
 
@@ -28,7 +30,14 @@ void appendSummary(std::string& out, const Frame& frame, const Classified& what)
     out += malformedReason(what, frame.length);
     return;
   }
-  if (!what.isDecoded()) return;
+  if (!what.isDecoded()) {
+    if (frame.isError() || frame.isRemote() || !frame.isExtended() || what.family != Family::None) return;
+    if (const auto* group = j1939::standardGroupOf(J1939Id::of(frame.identifier()).pgn)) {
+      out += group->name;
+      appendName(out, group->acronym);
+    }
+    return;
+  }
   bool first = true;
   for (const Field& field : messageOf(what.message).fields) {
     if (!isPresent(field, frame)) continue;

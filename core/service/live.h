@@ -14,9 +14,6 @@
 
 namespace deckpipe {
 
-// A device that was silent for longer may be gone, or hear nothing.
-inline constexpr Duration kHeardWithin = 1s;
-
 // The live State with every frame up to now applied, whatever the cursor shows.
 struct Live {
   const State& state;

@@ -209,8 +209,27 @@ void RequestService::send(Instant now, const Live& live, Asked& at, Request requ
   if (isCommand(request)) m_commands.push_back({timing.tag, at.device, request, *to, now});
   m_nextPoll = std::max(m_nextPoll, now) + m_budget.gapAfter(now, costOf(request));
   // Of what is repeated only changes are noted, at its end.
-  if (status.tries == 1 && status.period == 0ns)
+  if (status.tries == 1 && status.period == 0ns) {
+    if (isCommand(request)) noteAngles(live, at.device, *to, request, out);
     out.note(note::Asked{live.channel, *to, at.device.pin, request});
+  }
+}
+
+// A report that is stale says nothing of where the device stands now.
+void RequestService::noteAngles(const Live& live, const DeviceKey& key, Address to, Request request,
+                                Outgoing& out) {
+  const Device* device = live.find(key);
+  if (device == nullptr || !device->position().isKnown() || device->isStale(MessageId::PositionLimitStatus))
+    return;
+  const auto angle = [](const PositionReading& reading) {
+    note::NotedAngle noted;
+    if (reading.state == PositionState::Ok) noted.tenths = reading.tenths;
+    return noted;
+  };
+  const PositionLimitStatus position = device->position().value();
+  const note::AnglesBefore before{
+      live.channel, to, key.pin, request, angle(position.rotation), angle(position.elevation)};
+  if (before.rotation.tenths || before.elevation.tenths) out.note(before);
 }
 
 void RequestService::end(Instant now, const Live& live, Asked& at, Request request, RequestEnd how,

@@ -93,6 +93,8 @@ class RequestService : public Service {
   bool isHanded(const DeviceKey& device, Request request) const;
   // The request whose last try this frame is; null where it has ended.
   Asked* openWith(FrameTag tag, Request& request);
+  // Keeps what a command changes.
+  static void noteAngles(const Live& live, const DeviceKey& key, Address to, Request request, Outgoing& out);
   void noteEnd(const Live& live, const DeviceKey& device, Address to, Request request, RequestEnd how,
                Outgoing& out);
   void expire(Instant now, const Live& live, Asked& at, Request request, Outgoing& out);

@@ -56,6 +56,9 @@ template <>
 inline const note::Added kSample<note::Added>{9};
 template <>
 inline const note::Filtered kSample<note::Filtered>{"pgn=EF00 and sa=80"};
+template <>
+inline const note::AnglesBefore kSample<note::AnglesBefore>{kNotedChannel,  kNotedAddress,    kNotedPin,
+                                                            Request::Reset, {.tenths = -473}, {.tenths = {}}};
 
 template <typename... Kinds>
 std::vector<NoteValue> samplesOf(const std::variant<Kinds...>*) {

@@ -7,6 +7,7 @@
 #include "model/device_rows.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
+#include "text/j1939_text.h"
 #include "text/time_text.h"
 
 namespace deckpipe {
@@ -88,7 +89,8 @@ QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabel
       lines << Details::tr("Before: %1").arg(before);
   }
   if (row->age) lines << Details::tr("Last heard: %1").arg(agoText(*row->age));
-  lines << healthSentences(row->health, state.cursor().time);
+  for (const HealthReason& reason : healthReasons(row->health, state.cursor().time))
+    lines << reason.text << QStringLiteral("    ") + healthAdvice(reason.cause);
   const ChannelState& channel = state.channel(row->channel);
   if (const Joystick* stick = channel.joysticks.find(row->address); stick != nullptr && stick->priority())
     lines << Details::tr("Joystick priority: %1").arg(priorityText(*stick->priority()));
@@ -96,6 +98,8 @@ QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabel
 
   if (const QString use = reservedUse(row->address); !use.isEmpty())
     lines << Details::tr("J1939 keeps this address for: %1").arg(use);
+  if (const QString use = usualUse(row->address); !use.isEmpty())
+    lines << Details::tr("By J1939 this address is %1, which is no proof").arg(use);
   if (const QString contests = contestText(channel.book, row->address); !contests.isEmpty())
     lines << Details::tr("Contests for the address: %1").arg(contests);
   lines << Details::tr("Claim: %1")

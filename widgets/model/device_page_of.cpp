@@ -43,7 +43,7 @@ std::vector<PageReason> reasonsOf(const Health& health, Instant now) {
     return {{Page::tr("It has no faults, and its messages come in time."), Severity::Fine}};
   std::vector<PageReason> reasons;
   for (const HealthReason& reason : healthReasons(health, now))
-    reasons.push_back({reason.text, kHealthCauses[reason.cause].severity});
+    reasons.push_back({reason.text, kHealthCauses[reason.cause].severity, healthAdvice(reason.cause)});
   return reasons;
 }
 

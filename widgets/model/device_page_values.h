@@ -77,6 +77,7 @@ struct PageStick : StickValues {
 struct PageReason {
   QString text{};
   Severity tone = Severity::Plain;
+  QString advice{};  // what to check; may be empty
   friend bool operator==(const PageReason&, const PageReason&) = default;
 };
 

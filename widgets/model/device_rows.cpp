@@ -8,6 +8,7 @@
 #include "protocol/device_types.h"
 #include "protocol/j1939.h"
 #include "text/device_text.h"
+#include "text/j1939_text.h"
 #include "text/plural.h"
 
 namespace deckpipe {
@@ -217,9 +218,15 @@ QString typeText(const DeviceRow& row) {
     return row.type.from == From::NoName ? Row::tr("Joystick source")
                                          : Row::tr("Joystick, %1").arg(makerText(row.type.number));
   }
-  if (row.type.from == From::NoName) return Row::tr("No NAME heard");
-  QString maker = makerText(row.type.number);
-  return maker.replace(0, 1, maker.at(0).toUpper());
+  QString type = Row::tr("No NAME heard");
+  if (row.type.from != From::NoName) {
+    type = makerText(row.type.number);
+    type.replace(0, 1, type.at(0).toUpper());
+  }
+  const QString use = usualUse(row.address);
+  return use.isEmpty()
+             ? type
+             : Row::tr("%1; %2", "what is known of a node, what its address is usually for").arg(type, use);
 }
 
 QString deviceText(const DeviceRow& row) {

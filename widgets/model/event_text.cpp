@@ -255,6 +255,14 @@ QString leftOutText(const note::LeftOut& n) {
   return {};
 }
 
+QString anglesText(const note::AnglesBefore& n) {
+  QStringList angles;
+  if (n.rotation.tenths) angles << EventText::tr("rotation %1").arg(degreesOf(*n.rotation.tenths));
+  if (n.elevation.tenths) angles << EventText::tr("elevation %1").arg(degreesOf(*n.elevation.tenths));
+  return EventText::tr("%1: before it the device stood at %2", "command, angles")
+      .arg(requestText(n.request), angles.join(EventText::tr(", ", "between angles")));
+}
+
 }  // namespace
 
 QString noteText(const LogDocument& log, const Note& note) {
@@ -286,6 +294,7 @@ QString noteText(const LogDocument& log, const Note& note) {
           },
           [](const note::OwnAddress& n) { return ownAddressText(n); },
           [](const note::Asked& n) { return EventText::tr("%1: asked").arg(requestText(n.request)); },
+          [](const note::AnglesBefore& n) { return anglesText(n); },
           [](const note::RequestEnded& n) {
             return EventText::tr("%1: %2").arg(requestText(n.request), requestEndText(n.request, n.end));
           },

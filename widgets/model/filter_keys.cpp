@@ -8,6 +8,7 @@
 #include "protocol/catalogue.h"
 #include "protocol/decode.h"
 #include "text/catalogue_text.h"
+#include "text/j1939_text.h"
 
 namespace deckpipe {
 namespace {
@@ -89,6 +90,21 @@ void addValues(FilterCompletions& completions, const QString& key, const QString
     add(QStringLiteral("tx"), FilterKeys::tr("sent"));
   } else if (key == QLatin1String("name")) {
     for (const Message& message : kCatalogue) add(toQString(message.key), messageName(message.id));
+    for (const j1939::StandardGroup& group : j1939::kStandardGroups) {
+      if (!group.acronym.empty()) add(toQString(group.acronym), groupText(group));
+    }
+  } else if (key == QLatin1String("pgn")) {
+    for (const Message& message : kCatalogue) {
+      if (message.family == Family::J1939) add(hexText(message.selector, 4), messageName(message.id));
+    }
+    for (const j1939::StandardGroup& group : j1939::kStandardGroups) {
+      const QString first = hexText(group.first, 4);
+      add(group.first == group.last ? first : QStringLiteral("%1-%2").arg(first, hexText(group.last, 4)),
+          groupText(group));
+    }
+  } else if (key == QLatin1String("sa") || key == QLatin1String("da")) {
+    for (const j1939::PreferredAddress& preferred : j1939::kPreferredAddresses)
+      add(hexText(preferred.address, 2), usualUse({preferred.address}));
   } else if (key == QLatin1String("family")) {
     for (const char* family : kFamilies) add(QLatin1String(family));
   } else {

@@ -9,6 +9,7 @@
 #include "model/field_text.h"
 #include "model/message_text.h"
 #include "report/decode_lines.h"
+#include "text/j1939_text.h"
 
 namespace deckpipe {
 namespace {
@@ -43,6 +44,9 @@ FilterTitles titlesWith(const QString& text, bool whole) {
   }
   for (const Family family : kAllOf<Family>) {
     if (fits(frameTitle(frame, {.family = family}))) titles.families.add(family);
+  }
+  for (const j1939::StandardGroup& group : j1939::kStandardGroups) {
+    if (fits(groupText(group), group.acronym)) titles.groups.push_back(&group);
   }
   frame.id = kErrorBit;
   titles.error = fits(frameTitle(frame, {}));
@@ -158,6 +162,7 @@ QString takeWord(FilterNode& node, const QString& text) {
     node.titles.messages |= titles.messages;
     node.titles.malformed |= titles.malformed;
     node.titles.families |= titles.families;
+    node.titles.groups.insert(node.titles.groups.end(), titles.groups.begin(), titles.groups.end());
     node.titles.error |= titles.error;
     node.titles.remote |= titles.remote;
   } else if (node.key == FilterKey::Direction) {

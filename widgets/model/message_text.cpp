@@ -5,9 +5,11 @@
 #include <QStringList>
 
 #include "bus/canopen.h"
+#include "bus/j1939.h"
 #include "model/field_text.h"
 #include "protocol/lists.h"
 #include "text/catalogue_text.h"
+#include "text/j1939_text.h"
 
 namespace deckpipe {
 namespace {
@@ -50,11 +52,20 @@ QString undecodedText(const Frame& frame, const Classified& what) {
       return MessageText::tr("From or to a Copley drive, with a command that its note does not describe.");
     case Family::Canopen:
       return MessageText::tr("From an Akron node, but not one of the messages that it maps here.");
-    default: return MessageText::tr("Not a message that this console knows.");
+    default: break;
   }
+  if (standardGroup(frame, what) != nullptr)
+    return MessageText::tr("Not decoded here. The name is the one that SAE J1939 gives to this PGN.");
+  return MessageText::tr("Not a message that this console knows.");
 }
 
 }  // namespace
+
+const j1939::StandardGroup* standardGroup(const Frame& frame, const Classified& what) {
+  const bool isUnknown = what.message == MessageId::Count && what.family == Family::None;
+  if (!isUnknown || frame.isError() || frame.isRemote() || !frame.isExtended()) return nullptr;
+  return j1939::standardGroupOf(J1939Id::of(frame.identifier()).pgn);
+}
 
 QString frameTitle(const Frame& frame, const Classified& what) {
   if (frame.isError()) return MessageText::tr("Error frame");
@@ -70,8 +81,10 @@ QString frameTitle(const Frame& frame, const Classified& what) {
     case Family::Akron: return MessageText::tr("Unknown Akron message");
     case Family::Copley: return MessageText::tr("Unknown drive command");
     case Family::Canopen: return MessageText::tr("Unknown PDO");
-    default: return {};
+    default: break;
   }
+  const j1939::StandardGroup* group = standardGroup(frame, what);
+  return group != nullptr ? groupText(*group) : QString();
 }
 
 QString certaintyText(const Frame& frame, const Classified& what) {

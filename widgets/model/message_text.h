@@ -7,11 +7,16 @@
 
 #include "bus/frame.h"
 #include "protocol/classify.h"
+#include "protocol/j1939_names.h"
 
 namespace deckpipe {
 
-// "Position / limit status", "Malformed: …", "Ambiguous", "Remote request"; empty where nothing is known.
+// "Position / limit status", "Malformed: …", "Ambiguous", "Remote request", "Ambient conditions (AMB)"; empty where nothing
+// is known.
 QString frameTitle(const Frame& frame, const Classified& what);
+
+// The standard's name for the group of a frame that is not decoded and whose title is that name; null for any other.
+const j1939::StandardGroup* standardGroup(const Frame& frame, const Classified& what);
 
 // What matters of it first, and nothing that is only off: "Rotation 47.3°, Elevation −5.5°, Axis 5 (+) hard
 // stop". The lengths wanted of a malformed one, the classes of an error frame.

@@ -11,6 +11,7 @@
 #include "state/current.h"
 #include "text/catalogue_text.h"
 #include "text/device_text.h"
+#include "text/j1939_text.h"
 #include "text/time_text.h"
 
 namespace deckpipe {
@@ -216,6 +217,8 @@ PageFactGroup addressOf(const State& state, Channel channelId, Address address, 
   if (isLost) return group;
   if (const QString use = reservedUse(address); !use.isEmpty())
     facts.push_back(plain(Facts::tr("Kept for"), use));
+  if (const QString use = usualUse(address); !use.isEmpty())
+    facts.push_back(plain(Facts::tr("By J1939"), Facts::tr("%1, which is no proof").arg(use)));
   if (state.channel(channelId).book.isDrive(address))
     facts.push_back(plain(Facts::tr("Taken for"), Facts::tr("a Copley drive, because a person said so")));
   const AddressBook& book = state.channel(channelId).book;

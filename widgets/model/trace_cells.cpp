@@ -13,6 +13,8 @@
 #include "report/json.h"
 #include "report/trace_text.h"
 #include "text/catalogue_text.h"
+#include "text/device_text.h"
+#include "text/j1939_text.h"
 
 namespace deckpipe {
 namespace {
@@ -84,6 +86,13 @@ QString detailText(const TraceRow& row) {
   QStringList lines;
   if (!row.title.isEmpty()) lines += row.title;
   if (const QString certainty = certaintyText(row.frame, row.what); !certainty.isEmpty()) lines += certainty;
+  if (row.frame.isExtended() && !row.frame.isError()) {
+    const J1939Id id = J1939Id::of(row.frame.identifier());
+    for (const Address end : {id.source, id.destination}) {
+      if (const QString use = usualUse(end); !use.isEmpty())
+        lines += TraceCells::tr("%1: %2, which is no proof", "address, use").arg(addressText(end), use);
+    }
+  }
   if (row.frame.isError() && !row.summary.isEmpty()) lines += row.summary;
   if (row.what.isDecoded()) {
     const Message& message = messageOf(row.what.message);

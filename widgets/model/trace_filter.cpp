@@ -102,6 +102,8 @@ bool matchesTitle(const FilterTitles& titles, const FilterFrame& at) {
   if (at.what.message != MessageId::Count) {
     return (at.what.malformed ? titles.malformed : titles.messages).has(at.what.message);
   }
+  if (const j1939::StandardGroup* group = standardGroup(at.frame, at.what); group != nullptr)
+    return std::ranges::find(titles.groups, group) != titles.groups.end();
   return titles.families.has(at.what.family);
 }
 

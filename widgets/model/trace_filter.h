@@ -39,6 +39,7 @@
 #include "model/filter_keys.h"
 #include "protocol/catalogue.h"
 #include "protocol/classify.h"
+#include "protocol/j1939_names.h"
 
 namespace deckpipe {
 
@@ -61,6 +62,7 @@ struct FilterBytes {
 struct FilterTitles {
   EnumSet<MessageId> messages, malformed;
   EnumSet<Family> families;
+  std::vector<const j1939::StandardGroup*> groups;
   bool error = false, remote = false;
 };
 

@@ -2,6 +2,7 @@
 #include "paint/app_style.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QPainter>
 #include <QStyleOption>
 #include <QWidget>
@@ -64,16 +65,35 @@ int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const 
   }
 }
 
-// Fusion's own is hard to see in the sun.
+// Fusion's own is hard to see in the sun. A light line inside the dark one keeps it in sight on any ground.
+void AppStyle::drawFocusRing(QPainter& painter, const QRect& rect) const {
+  constexpr double kRing = 3, kInside = 1;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setBrush(Qt::NoBrush);
+  const auto draw = [&](double from, double width, const QColor& ink) {
+    const double middle = from + width / 2;
+    painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(QRectF(rect).adjusted(middle, middle, -middle, -middle));
+  };
+  draw(0, kRing, m_colours.accent.ink);
+  draw(kRing, kInside, m_colours.surface);
+  painter.restore();
+}
+
 void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                              const QWidget* widget) const {
-  if (element != PE_FrameFocusRect) return QProxyStyle::drawPrimitive(element, option, painter, widget);
-  if ((option->state & State_KeyboardFocusChange) == 0) return;
-  painter->save();
-  painter->setPen(QPen(option->palette.color(QPalette::Highlight), 2));
-  painter->setBrush(Qt::NoBrush);
-  painter->drawRect(option->rect.adjusted(1, 1, -1, -1));
-  painter->restore();
+  if (element == PE_FrameFocusRect) {
+    if ((option->state & State_KeyboardFocusChange) != 0) drawFocusRing(*painter, option->rect);
+    return;
+  }
+  QProxyStyle::drawPrimitive(element, option, painter, widget);
+  if ((option->state & State_HasFocus) == 0) return;
+  // A choice is drawn as a button, without the ring that a button has.
+  const bool isChoice = element == PE_PanelButtonCommand &&
+                        qobject_cast<const QComboBox*>(widget) != nullptr &&
+                        (option->state & State_KeyboardFocusChange) != 0;
+  if (element == PE_FrameLineEdit || isChoice) drawFocusRing(*painter, option->rect);
 }
 
 QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,

@@ -37,6 +37,8 @@ class AppStyle : public QProxyStyle {
                          const QWidget* widget) const override;
 
  private:
+  void drawFocusRing(QPainter& painter, const QRect& rect) const;
+
   int m_target;
   const Colours& m_colours;
 };

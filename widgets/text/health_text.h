@@ -13,5 +13,7 @@ QString healthWord(HealthCause cause);
 // A sentence. `what` is the part that differs from device to device: which axis, how long ago, which faults.
 // Causes that need none leave it out.
 QString healthSentence(HealthCause cause, const QString& what = {});
+// What it means for a person, and what to check. Empty for Count.
+QString healthAdvice(HealthCause cause);
 
 }  // namespace deckpipe

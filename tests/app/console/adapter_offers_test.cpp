@@ -61,6 +61,15 @@ TEST(AdapterOffers, PutVirtualBusesLast) {
   const auto all = offers(listOf({simulated, canInterface(true, 250'000)})).adapters;
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[1].plugin, QStringLiteral("virtualcan"));
+  EXPECT_TRUE(all[1].isVirtual);
+}
+
+TEST(AdapterOffers, PutWhatCanBeConnectedToFirst) {
+  Adapter down = canInterface(false), up = canInterface(true, 250'000);
+  up.interfaceName = QStringLiteral("can7");
+  const auto all = offers(listOf({down, up})).adapters;
+  EXPECT_EQ(all[0].interfaceName, QStringLiteral("can7"));
+  EXPECT_FALSE(all[1].canConnect);
 }
 
 }  // namespace

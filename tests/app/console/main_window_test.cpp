@@ -135,6 +135,8 @@ TEST_F(Window, ShowsTheDemoMoving) {
       },
       kPatience));
   EXPECT_TRUE(text("sourceStatus").contains(QStringLiteral("Simulated truck")));
+  EXPECT_TRUE(m_window.windowTitle().startsWith(QStringLiteral("Simulated truck")))
+      << qPrintable(m_window.windowTitle());
 }
 
 TEST_F(Window, SaysThatAQuestionAnsweredInThePastSentNothing) {

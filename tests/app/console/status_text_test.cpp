@@ -605,6 +605,9 @@ TEST(NoticeText, SaysWhatToCheckWhenNothingIsHeard) {
   const std::string text = notice(snapshot);
   EXPECT_TRUE(says(text, "nothing heard for 7 seconds")) << text;
   EXPECT_TRUE(says(text, "60 ohms")) << text;
+  EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::ChangeBitRate);
+  snapshot.source.simulated = true;
+  EXPECT_EQ(noticeOf(snapshot, {}).action, Notice::Action::None);
 }
 
 TEST(NoticeText, TellsWrongTraffic) {

@@ -176,8 +176,10 @@ TEST_F(Docks, ComeForwardFromBehindATabByTheViewMenu) {
 // Two of them on one key are none.
 TEST_F(Docks, ShareNoKeyWithWhatIsInThem) {
   QStringList keys;
-  for (const QAction* action : m_window.findChildren<QAction*>())
+  for (const QAction* action : m_window.findChildren<QAction*>()) {
+    if (action->shortcutContext() == Qt::WidgetShortcut) continue;  // written in the menu alone
     for (const QKeySequence& key : action->shortcuts()) keys += key.toString();
+  }
   for (const QShortcut* shortcut : m_window.findChildren<QShortcut*>())
     EXPECT_FALSE(keys.contains(shortcut->key().toString())) << qPrintable(shortcut->key().toString());
   EXPECT_FALSE(keys.isEmpty());
@@ -188,6 +190,65 @@ TEST_F(Docks, ShowWhereTheChosenDeviceIsAsked) {
   ASSERT_FALSE(named<QDockWidget>("requestsDock")->isVisible());
   QTest::keyClick(&m_window, Qt::Key_R, Qt::ControlModifier);
   EXPECT_TRUE(named<QDockWidget>("requestsDock")->isVisible());
+}
+
+TEST_F(Docks, HaveAKeyEachAndTheFocusOnceTheyAreOpened) {
+  m_window.activateWindow();
+  for (const DockRow& row : dockRows()) {
+    auto* action = named<QAction>((QByteArray(row.id) + "Action").constData());
+    EXPECT_FALSE(action->shortcut().isEmpty()) << row.id;
+    if (row.isOfDemo) continue;
+    auto* dock = named<QDockWidget>(row.id);
+    dock->close();
+    QApplication::sendPostedEvents();
+    action->trigger();
+    EXPECT_TRUE(hasFocus(dock)) << row.id;
+  }
+}
+
+TEST_F(Docks, FindInTheTraceFromAnyPlaceAndFromTheMenu) {
+  m_window.activateWindow();
+  for (const bool isByKey : {true, false}) {
+    named<QDockWidget>("traceDock")->close();
+    only<TransportBar>()->setFocus();
+    if (isByKey) {
+      QTest::keyClick(only<TransportBar>(), Qt::Key_F, Qt::ControlModifier);
+    } else {
+      trigger("findAction");
+    }
+    EXPECT_TRUE(named<QDockWidget>("traceDock")->isVisible()) << isByKey;
+    EXPECT_TRUE(hasFocus(named<QWidget>("traceSearch"))) << isByKey;
+    QTest::keyClick(named<QWidget>("traceSearch"), Qt::Key_Escape);
+  }
+}
+
+TEST_F(Docks, AreInAMenuThatOffersWhatCanBeDoneNowAndSaysWhyNot) {
+  const auto isOffered = [this](const char* action) { return named<QAction>(action)->isEnabled(); };
+  const auto whyNot = [this](const char* action) { return named<QAction>(action)->toolTip(); };
+  for (const char* action :
+       {"saveLogAction", "markAction", "closeAction", "fullDialAction", "traceDeviceAction",
+        "traceDockAction", "findAction", "resetLayoutAction", "explainAction"})
+    EXPECT_TRUE(isOffered(action)) << action;
+  for (const char* action : {"lockAction", "askNamesAction", "askEveryoneAction", "stopAskingAction"}) {
+    EXPECT_FALSE(isOffered(action)) << action;
+    EXPECT_FALSE(whyNot(action).isEmpty()) << action;
+  }
+  trigger("settingsAction");
+  EXPECT_FALSE(isOffered("fullDialAction"));
+  EXPECT_TRUE(whyNot("fullDialAction").contains(QStringLiteral("Another page")));
+  EXPECT_TRUE(isOffered("saveLogAction"));
+  QTest::mouseClick(named<QAbstractButton>("settingsDone"), Qt::LeftButton);
+  EXPECT_TRUE(isOffered("fullDialAction"));
+  openLog("(1.000000) can0 123#11\n");
+  EXPECT_FALSE(isOffered("fullDialAction"));
+  EXPECT_TRUE(whyNot("fullDialAction").contains(QStringLiteral("no dial")));
+  EXPECT_FALSE(isOffered("traceDeviceAction"));
+  trigger("closeAction");
+  for (const char* action : {"saveLogAction", "markAction", "closeAction", "fullDialAction",
+                             "traceDockAction", "nextEventAction", "findAction"}) {
+    EXPECT_FALSE(isOffered(action)) << action;
+    EXPECT_FALSE(whyNot(action).isEmpty()) << action;
+  }
 }
 
 TEST_F(Docks, ShowOnlyTheChosenDevicesFramesAtCtrlT) {

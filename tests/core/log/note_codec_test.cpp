@@ -67,6 +67,7 @@ TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
       {"label", "0f " + std::string(kPinHex) + "0c66726f6e742062756d706572"},
       {"added", "10 0900000000000000"},
       {"filtered", "11 1270676e3d4546303020616e642073613d3830"},
+      {"angles_before", "12 0281" + std::string(kPinHex) + "0627fe0080"},
   };
   for (const NoteValue& value : test::noteSamples()) {
     const auto found = expected.find(noteKey(value));

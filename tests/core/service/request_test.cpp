@@ -417,6 +417,40 @@ TEST_F(RequestServiceTest, LockUnlockPollsAndTheirEndsAreNotes) {
   EXPECT_EQ(std::get<note::Asked>(pair.console().notes[2].value).pin.text(), TruckPair::kMonitor);
 }
 
+std::vector<note::AnglesBefore> anglesIn(const std::vector<Note>& notes) {
+  std::vector<note::AnglesBefore> found;
+  for (const Note& note : notes) {
+    if (const auto* angles = std::get_if<note::AnglesBefore>(&note.value)) found.push_back(*angles);
+  }
+  return found;
+}
+
+TEST_F(RequestServiceTest, WhereADeviceStoodBeforeACommandIsANote) {
+  pair.run(1s);
+  const PositionLimitStatus before = pair.console().state.devices().byPin(monitor.pin)->position().value();
+  ASSERT_EQ(before.rotation.state, PositionState::Ok);
+  request(Request::ZeroAxes);
+  pair.run(1s);
+  const auto noted = anglesIn(pair.console().notes);
+  ASSERT_EQ(noted.size(), 1u);
+  EXPECT_EQ(noted[0].request, Request::ZeroAxes);
+  EXPECT_EQ(noted[0].pin, monitor.pin);
+  EXPECT_EQ(noted[0].rotation.tenths, before.rotation.tenths);
+  EXPECT_EQ(noted[0].elevation.tenths, before.elevation.tenths);
+}
+
+TEST_F(RequestServiceTest, OfAPollOrOfAStaleReportNoAnglesAreNoted) {
+  request(Request::Fault);
+  pair.run(1s);
+  pair.wire = [](const Frame& f) {  // its positions do not come any more, its other statuses do
+    return Pair::Fate{f.data[0] == 0x01 && J1939Id::of(f.identifier()).pgn == pgn::kProprietaryA ? 0 : 1,
+                      0ns};
+  };
+  pair.run(1s);
+  ASSERT_EQ(request(Request::Reset), Refusal::None);
+  EXPECT_TRUE(anglesIn(pair.console().notes).empty());
+}
+
 TEST_F(RequestServiceTest, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPeriodLater) {
   pair.intend(intent::Repeat{monitor, RequestSet{Request::Fault}, 1s});
   pair.run(2500ms);

@@ -8,6 +8,7 @@
 
 #include "model/page_sources.h"
 #include "support/logs.h"
+#include "text/health_text.h"
 #include "widgets/model/heard.h"
 
 namespace deckpipe {
@@ -382,10 +383,12 @@ TEST(DevicePageOf, ListsEveryCauseOfTheHealth) {
   Heard bus;
   bus.monitor("01FFF4FFF4000000").hear("18EFFF80", "834051");
   using Reasons = std::vector<PageReason>;
-  EXPECT_EQ(pageOf(bus).reasons,
-            (Reasons{{QStringLiteral("Sensor error: rotation, elevation."), Severity::Fault},
-                     {QStringLiteral("Enable is off: it cannot move."), Severity::Warning},
-                     {QStringLiteral("Its faults were never asked."), Severity::Unknown}}));
+  EXPECT_EQ(pageOf(bus).reasons, (Reasons{{QStringLiteral("Sensor error: rotation, elevation."),
+                                           Severity::Fault, healthAdvice(HealthCause::SensorError)},
+                                          {QStringLiteral("Enable is off: it cannot move."),
+                                           Severity::Warning, healthAdvice(HealthCause::Disabled)},
+                                          {QStringLiteral("Its faults were never asked."), Severity::Unknown,
+                                           healthAdvice(HealthCause::FaultsNeverAsked)}}));
   bus.statuses().faults();
   EXPECT_EQ(pageOf(bus).reasons,
             (Reasons{{QStringLiteral("It has no faults, and its messages come in time."), Severity::Fine}}));
@@ -508,7 +511,7 @@ TEST(DevicePageOf, ShowsAForeignNodeWithItsNameInWords) {
   EXPECT_TRUE(page.isFound);
   EXPECT_FALSE(page.dial);
   EXPECT_TRUE(page.lamps.empty());
-  EXPECT_EQ(page.type, QStringLiteral("Other maker, code 9"));
+  EXPECT_EQ(page.type, QStringLiteral("Other maker, code 9; usually body controller"));
   EXPECT_TRUE(fact(page, "NAME").value.startsWith(QStringLiteral("Maker: other maker, code 9")));
   EXPECT_EQ(fact(page, "Claim").value, QStringLiteral("claimed"));
 }

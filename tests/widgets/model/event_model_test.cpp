@@ -82,6 +82,22 @@ TEST_F(ModelOfEvents, MakesOneRowOfAQuestionAndItsAnswers) {
   EXPECT_EQ(what(3), "Faults: no answer");
 }
 
+TEST_F(ModelOfEvents, KeepsWhereADeviceStoodBeforeACommand) {
+  const auto log = logOfText(kLog);
+  const Pin pin = *Pin::parse("1032AE100801035");
+  const Instant time{13'000'000'000};
+  const Request zero = Request::ZeroAxes;
+  log->notes.append(
+      {.frame = 4, .time = time, .value = note::AnglesBefore{{}, {0x80}, pin, zero, {473}, {-55}}});
+  log->notes.append({.frame = 4, .time = time, .value = note::Asked{{}, {0x80}, pin, zero}});
+  log->notes.append(
+      {.frame = 4, .time = time, .value = note::RequestEnded{{}, {0x80}, pin, zero, RequestEnd::Answered}});
+  model.setView(viewOf(log));
+  ASSERT_EQ(model.rowCount(), 4);
+  EXPECT_EQ(what(2), "Zero axes: before it the device stood at rotation 47.3°, elevation -5.5°");
+  EXPECT_EQ(what(3), "Zero axes: answered");
+}
+
 TEST_F(ModelOfEvents, TakesEventsAsTheyAreFound) {
   const auto log = std::make_shared<LogDocument>();
   log->frames.channel("can0");
@@ -147,6 +163,7 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "1032AE100801035 is called “front bumper”",
                            "",
                            "Saved through the filter “pgn=EF00 and sa=80”: what did not pass it is missing",
+                           "Reset: before it the device stood at rotation -47.3°",
                            "The console holds address F9",
                            "The console lost its address to a lower NAME",
                            "The console cannot claim any address",

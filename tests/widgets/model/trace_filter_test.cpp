@@ -26,8 +26,8 @@ constexpr const char* kFilterLog =
     "(1700000001.100000) can0 18EFFF80#01FFFFFFF4800004\n";   // 12 rotation not fitted
 
 // Numbers, from 1, of the frames that pass: "2 12".
-std::string passing(TraceFilter filter) {
-  const auto log = test::logOfText(kFilterLog);
+std::string passing(TraceFilter filter, const char* text = kFilterLog) {
+  const auto log = test::logOfText(text);
   filter.bind(log->frames);
   LogWalk walk(*log, 0);
   std::string numbers;
@@ -41,10 +41,10 @@ std::string passing(TraceFilter filter) {
   return numbers;
 }
 
-std::string passing(const char* expression) {
+std::string passing(const char* expression, const char* text = kFilterLog) {
   const auto filter = TraceFilter::parse(QString::fromUtf8(expression));
   if (!filter) return "error: " + filter.error().text.toStdString();
-  return passing(filter.value());
+  return passing(filter.value(), text);
 }
 
 struct Case {
@@ -150,6 +150,21 @@ TEST(TraceFilter, EndsOnHostileDepth) {
   EXPECT_TRUE(TraceFilter::parse(longOne));
 }
 
+TEST(TraceFilterOfStandardGroups, FindsThemByTheNameShownAndByTheirAcronym) {
+  constexpr const char* kTruckLog =
+      "(1.000000) can0 0CF00400#FFFFFF6813FFFFFF\n"   // 1 EEC1
+      "(1.100000) can0 18FEF500#FFFFFFFFFFFFFFFF\n"   // 2 AMB
+      "(1.200000) can0 18FF1234#00\n"                 // 3 proprietary B
+      "(1.300000) can0 18FEAA00#00\n"                 // 4 without a name here
+      "(1.400000) can0 004#00\n"                      // 5 an 11-bit identifier
+      "(1.500000) can0 18EFFF80#FF83150206021A0B\n";  // 6 decoded, of proprietary A
+  EXPECT_EQ(passing("name=eec1", kTruckLog), "1");
+  EXPECT_EQ(passing("name~\"ambient cond\"", kTruckLog), "2");
+  EXPECT_EQ(passing("ambient", kTruckLog), "2");
+  EXPECT_EQ(passing("name~proprietary", kTruckLog), "3");
+  EXPECT_EQ(passing("name!~proprietary", kTruckLog), "1 2 4 5 6");
+}
+
 std::vector<std::string> completed(const char* text, int cursor = -1) {
   const QString line = QString::fromUtf8(text);
   std::vector<std::string> words;
@@ -167,6 +182,12 @@ TEST(FilterCompletions, OfferKeysAndThenTheirValues) {
   EXPECT_EQ(completed("ch = v"), std::vector<std::string>{"vcan1"});
   EXPECT_EQ(completed("enable="), (std::vector<std::string>{"off", "on"}));
   EXPECT_EQ(completed("name~\"rotation_"), std::vector<std::string>{"rotation_soft_limits"});
+  EXPECT_EQ(completed("name=EEC"), (std::vector<std::string>{"EEC2", "EEC1", "EEC3"}));
+  EXPECT_EQ(completed("pgn=F004"), std::vector<std::string>{});
+  EXPECT_EQ(completed("pgn=FEF5"), std::vector<std::string>{});
+  EXPECT_EQ(completed("pgn=FEF"), (std::vector<std::string>{"FEF0", "FEF1", "FEF2", "FEF3", "FEF5", "FEF6",
+                                                            "FEF7", "FEF8", "FEFC"}));
+  EXPECT_EQ(completed("sa=2"), (std::vector<std::string>{"21", "24", "25", "27", "28", "2F"}));
   EXPECT_EQ(completed("dir=tx"), std::vector<std::string>{});
   EXPECT_EQ(completed("pg sa=80", 2), std::vector<std::string>{"pgn"});
   EXPECT_EQ(filterCompletions(QStringLiteral("sa=80 mal"), 9, {}).from, 6);

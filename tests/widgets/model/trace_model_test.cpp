@@ -80,7 +80,8 @@ TEST_F(TraceModelTest, WritesEveryColumnForPeople) {
        "Error frame", "Bus off"},
       {"1700000000.160000", "0.010000", "can0", "Rx", "18EF81A0", "EF00", "A0→81", "3", "FE 01 02",
        "Ambiguous", ""},
-      {"1700000000.170000", "0.010000", "can0", "Rx", "18F00503", "F005", "03", "2", "01 02", "", ""},
+      {"1700000000.170000", "0.010000", "can0", "Rx", "18F00503", "F005", "03", "2", "01 02",
+       "Electronic transmission controller 2 (ETC2)", ""},
   };
   for (int row = 0; row < 9; ++row) {
     for (int column = 0; column < TraceModel::ColumnCount; ++column)
@@ -222,7 +223,7 @@ TEST_F(TraceModelTest, TakesNotesWithinItsWindow) {
   test::buildIndexes(*log);
   model.setWindow(0, 10);
   model.setView(test::viewOf(log));
-  EXPECT_EQ(cell(0, Name).toStdString(), "");
+  EXPECT_EQ(cell(0, Name).toStdString(), "Proprietary A");
   EXPECT_EQ(cell(1, Name).toStdString(), "Drive: start move");
   EXPECT_EQ(cell(1, Decoded).toStdString(), "Position −4000");
 }

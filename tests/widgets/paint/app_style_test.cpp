@@ -3,8 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTest>
+#include <QToolButton>
+#include <set>
 
 #include "paint/stick_view.h"
 #include "support/look.h"
@@ -73,6 +81,48 @@ TEST(AppStyle, AnInkFollowsTheThemeWhereverTheWordsStand) {
     QLabel late(&window);
     setInk(late, Ink::Stale);
     EXPECT_EQ(inkOfWords(late), c.stale.ink);
+  }
+}
+
+// From 1 m: a ring as thick as three lines, around whatever takes the keys.
+TEST(AppStyle, TheFocusHasARingInEveryTheme) {
+  for (const Theme theme : kThemes) {
+    const test::Look look(theme);
+    QWidget window;
+    auto* row = new QHBoxLayout(&window);
+    auto* combo = new QComboBox;
+    combo->addItem(QStringLiteral("250 kbit/s"));
+    auto* tabs = new QTabBar;
+    tabs->addTab(QStringLiteral("Ask"));
+    auto* tool = new QToolButton;
+    tool->setText(QStringLiteral("Find"));
+    tool->setFocusPolicy(Qt::StrongFocus);
+    const QList<QWidget*> controls{new QPushButton(QStringLiteral("Ask")),
+                                   new QLineEdit,
+                                   new QCheckBox(QStringLiteral("Follow")),
+                                   combo,
+                                   tabs,
+                                   tool};
+    for (QWidget* control : controls) row->addWidget(control);
+    window.show();
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    std::set<QWidget*> seen;
+    for (int i = 0; i < controls.size(); ++i) {
+      QWidget* before = QApplication::focusWidget();
+      QTest::keyClick(before != nullptr ? before : &window, Qt::Key_Tab);
+      QWidget* control = QApplication::focusWidget();
+      ASSERT_NE(control, nullptr);
+      seen.insert(control);
+      const QImage picture = window.grab(control->geometry()).toImage();
+      const QRgb ring = coloursOf(theme).accent.ink.rgb();
+      int pixels = 0;
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) pixels += picture.pixel(x, y) == ring ? 1 : 0;
+      EXPECT_GT(pixels, 3 * 40) << control->metaObject()->className() << " in theme "
+                                << static_cast<int>(theme);
+    }
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(controls.size()));
   }
 }
 

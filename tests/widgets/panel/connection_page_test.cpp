@@ -13,6 +13,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <set>
 
 #include "panel/common/notice_bar.h"
 #include "support/child.h"
@@ -85,6 +86,56 @@ TEST_F(PageToConnect, ListsRecentLogsAndShowsWhichAreGone) {
   buttons[0]->click();
   ASSERT_EQ(requests.size(), 1);
   EXPECT_EQ(requests[0][0].toString(), QStringLiteral("/a/one.log"));
+}
+
+TEST_F(PageToConnect, ListsEachBitRateOnce) {
+  const auto* rates = test::child<QComboBox>(page, "bitRate");
+  std::set<int> found;
+  for (int i = 0; i < rates->count(); ++i) EXPECT_TRUE(found.insert(rates->itemData(i).toInt()).second) << i;
+  EXPECT_TRUE(found.contains(0));
+  EXPECT_TRUE(found.contains(125'000));
+  EXPECT_TRUE(found.contains(250'000));
+}
+
+TEST_F(PageToConnect, PutsVirtualBusesUnderATitleOfTheirOwn) {
+  const auto* title = test::child<QWidget>(page, "virtualTitle");
+  page.setOffers({{offer("can0"), offer("can1", false)}});
+  EXPECT_FALSE(title->isVisible());
+  AdapterOffer vcan = offer("vcan0");
+  vcan.isVirtual = true;
+  for (int i = 0; i < 2; ++i) {
+    page.setOffers({{offer("can0"), offer("can1", false), vcan}});
+    QCoreApplication::sendPostedEvents();
+    QTest::qWait(0);
+    EXPECT_TRUE(title->isVisible());
+    for (const auto* row : page.findChildren<QWidget*>(QStringLiteral("adapterRow"))) {
+      if (!row->isVisible()) continue;
+      EXPECT_EQ(row->accessibleName() == QLatin1String("vcan0"), row->y() > title->y())
+          << qPrintable(row->accessibleName());
+    }
+    vcan.state = QStringLiteral("another");
+  }
+}
+
+TEST_F(PageToConnect, ConnectsToABusAsBefore) {
+  page.setRecentLinks(
+      {{QStringLiteral("peakcan"), QStringLiteral("usb0"), 125'000, QStringLiteral("PEAK · yesterday")},
+       {QStringLiteral("socketcan"), QStringLiteral("can9"), 0, {}, false}});
+  const auto buttons = page.findChildren<QPushButton*>(QStringLiteral("recentLink"));
+  ASSERT_EQ(buttons.size(), 2);
+  EXPECT_TRUE(buttons[0]->text().contains(QStringLiteral("yesterday")));
+  EXPECT_FALSE(buttons[1]->isEnabled());
+  QSignalSpy requests(&page, &ConnectionPage::connectRequested);
+  buttons[0]->click();
+  ASSERT_EQ(requests.size(), 1);
+  EXPECT_EQ(requests[0][0].toString(), QStringLiteral("peakcan"));
+  EXPECT_EQ(requests[0][2].toInt(), 125'000);
+}
+
+TEST_F(PageToConnect, SaysFolderTimeAndSizeOfARecentLog) {
+  page.setRecentLogs({{QStringLiteral("/a/b&c.log"), false, QStringLiteral("/a · today · 1 MB")}});
+  const auto* button = test::child<QPushButton>(page, "recentLog");
+  EXPECT_EQ(button->text(), QStringLiteral("b&&c.log\n/a · today · 1 MB"));
 }
 
 TEST_F(PageToConnect, SaysThatThereIsNoAdapter) {

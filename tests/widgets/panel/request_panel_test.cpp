@@ -6,7 +6,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QWheelEvent>
+#include <functional>
+#include <map>
 
 #include "model/answer_history.h"
 #include "panel/poll/request_card.h"
@@ -34,6 +37,27 @@ struct RequestsOfDevice : test::SendingPanelTest<RequestPanel> {
   }
   QPushButton* button(Request request) { return test::child<QPushButton>(*card(request), "askButton"); }
   using SendingPanelTest::button;
+  void showTab(int tab) { child<QTabWidget>("requestTabs")->setCurrentIndex(tab); }
+  QPushButton* inQuestion(const char* name) { return test::child<QPushButton>(*dialog(), name); }
+  QStringList factsInQuestion() {
+    QStringList facts;
+    for (const QLabel* label : dialog()->findChildren<QLabel*>(QStringLiteral("dangerFact")))
+      facts << label->text();
+    return facts;
+  }
+  // Where every button of the panel is.
+  std::map<std::string, QRect> places() {
+    std::map<std::string, QRect> found;
+    int n = 0;
+    for (const auto* each : panel.findChildren<QAbstractButton*>()) {
+      const bool comesAndGoes = each->objectName() == QLatin1String("requestUnlock") ||
+                                each->objectName() == QLatin1String("repeatEnd");
+      if (each->isVisible() && !comesAndGoes)
+        found[std::to_string(n++) + each->objectName().toStdString()] =
+            QRect(each->mapTo(&panel, QPoint()), each->size());
+    }
+    return found;
+  }
   QString hint() { return child<QLabel>("requestHint")->text(); }
 };
 
@@ -47,8 +71,11 @@ TEST_F(RequestsOfDevice, AButtonAsksTheChosenDeviceAndNothingElse) {
 
 TEST_F(RequestsOfDevice, OffersOnlyWhatTheTypeTakes) {
   EXPECT_TRUE(card(Request::Vista)->isVisible());
+  EXPECT_FALSE(card(Request::Reset)->isVisible()) << "it stands apart";
+  showTab(1);
   EXPECT_TRUE(card(Request::Reset)->isVisible());
   EXPECT_FALSE(card(Request::ZeroAxes)->isVisible());
+  EXPECT_FALSE(card(Request::Vista)->isVisible());
 }
 
 TEST_F(RequestsOfDevice, LockedItOffersNothingAndSaysWhy) {
@@ -87,6 +114,7 @@ TEST_F(RequestsOfDevice, OffTheLiveEdgeWhatGoesOnCanBeEndedButNothingBegun) {
 }
 
 TEST_F(RequestsOfDevice, ACommandIsAskedOnceByTheDevicesName) {
+  showTab(1);
   QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
   EXPECT_TRUE(intents.empty());
   ASSERT_NE(dialog(), nullptr);
@@ -97,13 +125,167 @@ TEST_F(RequestsOfDevice, ACommandIsAskedOnceByTheDevicesName) {
 }
 
 TEST_F(RequestsOfDevice, EnterAndEscapeInTheQuestionLeaveThingsAsTheyAre) {
-  for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
+  showTab(1);
+  for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Escape}) {
     QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
     ASSERT_NE(dialog(), nullptr);
     QTest::keyClick(dialog(), key);
     EXPECT_TRUE(intents.empty()) << key;
     EXPECT_TRUE(QTest::qWaitFor([] { return dialog() == nullptr; }));
   }
+}
+
+TEST_F(RequestsOfDevice, EnterInTheQuestionPressesTheButtonThatHasTheFocus) {
+  showTab(1);
+  QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
+  ASSERT_NE(dialog(), nullptr);
+  inQuestion("dangerVerb")->setFocus(Qt::TabFocusReason);
+  QTest::keyClick(inQuestion("dangerVerb"), Qt::Key_Return);
+  EXPECT_EQ(intents.size(), 1u);
+}
+
+TEST_F(RequestsOfDevice, TheQuestionShowsWhereTheDeviceStandsAndFollowsIt) {
+  services.devices[0].takes.add(Request::ZeroAxes);
+  add({frame("18EFFF80", "011D940371000041", 0, kSecond)});
+  showTab(1);
+  QTest::mouseClick(button(Request::ZeroAxes), Qt::LeftButton);
+  ASSERT_NE(dialog(), nullptr);
+  EXPECT_EQ(factsInQuestion(), (QStringList{QStringLiteral("47.3° right"), QStringLiteral("5.5° down")}));
+  EXPECT_EQ(test::child<QLabel>(*dialog(), "dangerWhom")->text(),
+            QStringLiteral("6032 Universal II · address 80 hex"));
+  const QSize size = dialog()->size();
+  add({frame("18EFFF80", "01FFF4FFF4000041", 0, 2 * kSecond)});
+  EXPECT_EQ(factsInQuestion(), (QStringList{QStringLiteral("Sensor error"), QStringLiteral("Sensor error")}));
+  EXPECT_EQ(dialog()->size(), size);
+  EXPECT_TRUE(inQuestion("dangerVerb")->isEnabled());
+}
+
+TEST_F(RequestsOfDevice, TheQuestionIsWithdrawnWithASentenceOnceItCannotBeDone) {
+  const auto locked = [&] { services.locked = true; };
+  const auto down = [&] { services.linkUp = false; };
+  const auto past = [&] { isLive = false; };
+  const auto moved = [&] { add({frame("18EFFF91", "FF83150206021A0B", 0, kSecond)}); };
+  const auto silent = [&] { add({frame("18EFFF92", "830040", 0, 4 * kSecond)}); };
+  showTab(1);
+  for (const auto& [why, sentence] :
+       std::initializer_list<std::pair<std::function<void()>, const char*>>{{locked, "locked"},
+                                                                            {down, "link"},
+                                                                            {past, "past"},
+                                                                            {moved, "address 91 hex now"},
+                                                                            {silent, "1 s"}}) {
+    QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
+    ASSERT_NE(dialog(), nullptr) << sentence;
+    const QSize size = dialog()->size();
+    const ServiceStatus before = services;
+    why();
+    show();
+    EXPECT_FALSE(inQuestion("dangerVerb")->isEnabled()) << sentence;
+    const QString said = test::child<QLabel>(*dialog(), "dangerWithdrawn")->text();
+    EXPECT_TRUE(said.contains(QLatin1String(sentence))) << said.toStdString();
+    EXPECT_EQ(dialog()->size(), size) << sentence;
+    services = before;
+    isLive = true;
+    show();
+    EXPECT_FALSE(inQuestion("dangerVerb")->isEnabled()) << "what is withdrawn stays so";
+    QTest::keyClick(dialog(), Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([] { return dialog() == nullptr; }));
+  }
+  EXPECT_TRUE(intents.empty());
+}
+
+TEST_F(RequestsOfDevice, BehindTheLockACommandIsOfferedAndAskedOnceThereIsAnAddress) {
+  services.locked = true;
+  services.claim = {};
+  show();
+  showTab(1);
+  std::function<void()> unlocked;
+  QObject::connect(&panel, &RequestPanel::unlockForRequested,
+                   [&](const std::function<void()>& then) { unlocked = then; });
+  QPushButton* reset = button(Request::Reset);
+  ASSERT_TRUE(reset->isEnabled());
+  EXPECT_TRUE(reset->text().contains(QStringLiteral("Unlock and ask")));
+  QTest::mouseClick(reset, Qt::LeftButton);
+  ASSERT_TRUE(unlocked);
+  services.locked = false;
+  services.claim.progress = ClaimStatus::Progress::Claimed;
+  show();
+  EXPECT_EQ(dialog(), nullptr) << "the person has not unlocked for it";
+  services.locked = true;
+  services.claim = {};
+  show();
+  QTest::mouseClick(reset, Qt::LeftButton);
+  unlocked();
+  show();
+  services.locked = false;
+  services.claim.progress = ClaimStatus::Progress::Claiming;
+  show();
+  EXPECT_EQ(dialog(), nullptr);
+  services.claim.progress = ClaimStatus::Progress::Claimed;
+  show();
+  ASSERT_NE(dialog(), nullptr);
+  EXPECT_TRUE(intents.empty()) << "it asks";
+  QTest::mouseClick(inQuestion("dangerVerb"), Qt::LeftButton);
+  EXPECT_EQ(intents.size(), 1u);
+}
+
+TEST_F(RequestsOfDevice, WhatWaitsForTheLockIsForgottenWhereAnotherDeviceIsChosenOrItTakesLong) {
+  std::function<void()> unlocked;
+  QObject::connect(&panel, &RequestPanel::unlockForRequested,
+                   [&](const std::function<void()>& then) { unlocked = then; });
+  showTab(1);
+  for (const bool isOther : {false, true}) {
+    services.locked = true;
+    show();
+    QTest::mouseClick(button(Request::Reset), Qt::LeftButton);
+    unlocked();
+    if (isOther) {
+      device = {};
+      show();
+    } else {
+      add({frame("18EFFF80", "FF83150206021A0B", 0, 60 * kSecond)});
+    }
+    device = kMonitor;
+    services.locked = false;
+    show();
+    EXPECT_EQ(dialog(), nullptr);
+  }
+}
+
+TEST_F(RequestsOfDevice, OnAListenOnlyAdapterNothingIsBehindTheLock) {
+  services.locked = services.isListenOnly = true;
+  show();
+  EXPECT_FALSE(button(Request::Reset)->isEnabled());
+}
+
+TEST_F(RequestsOfDevice, UnlockingAndFirstAnswersMoveNoButton) {
+  services.devices[0].takes.add(Request::ZeroAxes);
+  for (const int tab : {0, 1}) {
+    showTab(tab);
+    for (const int wide : {300, 380, 700}) {
+      panel.resize(wide, 700);
+      services.locked = true;
+      show();
+      QApplication::processEvents();
+      const auto before = places();
+      services.locked = false;
+      show();
+      QApplication::processEvents();
+      EXPECT_EQ(places(), before) << tab << " at " << wide;
+      isLive = false;
+      show();
+      QApplication::processEvents();
+      EXPECT_EQ(places(), before) << tab << " in the past at " << wide;
+      isLive = true;
+    }
+  }
+  showTab(0);
+  const auto before = places();
+  add({frame("18EF80F9", "03", 0, kSecond), frame("18EFF980", "03010B02040206", 0, kSecond)});
+  services.devices[0].requests[Request::Firmware] = {.progress = RequestStatus::Progress::Queued,
+                                                     .period = 5s};
+  show();
+  QApplication::processEvents();
+  EXPECT_EQ(places(), before);
 }
 
 TEST_F(RequestsOfDevice, ShowsTheAnswerInWordsAndHowItWent) {

@@ -114,7 +114,7 @@ TEST_F(TracePanelTest, ShowsOnlyWhatPassesTheTypedFilter) {
   EXPECT_EQ(model().rows(), 100u);
   EXPECT_TRUE(QTest::qWaitFor([this] { return count().startsWith(QStringLiteral("100 of")); }));
   EXPECT_EQ(filtered.count(), 1);
-  QTest::keyClick(&panel, Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+  panel.goToFilter();
   EXPECT_TRUE(filter()->hasFocus());
   QTest::keyClick(filter(), Qt::Key_Delete);
   EXPECT_EQ(model().rows(), 1000u);

@@ -440,6 +440,11 @@ TEST_F(TransportBarTest, SaysWhatIsSelectedAndOffersItAsAFilter) {
   auto* menu = child<QMenu>("timelineMenu");
   menu->actions()[1]->trigger();
   EXPECT_EQ(only.back().front().toString(), QStringLiteral("t>=0.000000 and t<0.010000"));
+  const QSignalSpy saved(&bar, &TransportBar::saveRequested);
+  menu->actions()[2]->trigger();
+  ASSERT_EQ(saved.size(), 1);
+  EXPECT_EQ(saved[0][0].toULongLong(), 0u);
+  EXPECT_GT(saved[0][1].toULongLong(), 0u);
   menu->actions()[0]->trigger();
   EXPECT_TRUE(timeline()->isZoomed());
   delete menu;

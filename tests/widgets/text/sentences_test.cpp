@@ -6,6 +6,7 @@
 
 #include "protocol/akron.h"
 #include "text/device_text.h"
+#include "text/j1939_text.h"
 #include "text/time_text.h"
 
 namespace deckpipe {
@@ -128,6 +129,23 @@ TEST(DeviceText, SaysAddressesInHex) {
   EXPECT_EQ(reservedUse({0xFA}), QStringLiteral("off-board service tool 2"));
   EXPECT_TRUE(reservedUse({0x80}).isEmpty());
   EXPECT_EQ(pinText(*Pin::parse("1032AE100801035")), QStringLiteral("1032AE100801035"));
+}
+
+TEST(J1939Text, NamesGroupsAndSaysWhatAnAddressIsUsuallyFor) {
+  const auto name = [](std::uint32_t pgn) {
+    const j1939::StandardGroup* group = j1939::standardGroupOf(pgn);
+    return group != nullptr ? groupText(*group) : QString();
+  };
+  EXPECT_EQ(name(61444), QStringLiteral("Electronic engine controller 1 (EEC1)"));
+  EXPECT_EQ(name(65265), QStringLiteral("Cruise control / vehicle speed (CCVS)"));
+  EXPECT_EQ(name(65280), QStringLiteral("Proprietary B"));
+  EXPECT_EQ(name(65535), QStringLiteral("Proprietary B"));
+  EXPECT_EQ(name(65279), QString());
+  EXPECT_EQ(name(65536), QString()) << "of another data page";
+  EXPECT_EQ(usualUse({0}), QStringLiteral("usually engine 1"));
+  EXPECT_EQ(usualUse({33}), QStringLiteral("usually body controller"));
+  EXPECT_TRUE(usualUse({0x33}).isEmpty()) << "a joystick here";
+  EXPECT_TRUE(usualUse({0x80}).isEmpty());
 }
 
 TEST(DeviceText, TakesANameApart) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/common/build.h"
 
+#include <QAction>
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QHeaderView>
@@ -120,6 +121,12 @@ QToolButton* makeToolButton(QWidget* parent, const char* name, const QString& te
   button->setText(text);
   button->setToolTip(tip);
   return button;
+}
+
+void offer(QAction& action, const QString& whyNot) {
+  const QString& tip = whyNot.isEmpty() ? action.whatsThis() : whyNot;
+  if (action.toolTip() != tip) action.setToolTip(tip);
+  action.setEnabled(whyNot.isEmpty());
 }
 
 QPushButton* ExtraPage::makeDone(const char* name, const QString& spoken) {

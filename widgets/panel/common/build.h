@@ -66,6 +66,9 @@ QAction* addNamed(QMenu* menu, const char* name, What&&... what) {
   return action;
 }
 
+// Offers an action, or says in its tip why it cannot be done now. An action's own tip is its What's This.
+void offer(QAction& action, const QString& whyNot = {});
+
 // A choice that the wheel does not change: scrolling past it must not begin to poll a bus, or change what
 // goes to a device. Used in panels that send.
 class CalmCombo : public QComboBox {

@@ -25,6 +25,7 @@ QString actionText(Notice::Action action) {
     case Notice::Action::CopyDetails: return NoticeBar::tr("Copy the list");
     case Notice::Action::ShowRecordings: return NoticeBar::tr("Recordings…");
     case Notice::Action::AddUpTimes: return NoticeBar::tr("Add them up");
+    case Notice::Action::ChangeBitRate: return NoticeBar::tr("Bit rate…");
   }
   return {};
 }

@@ -16,7 +16,15 @@ class QToolButton;
 namespace deckpipe {
 
 struct Notice {
-  enum class Action : std::uint8_t { None, GoToEnd, Reconnect, CopyDetails, ShowRecordings, AddUpTimes };
+  enum class Action : std::uint8_t {
+    None,
+    GoToEnd,
+    Reconnect,
+    CopyDetails,
+    ShowRecordings,
+    AddUpTimes,
+    ChangeBitRate
+  };
 
   Severity tone = Severity::Plain;
   QString text{};     // empty: no notice

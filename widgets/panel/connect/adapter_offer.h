@@ -20,6 +20,7 @@ struct AdapterOffer {
   QString problem{};  // what to do first, if anything
   QString command{};  // … in a terminal
   bool canConnect = true;
+  bool isVirtual = false;  // no truck is on it
   friend bool operator==(const AdapterOffer&, const AdapterOffer&) = default;
 };
 

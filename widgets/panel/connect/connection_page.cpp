@@ -4,16 +4,28 @@
 #include <QFileInfo>
 #include <QPushButton>
 #include <QScrollArea>
+#include <algorithm>
 
 #include "paint/app_style.h"
 #include "panel/common/build.h"
 #include "panel/connect/adapter_row.h"
+#include "panel/connect/bit_rates.h"
 
 namespace deckpipe {
 namespace {
 
-constexpr int kBitRates[] = {10'000, 20'000, 50'000, 100'000, 125'000, 250'000, 500'000, 800'000, 1'000'000};
 constexpr int kOtherWidth = 400;
+
+// A name, and small below it where and when. Nothing of it is a key to press.
+QPushButton* makeRecent(QWidget* parent, const char* name, const QString& what, const QString& facts,
+                        const QString& spoken) {
+  QString text = facts.isEmpty() ? what : what + QLatin1Char('\n') + facts;
+  text.replace(u'&', QLatin1String("&&"));
+  auto* made = named(new QPushButton(text, parent), name, spoken);
+  made->setAccessibleDescription(facts);
+  made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a long name widens nothing
+  return made;
+}
 
 QPushButton* largeButton(QWidget* parent, const char* name, const QString& text) {
   QPushButton* button = makeButton(parent, name, text);
@@ -30,6 +42,7 @@ ConnectionPage::ConnectionPage(QWidget* parent) : QWidget(parent) {
   fillScrolled(this, inside, "startScroll");
   setOffers({});
   setRecentLogs({});
+  setRecentLinks({});
 }
 
 QWidget* ConnectionPage::makeBusSide() {
@@ -37,20 +50,21 @@ QWidget* ConnectionPage::makeBusSide() {
   auto* label = new QLabel(tr("&Bit rate:"), side);
   label->setObjectName(QStringLiteral("bitRateLabel"));
   m_bitRate = named(new QComboBox(side), "bitRate", tr("Bit rate of the bus"));
-  m_bitRate->addItem(tr("J1939, the monitors' own bus – 250 kbit/s"), 250'000);
-  m_bitRate->addItem(tr("CANopen behind the 6051 gateway – 125 kbit/s"), 125'000);
-  m_bitRate->addItem(tr("As the interface is set (SocketCAN)"), 0);
-  m_bitRate->insertSeparator(m_bitRate->count());
-  for (const int bits : kBitRates) m_bitRate->addItem(tr("%1 kbit/s").arg(bits / 1000), bits);
+  for (const int bits : offeredBitRates()) m_bitRate->addItem(bitRateText(bits), bits);
+  m_bitRate->setMaxVisibleItems(m_bitRate->count());
   label->setBuddy(m_bitRate);
   connect(m_bitRate, &QComboBox::activated, this, [this] { Q_EMIT bitRateChosen(bitRate()); });
+  m_linksTitle = makeTitle(side, "recentLinksTitle", tr("Connected before"), 1);
+  m_recentLinks = inColumn(4, {});
+  m_virtualTitle = makeTitle(side, "virtualTitle", tr("Virtual buses: no truck is on them"), 1);
   m_rows = inColumn(8, {});
   m_none = new AdapterRow(side);
   m_none->setObjectName(QStringLiteral("noAdapters"));
   m_missing = makeWords(side, "missing", tr("What cannot be used here"), Ink::Secondary);
-  inColumn(side, {}, 8,
-           {makeTitle(side, "busTitle", tr("Connect to a bus")),
-            inRow({label, m_bitRate, LayoutPart::rest()}), m_rows, m_none, m_missing, LayoutPart::rest()});
+  inColumn(
+      side, {}, 8,
+      {makeTitle(side, "busTitle", tr("Connect to a bus")), inRow({label, m_bitRate, LayoutPart::rest()}),
+       m_rows, m_none, m_linksTitle, m_recentLinks, m_missing, LayoutPart::rest()});
   return side;
 }
 
@@ -105,6 +119,11 @@ void ConnectionPage::setOffers(const AdapterOffers& offers) {
     if (m_adapters[i]->offer() != offers.adapters[i]) m_adapters[i]->setOffer(offers.adapters[i]);
     m_adapters[i]->show();
   }
+  const auto firstVirtual = std::ranges::find(offers.adapters, true, &AdapterOffer::isVirtual);
+  m_rows->removeWidget(m_virtualTitle);
+  m_virtualTitle->setVisible(firstVirtual != offers.adapters.end());
+  if (firstVirtual != offers.adapters.end())
+    m_rows->insertWidget(static_cast<int>(firstVirtual - offers.adapters.begin()), m_virtualTitle);
   const bool hasNone = offers.adapters.empty();
   m_none->setVisible(hasNone);
   if (hasNone) {
@@ -140,10 +159,11 @@ void ConnectionPage::setRecentLogs(const std::vector<RecentLog>& logs) {
   }
   for (const RecentLog& log : logs) {
     const QString name = QFileInfo(log.path).fileName();
-    const QString shown = log.isGone ? tr("%1 – gone").arg(name) : name;
-    auto* made =
-        named(new QPushButton(fontMetrics().elidedText(shown, Qt::ElideMiddle, kOtherWidth - 40), this),
-              "recentLog", tr("Open %1").arg(name));
+    const QString shown = fontMetrics().elidedText(log.isGone ? tr("%1 – gone").arg(name) : name,
+                                                   Qt::ElideMiddle, kOtherWidth - 40);
+    auto* made = makeRecent(this, "recentLog", shown,
+                            fontMetrics().elidedText(log.facts, Qt::ElideMiddle, kOtherWidth - 40),
+                            tr("Open %1").arg(name));
     made->setToolTip(log.isGone ? tr("%1\nis no longer there").arg(log.path) : log.path);
     made->setEnabled(!log.isGone);
     connect(made, &QPushButton::clicked, this, [this, path = log.path] { Q_EMIT logRequested(path); });
@@ -151,6 +171,25 @@ void ConnectionPage::setRecentLogs(const std::vector<RecentLog>& logs) {
   }
   m_noLogs->setVisible(logs.empty());
   m_forget->setVisible(!logs.empty());
+}
+
+void ConnectionPage::setRecentLinks(const std::vector<RecentLink>& links) {
+  m_linksTitle->setVisible(!links.empty());
+  if (links == m_links) return;
+  m_links = links;
+  while (QLayoutItem* item = m_recentLinks->takeAt(0)) {
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (const RecentLink& link : links) {
+    auto* made = makeRecent(this, "recentLink", link.interfaceName, link.facts,
+                            tr("Connect to %1 as before").arg(link.interfaceName));
+    made->setEnabled(link.canConnect);
+    if (!link.canConnect) made->setToolTip(tr("It is not there, or not ready, at this moment."));
+    connect(made, &QPushButton::clicked, this,
+            [this, link] { Q_EMIT connectRequested(link.plugin, link.interfaceName, link.bitRate); });
+    m_recentLinks->addWidget(made);
+  }
 }
 
 int ConnectionPage::bitRate() const { return m_bitRate->currentData().toInt(); }

@@ -21,7 +21,18 @@ class AdapterRow;
 struct RecentLog {
   QString path{};
   bool isGone = false;
+  QString facts{};  // "~/logs · 30 Nov 2026 14:12 · 1.2 MB"; empty where it is gone
   friend bool operator==(const RecentLog&, const RecentLog&) = default;
+};
+
+// A bus that was connected to before.
+struct RecentLink {
+  QString plugin{};
+  QString interfaceName{};
+  int bitRate = 0;  // bit/s; 0: as the interface had it
+  QString facts{};  // "SocketCAN · 250 kbit/s · 30 Nov 2026 14:12"
+  bool canConnect = true;
+  friend bool operator==(const RecentLink&, const RecentLink&) = default;
 };
 
 class ConnectionPage : public QWidget {
@@ -32,6 +43,7 @@ class ConnectionPage : public QWidget {
 
   void setOffers(const AdapterOffers& offers);
   void setRecentLogs(const std::vector<RecentLog>& logs);
+  void setRecentLinks(const std::vector<RecentLink>& links);
   // bit/s; 0: as the interface has it.
   int bitRate() const;
   void setBitRate(int bitRate);
@@ -52,9 +64,13 @@ class ConnectionPage : public QWidget {
 
   AdapterOffers m_offers;
   std::vector<RecentLog> m_logs;
+  std::vector<RecentLink> m_links;
+  QLabel* m_linksTitle = nullptr;
+  QVBoxLayout* m_recentLinks = nullptr;
   QComboBox* m_bitRate = nullptr;
   QVBoxLayout* m_rows = nullptr;
   std::vector<AdapterRow*> m_adapters;
+  QLabel* m_virtualTitle = nullptr;  // above the first virtual one
   AdapterRow* m_none = nullptr;
   QLabel* m_missing = nullptr;
   QLabel* m_noLogs = nullptr;

@@ -133,6 +133,8 @@ void EventPanel::setView(const PanelView& view) {
   showPage();
 }
 
+bool EventPanel::hasEvents() const { return m_model->rowCount() > 0; }
+
 int EventPanel::chosenRow() const {
   const int row = m_list->currentIndex().row();
   if (row < 0) return -1;

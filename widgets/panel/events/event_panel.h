@@ -35,6 +35,8 @@ class EventPanel : public QWidget {
   void goToPrevious();
   void goBefore();
   static constexpr Duration kBefore = 5s;
+  // Whether anything happened, listed or not.
+  bool hasEvents() const;
   EventModel* model() const { return m_model; }
 
   QSize sizeHint() const override { return {560, 200}; }

@@ -38,6 +38,7 @@ class DevicePage : public QWidget {
 
   const DevicePageValues& values() const { return m_values; }
   // The expression that lets only the device's frames through; empty without a device or address.
+  bool hasDial() const { return m_values.isFound && m_values.dial.has_value(); }
   QString traceFilter() const { return m_values.isFound ? m_values.traceFilter : QString(); }
 
   // Over what the dial spreads, instead of the window: what else is there must be seen with it.

@@ -55,7 +55,9 @@ void FaultLines::setReasons(const std::vector<PageReason>& reasons) {
     const Ink ink = inkOf(reasons[i].tone);
     m_lines[i].sign->setGlyph(healthGlyph(reasons[i].tone), ink);
     m_lines[i].words->setAccessibleName(reasons[i].text);
-    m_lines[i].words->setToolTip(reasons[i].text);
+    m_lines[i].words->setToolTip(reasons[i].advice.isEmpty()
+                                     ? reasons[i].text
+                                     : reasons[i].text + QLatin1Char('\n') + reasons[i].advice);
     setInk(*m_lines[i].words, ink);
     all << reasons[i].text;
   }

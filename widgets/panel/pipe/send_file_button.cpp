@@ -9,7 +9,6 @@
 #include <algorithm>
 
 #include "panel/common/build.h"
-#include "panel/common/danger_dialog.h"
 #include "panel/pipe/pipe_input.h"
 
 namespace deckpipe {
@@ -40,19 +39,21 @@ SendFileButton::SendFileButton(const PipeInput& input, QWidget* parent)
   connect(this, &QPushButton::clicked, this, &SendFileButton::choose);
 }
 
-void SendFileButton::setDevice(const DeviceKey& device, const QString& name) {
-  m_device = device;
-  m_name = name;
+void SendFileButton::setView(const PanelView& view) {
+  m_view = view;
+  m_question.setView(view);
 }
 
 void SendFileButton::choose() {
   Q_EMIT failed({});
-  auto* dialog = new QFileDialog(this, tr("Send a file to %1").arg(m_name));
+  auto* dialog = new QFileDialog(this, tr("Send a file to %1").arg(m_view.name));
   dialog->setObjectName(QStringLiteral("pipeFileDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this, device = m_device, name = m_name](const QString& path) { confirm(path, device, name); });
+          [this, device = m_view.device, name = m_view.name](const QString& path) {
+            confirm(path, device, name);
+          });
   dialog->open();
 }
 
@@ -72,8 +73,10 @@ void SendFileButton::confirm(const QString& path, const DeviceKey& device, const
   }
   const QByteArray lines = withLineEnds(content, QByteArray::fromStdString(m_input.lineEnd()));
   const bool mayBeLines = lines != content && isText(content);
-  DangerDialog::request(
-      this,
+  PanelView view = m_view;
+  view.device = device;  // the one that was chosen for, whatever is looked at now
+  m_question.ask(
+      this, view,
       {tr("Send a file to %1?").arg(name),
        tr("%1, %2. The device takes the characters as if they had been typed; what they do there "
           "is the device's own affair.")

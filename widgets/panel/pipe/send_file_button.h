@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "control/intent.h"
+#include "panel/common/device_question.h"
 
 namespace deckpipe {
 
@@ -22,7 +23,7 @@ class SendFileButton : public QPushButton {
   explicit SendFileButton(const PipeInput& input, QWidget* parent = nullptr);
 
   // The file goes to whom it was chosen for, whatever device is looked at by then.
-  void setDevice(const DeviceKey& device, const QString& name);
+  void setView(const PanelView& view);
 
  Q_SIGNALS:
   void intended(const deckpipe::Intent& intent);
@@ -34,8 +35,8 @@ class SendFileButton : public QPushButton {
   void confirm(const QString& path, const DeviceKey& device, const QString& name);
 
   const PipeInput& m_input;
-  DeviceKey m_device;
-  QString m_name;
+  PanelView m_view;
+  DeviceQuestion m_question;
 };
 
 }  // namespace deckpipe

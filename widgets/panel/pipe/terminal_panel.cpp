@@ -110,7 +110,7 @@ void TerminalPanel::setView(const PanelView& view) {
     m_forTheRest->setChecked(false);
   }
   m_view = view;
-  m_sendFile->setDevice(view.device, view.name);
+  m_sendFile->setView(view);
   m_text->setView(view.log, view.device);
   const bool isWaiting = std::ranges::any_of(services().devices, [](const DeviceServices& at) {
     return at.pipe && at.pipe->progress == PipeStatus::Progress::Stalled;

@@ -234,8 +234,11 @@ void TransportBar::showMenu(const QPoint& at) {
                                   [this, span] { m_timeline->showSpan(*span); });
   QAction* show = menu->addAction(tr("Show only the selection in the trace"), this,
                                   [this, span, only] { Q_EMIT spanRequested(only(*span)); });
+  QAction* save = menu->addAction(tr("Save the selection…"), this, [this, span] {
+    Q_EMIT saveRequested(framesBefore(m_view, span->begin), framesBefore(m_view, span->end));
+  });
   QAction* none = menu->addAction(tr("No selection"), this, [this] { m_timeline->select({}); });
-  for (QAction* action : {zoom, show, none}) action->setEnabled(span.has_value());
+  for (QAction* action : {zoom, show, save, none}) action->setEnabled(span.has_value());
   menu->addSeparator();
   menu->addAction(tr("The whole log"), m_timeline, &Timeline::fit)->setEnabled(m_timeline->isZoomed());
   // What each mark stands for, and which are drawn.

@@ -63,6 +63,8 @@ class TransportBar : public QWidget {
   void rowStepRequested(int rows);             // of the trace, -1 or 1
   // Only frames of a span are of interest: an expression of the trace's filter.
   void spanRequested(const QString& expression);
+  // The frames of a span are wanted in a file.
+  void saveRequested(std::uint64_t begin, std::uint64_t end);
   void endRequested();
   void speedRequested(double speed);
   void loopRequested(std::optional<deckpipe::TimelineSpan> span);

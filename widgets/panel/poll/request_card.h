@@ -23,6 +23,7 @@ struct RequestCardValues {
   bool isOld = false;               // the device restarted or fell silent after the answer
   bool isFault = false;             // the answer names a fault
   bool isOffered = false;
+  bool isBehindLock = false;  // a command that is offered after unlocking
   friend bool operator==(const RequestCardValues&, const RequestCardValues&) = default;
 };
 
@@ -50,6 +51,7 @@ class RequestCard : public QWidget {
   GlyphLabel* m_sign;
   QLabel* m_state;
   QPushButton* m_button;
+  QString m_verb;  // on the button while nothing is in the way
 };
 
 }  // namespace deckpipe

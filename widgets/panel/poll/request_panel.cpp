@@ -3,11 +3,13 @@
 
 #include <QAbstractItemView>
 #include <QHeaderView>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QStandardItemModel>
+#include <QTabWidget>
 #include <QTreeView>
 #include <algorithm>
 
@@ -15,9 +17,10 @@
 #include "model/device_health.h"
 #include "model/device_rows.h"
 #include "panel/common/build.h"
-#include "panel/common/danger_dialog.h"
 #include "panel/common/flat_header.h"
+#include "panel/common/labels.h"
 #include "panel/common/send_hint.h"
+#include "panel/common/warning_button.h"
 #include "panel/poll/repeat_bar.h"
 #include "panel/poll/request_card.h"
 #include "text/service_text.h"
@@ -29,20 +32,25 @@ namespace {
 constexpr std::array<Duration, 6> kPeriods{0s, 500ms, 1s, 5s, 30s, 60s};
 constexpr int kHistoryHeight = 120;  // two or three answers
 
+// How long the console may take from unlocking to an address of its own, until nobody expects the question any more.
+constexpr Duration kUnlockPatience = 10s;
+
 // What a command does, for the one question before it. The manual's words, no more.
 constexpr KeyTable<kCommands, const char*> kConsequences{{
     {Request::ZeroAxes,
-     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
-                       "Its axes are taken to stand at zero from now on (message 41). Soft limits and shown "
-                       "angles refer to the new zero.")},
+     QT_TRANSLATE_NOOP(
+         "deckpipe::RequestPanel",
+         "Sets the position where it stands now as its zero for rotation and elevation (message 41). "
+         "The manual names no way back to the zero of before; valid angles of before stay in the log.")},
     {Request::Reset,
-     QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
-                       "The controller restarts (message 45): it falls silent, claims an address anew and "
-                       "announces itself. It does not acknowledge.")},
+     QT_TRANSLATE_NOOP(
+         "deckpipe::RequestPanel",
+         "The controller resets at once and does what it does at power-up: it claims an address "
+         "and announces itself (message 45). It does not acknowledge.")},
     {Request::SetupMode,
      QT_TRANSLATE_NOOP("deckpipe::RequestPanel",
-                       "The controller enters setup mode (message 46), as on power-up with the stream input "
-                       "active. Only a restart leaves it.")},
+                       "The controller enters its setup mode at once (message 46), as at power-up with the "
+                       "pattern stream input active. What it does there its own manual says.")},
 }};
 
 bool namesFault(const Device& device) {
@@ -60,6 +68,7 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
 
   m_hint = new SendHint(QStringLiteral("request"), this);
   connect(m_hint, &SendHint::unlockRequested, this, &RequestPanel::unlockRequested);
+  m_hint->keepRoom();
   m_repeats = new RepeatBar(this);
   connect(m_repeats, &RepeatBar::endRequested, this, [this] {
     Q_EMIT intended(intent::Repeat{{}, kPolls, Duration{0}});
@@ -82,20 +91,24 @@ RequestPanel::RequestPanel(QWidget* parent) : QWidget(parent), m_history(new Ans
                                  fontMetrics().horizontalAdvance(requestText(Request::Config)) + 24);
   m_historyView->setMinimumHeight(kHistoryHeight);
 
+  auto* tabs = named(new QTabWidget(this), "requestTabs", tr("Ask or change"));
+  tabs->addTab(makePolls(), tr("Ask"));
+  tabs->addTab(makeCommands(), warningIcon(tabs), tr("Change"));
+  tabs->setTabToolTip(1, tr("Commands that change the device. Each asks once before it is sent."));
   auto* split = new QSplitter(Qt::Vertical, this);
   split->setChildrenCollapsible(false);
-  split->addWidget(makeRequests());
+  split->addWidget(tabs);
   split->addWidget(m_historyView);
   split->setStretchFactor(0, 3);
   split->setStretchFactor(1, 1);
-  inColumn(this, {8, 8, 8, 0}, 6, {m_title, m_hint, m_repeats, {split, 1}});
+  inColumn(this, {8, 8, 8, 0}, 6, {m_title, m_hint, {split, 1}, m_repeats});
 
   connect(m_historyView, &QTreeView::activated, this, [this](const QModelIndex& index) {
     Q_EMIT frameRequested(index.data(AnswerHistory::FrameRole).toULongLong());
   });
 }
 
-QWidget* RequestPanel::makeRequests() {
+QWidget* RequestPanel::makePolls() {
   auto* content = new QWidget(this);
   m_askAll = makeButton(content, "askAll", tr("Ask it all"));
   m_askAll->setToolTip(tr("Every poll that this device takes, once"));
@@ -114,7 +127,7 @@ QWidget* RequestPanel::makeRequests() {
                {inRow({{m_askAll, 1}, {m_repeat, 1}}), inRow({{m_askEveryone, 1}, {m_cancel, 1}}), m_none});
   for (const Request request : kAllOf<Request>) {
     m_cards[request] = new RequestCard(request, content);
-    column->addWidget(m_cards[request]);
+    if (!isCommand(request)) column->addWidget(m_cards[request]);
     connect(m_cards[request], &RequestCard::pressed, this, [this, request] { press(request); });
   }
   column->addStretch(1);
@@ -129,7 +142,28 @@ QWidget* RequestPanel::makeRequests() {
   connect(m_cancel, &QPushButton::clicked, this, [this] { Q_EMIT intended(intent::Cancel{m_view.device}); });
   connect(m_repeat, &QComboBox::activated, this, &RequestPanel::repeat);
 
-  QScrollArea* area = makeScroll(this, "askArea", content);
+  return scrolled("askArea", content);
+}
+
+QWidget* RequestPanel::makeCommands() {
+  auto* content = new QWidget(this);
+  auto* sign = new GlyphLabel(content);
+  sign->setGlyph(Glyph::Warning, Ink::Warning);
+  auto* caution = makeWords(content, "changeCaution", tr("What this tab is for"), Ink::Warning);
+  caution->setText(
+      tr("These change the device. Whether it moves at one of them the manual does not say: see that "
+         "nobody is near it."));
+  m_noCommand = makeMessage(content, "changeNone", tr("Why there is nothing to change"), 16);
+  m_noCommand->setAutoFillBackground(false);
+  auto* column =
+      inColumn(content, {8, 8, 8, 0}, 6, {inRow(8, {{sign, 0, Qt::AlignTop}, {caution, 1}}), m_noCommand});
+  for (const Request command : kCommands) column->addWidget(m_cards[command]);
+  column->addStretch(1);
+  return scrolled("changeArea", content);
+}
+
+QScrollArea* RequestPanel::scrolled(const char* name, QWidget* content) {
+  QScrollArea* area = makeScroll(this, name, content);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return area;
 }
@@ -142,15 +176,35 @@ void RequestPanel::setView(const PanelView& view) {
   m_history->setView(view.log, view.device);
   if (isAtEnd && m_history->rowCount() != rows) m_historyView->scrollToBottom();
   showState();
+  m_question.setView(view);
+  askOnceUnlocked();
 }
 
 void RequestPanel::showState() {
   setText(*m_title, m_view.name);
-  m_title->setVisible(!m_view.name.isEmpty());
   const bool isNews = services().refusal != Refusal::Busy;  // the card says it already
   m_hint->setStatus(services(), m_view.isLive, isNews ? refusalText(services().refusal) : QString());
   m_repeats->setStatus(services(), m_view.labels);
   const DeviceServices* device = services().find(m_view.device);
+  showPolls(device);
+  bool hasPoll = false, hasCommand = false;
+  for (RequestCard* card : m_cards) {
+    const bool isTaken = device != nullptr && device->takes.has(card->request());
+    const bool isShown = isTaken || m_history->latest(card->request()) != nullptr;
+    card->setVisible(isShown);
+    bool& has = isCommand(card->request()) ? hasCommand : hasPoll;
+    has = has || isShown;
+    if (isShown) showCard(*card, device);
+  }
+  m_none->setVisible(!hasPoll);
+  m_none->setText(m_view.device.isNull() ? tr("Choose an Akron device to ask it.")
+                                         : tr("This device takes no polls, or was not asked in this log."));
+  m_noCommand->setVisible(!hasCommand);
+  m_noCommand->setText(m_view.device.isNull() ? tr("Choose an Akron device to change it.")
+                                              : tr("This device takes no command that changes it."));
+}
+
+void RequestPanel::showPolls(const DeviceServices* device) {
   const bool canRequest = m_view.isLive && services().canRequest();
   bool isOpen = false;
   const Duration period = device != nullptr ? device->longestPeriod() : Duration{0};
@@ -171,17 +225,6 @@ void RequestPanel::showState() {
   const auto found = std::ranges::find(kPeriods, period);
   const int index = found == kPeriods.end() ? 0 : static_cast<int>(found - kPeriods.begin());
   if (!m_repeat->view()->isVisible() && m_repeat->currentIndex() != index) m_repeat->setCurrentIndex(index);
-  bool hasCard = false;
-  for (RequestCard* card : m_cards) {
-    const bool isTaken = device != nullptr && device->takes.has(card->request());
-    const bool isShown = isTaken || m_history->latest(card->request()) != nullptr;
-    card->setVisible(isShown);
-    hasCard = hasCard || isShown;
-    if (isShown) showCard(*card, device);
-  }
-  m_none->setVisible(!hasCard);
-  m_none->setText(m_view.device.isNull() ? tr("Choose an Akron device to ask it.")
-                                         : tr("This device takes no polls, or was not asked in this log."));
 }
 
 // What is repeated can be ended off the live edge too, but not begun.
@@ -281,22 +324,51 @@ void RequestPanel::showCard(RequestCard& card, const DeviceServices* device) {
                     : values.isFault || values.isOld                       ? Severity::Plain
                                                                            : Severity::Fine;
     }
-    values.isOffered = m_view.isLive && services().canRequest() && device->takes.has(card.request()) &&
-                       request.progress != RequestStatus::Progress::Waiting && !isKept;
+    const bool isFree =
+        device->takes.has(card.request()) && request.progress != RequestStatus::Progress::Waiting && !isKept;
+    values.isOffered = isFree && m_view.isLive && services().canRequest();
+    values.isBehindLock = isFree && isCommand(card.request()) && isBehindLock();
   }
   card.setValues(values);
 }
 
+// Nothing but the lock is in the way.
+bool RequestPanel::isBehindLock() const {
+  return m_view.isLive && services().linkUp && services().locked && !services().isEnding &&
+         !services().isListenOnly;
+}
+
 void RequestPanel::press(Request request) {
-  const intent::SendRequests wanted{m_view.device, RequestSet{request}};
   if (!isCommand(request)) {
-    Q_EMIT intended(wanted);
-    return;
+    Q_EMIT intended(intent::SendRequests{m_view.device, RequestSet{request}});
+  } else if (isBehindLock()) {
+    Q_EMIT unlockForRequested([self = QPointer(this), request, device = m_view.device] {
+      if (self != nullptr) self->m_waiting = Waiting{request, device, self->now()};
+    });
+  } else {
+    ask(request);
   }
-  DangerDialog::request(this,
-                        {tr("%1: %2?").arg(requestText(request), m_view.name),
-                         tr(*kConsequences.find(request)), requestText(request)},
-                        [this, wanted] { Q_EMIT intended(wanted); });
+}
+
+void RequestPanel::askOnceUnlocked() {
+  if (!m_waiting) return;
+  const Waiting waiting = *m_waiting;
+  const bool isExpected =
+      m_view.isLive && m_view.device == waiting.device && now() - waiting.since < kUnlockPatience;
+  if (isExpected && !services().canRequest()) return;
+  m_waiting.reset();
+  if (isExpected) ask(waiting.command);
+}
+
+void RequestPanel::ask(Request command) {
+  m_question.ask(this, m_view,
+                 {.title = tr("%1: %2?").arg(requestText(command), m_view.name),
+                  .text = tr(*kConsequences.find(command)) + QLatin1Char(' ') +
+                          tr("Whether the device moves then it does not say: see that nobody is near it."),
+                  .verb = requestText(command)},
+                 [this, wanted = intent::SendRequests{m_view.device, RequestSet{command}}](bool) {
+                   Q_EMIT intended(wanted);
+                 });
 }
 
 void RequestPanel::repeat(int index) {

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks the chosen device: polls, once or repeated, and the guarded commands, each with its last answer in
-// words and how the request went; below, earlier answers and what changed. The window gives it the view, what
-// was said in the log, the services' status and the chosen device; it emits intents and sends nothing.
+// Asks the chosen device: polls, once or repeated, each with its last answer in words and how the request went; apart
+// from them, on a tab of their own, the guarded commands, which change the device. Below, earlier answers and what
+// changed. The window gives it the view, what was said in the log, the services' status and the chosen device; it emits
+// intents and sends nothing.
 #pragma once
 
 #include <QWidget>
 #include <array>
+#include <functional>
+#include <optional>
 
 #include "control/intent.h"
+#include "panel/common/device_question.h"
 #include "panel/common/panel_view.h"
 
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTreeView;
 
 namespace deckpipe {
@@ -37,22 +42,41 @@ class RequestPanel : public QWidget {
  Q_SIGNALS:
   void intended(const deckpipe::Intent& intent);
   void unlockRequested();
+  // Sending is to be unlocked for something; `then` is called where the person does.
+  void unlockForRequested(const std::function<void()>& then);
   void frameRequested(std::uint64_t frame);
 
  private:
-  QWidget* makeRequests();
+  QWidget* makePolls();
+  QWidget* makeCommands();
+  QScrollArea* scrolled(const char* name, QWidget* content);
+  void showPolls(const DeviceServices* device);
   void showState();
   void offerPeriods(bool isOffered);
   // What the log says up to the cursor, whoever asked. `withMissing`: also that no answer came.
   RequestCardValues loggedValues(Request request, bool withMissing) const;
   void showCard(RequestCard& card, const DeviceServices* device);
+  bool isBehindLock() const;
   void press(Request request);
+  void ask(Request command);
+  void askOnceUnlocked();
   void repeat(int index);
   QString stateText(Request request, const RequestStatus& status, bool& isFine) const;
 
   const ServiceStatus& services() const { return *m_view.services; }
 
+  // A command that is asked about once sending is unlocked and the console has an address.
+  struct Waiting {
+    Request command;
+    DeviceKey device;
+    Instant since;
+  };
+
+  Instant now() const { return std::max(m_view.log.cursor.time, m_view.log.end); }
+
   PanelView m_view;
+  DeviceQuestion m_question;
+  std::optional<Waiting> m_waiting;
 
   QLabel* m_title = nullptr;
   SendHint* m_hint = nullptr;
@@ -63,6 +87,7 @@ class RequestPanel : public QWidget {
   QComboBox* m_repeat = nullptr;
   EnumArray<Request, RequestCard*> m_cards;
   QLabel* m_none = nullptr;
+  QLabel* m_noCommand = nullptr;
   AnswerHistory* m_history;
   QTreeView* m_historyView = nullptr;
   FlatHeader* m_historyHeader = nullptr;

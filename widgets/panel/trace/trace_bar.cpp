@@ -28,6 +28,8 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("traceBar"));
   m_filter = new TraceFilterEdit(this);
   makeHelp();
+  m_find = makeToolButton(this, "traceFind", tr("Find"), tr("Find in the rows (Ctrl+F)"));
+  connect(m_find, &QToolButton::clicked, this, &TraceBar::findRequested);
   m_count = new ElidedLabel(this);
   m_count->setObjectName(QStringLiteral("traceCount"));
   setInk(*m_count, Ink::Secondary);
@@ -56,7 +58,7 @@ TraceBar::TraceBar(QWidget* parent) : QWidget(parent) {
     Q_EMIT orderChosen(order);
   });
   inRow(this, {kMargin, 4, kMargin, 4}, kSpacing,
-        {m_order, {m_filter, 1}, m_help, m_count, m_time, m_follow});
+        {m_order, {m_filter, 1}, m_help, m_find, m_count, m_time, m_follow});
 }
 
 void TraceBar::measureCount() {
@@ -66,7 +68,7 @@ void TraceBar::measureCount() {
 
 void TraceBar::fit() {
   int room = width() - 2 * kMargin - m_order->sizeHint().width() - kSpacing - kMinFilter - kSpacing -
-             m_help->sizeHint().width();
+             m_help->sizeHint().width() - kSpacing - m_find->sizeHint().width();
   const auto show = [&room](QWidget* widget, int wanted) {
     room -= kSpacing + wanted;
     widget->setVisible(room >= 0);

@@ -35,6 +35,7 @@ class TraceBar : public QWidget {
   void orderChosen(int order);
   void timeModeChosen(int mode);
   void followToggled(bool isFollowing);
+  void findRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -48,6 +49,7 @@ class TraceBar : public QWidget {
   TraceFilterEdit* m_filter;
   QTabBar* m_order;
   QToolButton* m_help;
+  QToolButton* m_find;
   ElidedLabel* m_count;
   QComboBox* m_time;
   QCheckBox* m_follow;

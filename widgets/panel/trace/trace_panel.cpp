@@ -50,6 +50,7 @@ void TracePanel::connectParts() {
   connect(m_bar, &TraceBar::orderChosen, this, &TracePanel::setOrder);
   connect(m_bar, &TraceBar::timeModeChosen, this, &TracePanel::setTimeMode);
   connect(m_bar, &TraceBar::followToggled, m_view, &TraceView::setFollowing);
+  connect(m_bar, &TraceBar::findRequested, this, &TracePanel::find);
   m_bar->setFollowing(m_view->isFollowing());
   connect(m_view, &TraceView::followingChanged, m_bar, &TraceBar::setFollowing);
   connect(m_view, &TraceView::currentFrameChanged, this, [this](std::optional<std::uint64_t> frame) {
@@ -79,19 +80,21 @@ void TracePanel::makeShortcuts() {
     connect(new QShortcut(keys, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut),
             &QShortcut::activated, this, what);
   };
-  const auto search = [this] {
-    m_bar->setOrder(TraceBar::InOrder);
-    m_search->open();
-  };
-  shortcut(QKeySequence::Find, search);
-  shortcut(QKeySequence(QStringLiteral("Ctrl+Shift+F")), [this] {
-    m_bar->filter()->setFocus(Qt::ShortcutFocusReason);
-    m_bar->filter()->selectAll();
-  });
+  shortcut(QKeySequence::Find, &TracePanel::find);
   shortcut(QKeySequence(QStringLiteral("F3")),
-           [this, search] { m_search->isVisible() ? m_search->findNext() : search(); });
+           [this] { m_search->isVisible() ? m_search->findNext() : find(); });
   shortcut(QKeySequence(QStringLiteral("Shift+F3")),
-           [this, search] { m_search->isVisible() ? m_search->findPrevious() : search(); });
+           [this] { m_search->isVisible() ? m_search->findPrevious() : find(); });
+}
+
+void TracePanel::find() {
+  m_bar->setOrder(TraceBar::InOrder);
+  m_search->open();
+}
+
+void TracePanel::goToFilter() {
+  m_bar->filter()->setFocus(Qt::ShortcutFocusReason);
+  m_bar->filter()->selectAll();
 }
 
 void TracePanel::layOut() {

@@ -46,6 +46,10 @@ class TracePanel : public QWidget {
   // Asks for the cursor there.
   void stepCursor(int rows);
 
+  // Opens the line that looks for a frame; goes to the line of the filter.
+  void find();
+  void goToFilter();
+
   // Asks for a file of what is selected, or of all that passes the filter.
   bool hasSelection() const;
   void saveSelection();
