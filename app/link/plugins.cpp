@@ -2,7 +2,9 @@
 #include "link/plugins.h"
 
 #include <QCanBus>
+#include <QCanBusDevice>
 #include <QUrl>
+#include <memory>
 
 namespace deckpipe {
 
@@ -14,6 +16,13 @@ std::mutex& serialBusMutex() {
 QStringList installedPlugins() {
   const std::lock_guard lock(serialBusMutex());
   return QCanBus::instance()->plugins();
+}
+
+void keepServerOnThisThread(const QString& plugin, const QString& interfaceName) {
+  const std::unique_lock lock(serialBusMutex(), std::try_to_lock);
+  if (!lock || plugin != QLatin1String("virtualcan")) return;
+  const std::unique_ptr<QCanBusDevice> device(QCanBus::instance()->createDevice(plugin, interfaceName));
+  if (device != nullptr && device->error() == QCanBusDevice::NoError) device->connectDevice();
 }
 
 bool isSocketCan(const QString& plugin) { return plugin == QLatin1String("socketcan"); }

@@ -21,6 +21,12 @@ QStringList installedPlugins();
 // The plugin for network interfaces of Linux.
 bool isSocketCan(const QString& plugin);
 
+// The first virtualcan device that is opened on a port of this computer makes the program's server of that port. The
+// server answers only while the thread that opened the device runs. Opens a device and drops it, so that the server
+// lives on the calling thread: call it on one that outlives all links, before each link is opened. Does nothing for
+// other plugins, and while somebody else holds serialBusMutex().
+void keepServerOnThisThread(const QString& plugin, const QString& interfaceName);
+
 // Whether frames we wrote come back marked once they were on the bus.
 // socketcan: yes, by MSG_CONFIRM on our own socket; drivers without IFF_ECHO (slcan, vcan) confirm on queueing. virtualcan: its own 'receive
 // own' hands a copy back inside writeFrame() and so proves nothing; but a host that returns frames with the

@@ -2,6 +2,7 @@
 // The session's links: opened, recorded, begun anew, and what the window wants of them and of the demo's truck.
 #include <utility>
 
+#include "link/plugins.h"
 #include "session/bus_threads.h"
 #include "session/clocks.h"
 #include "session/recorder.h"
@@ -33,6 +34,7 @@ void Session::openLink(const LinkSettings& wanted) {
 
 void Session::startLink(LinkSettings settings, const QString& channelName) {
   settings.channel = {m_document->frames.channel(channelName.toStdString())};
+  keepServerOnThisThread(settings.plugin, settings.interfaceName);
   m_live = new LiveBus(m_document, settings, m_claim, m_board);
   m_board = m_live->board();
   connect(m_live, &LiveBus::ticked, this, &Session::tick);

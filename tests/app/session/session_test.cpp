@@ -470,6 +470,32 @@ TEST(Demo, GoesOnWhereALogCannotBeReadOrHoldsNoFrame) {
   }
 }
 
+// The first on its port is virtualcan's server, also after its own link was opened anew.
+TEST(Link, ConnectedAgainAsTheServerOfItsPortHears) {
+  QTcpServer probe;
+  ASSERT_TRUE(probe.listen(QHostAddress::LocalHost));
+  const QString bus = QStringLiteral("tcp://127.0.0.1:%1/can0").arg(probe.serverPort());
+  probe.close();
+  Session session;
+  const auto isRunning = [&] {
+    return session.snapshot().source.progress == SourceStatus::Progress::Running;
+  };
+  session.openLink({QStringLiteral("virtualcan"), bus, 250'000, {}});
+  ASSERT_TRUE(QTest::qWaitFor(isRunning, kPatience));
+  session.reconnect();
+  ASSERT_TRUE(QTest::qWaitFor(isRunning, kPatience));
+  RecordingListener peer;
+  CanLink peerLink({QStringLiteral("virtualcan"), bus, 250'000, {}});
+  peerLink.open(peer);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return peer.state() == LinkState::Up; }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        peerLink.write(test::frame("18EFFF80", "FF83150206021A0B"));
+        return session.snapshot().view.frameCount > 0;
+      },
+      kPatience));
+}
+
 TEST(Link, ConnectedAgainGoesOnInTheSameLogAndFileAfterAGap) {
   const QTemporaryDir dir;
   VirtualBus bus;
