@@ -55,6 +55,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   m_scroll->setFocusPolicy(Qt::NoFocus);  // the tiles have it
   m_scroll->setWidget(m_content);
   m_scroll->installEventFilter(this);
+  m_content->installEventFilter(this);
   m_summary->setContentsMargins(OverviewGrid::kGap, OverviewGrid::kGap / 2, OverviewGrid::kGap, 0);
   m_summary->setWordWrap(true);
   inColumn(this, {0, 0, 0, 0}, 0, {m_summary, {m_empty, 1}, {m_scroll, 1}, m_untracked});
@@ -117,7 +118,7 @@ void OverviewPanel::refresh() {
   std::vector<OverviewMonitor> monitors = overviewOf(m_view.log, m_view.labels);
   const bool isEmpty = monitors.empty();
   setText(*m_summary, isEmpty ? QString() : overviewSummary(monitors));
-  if (m_content->underMouse()) keepPlaces(monitors);
+  if (m_isPointed) keepPlaces(monitors);
   giveTiles(monitors);
   m_untracked->setView(m_view.log);
   if (isEmpty) setText(*m_empty, emptyText());
@@ -168,6 +169,9 @@ bool OverviewPanel::moveFocus(int from, int key) {
 
 bool OverviewPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_scroll && event->type() == QEvent::Resize) layOut();
+  // A pointer that rests where the panel comes up points at nothing.
+  if (event->type() == QEvent::HoverMove) m_isPointed = true;
+  if (watched == m_content && event->type() == QEvent::Leave) m_isPointed = false;
   if (event->type() == QEvent::KeyPress) {
     const auto tile = std::ranges::find(m_tiles, watched);
     if (tile != m_tiles.end())

@@ -70,7 +70,8 @@ class OverviewPanel : public QWidget {
   QString emptyText() const;
 
   PanelView m_view;
-  int m_columns = 1;  // as laid out
+  int m_columns = 1;         // as laid out
+  bool m_isPointed = false;  // by a pointer that moved among the tiles
   QLabel* m_empty;
   QLabel* m_summary;
   UntrackedLabel* m_untracked;
