@@ -32,8 +32,10 @@ PartWriter::PartWriter(const LogDocument& log, const Span& span, const LabelsByP
 
 bool PartWriter::frame(std::uint64_t i, const std::stop_token& stop) {
   if (m_written == 0) noteFilters(m_log.frames.timeAt(i));
-  if (m_written == 0 && i > 0 && !beginAt(i, stop)) return false;
-  passNotes(i);
+  const bool isBegin = m_written == 0 && i > 0;
+  if (isBegin) noteInForce();
+  passNotes(i);  // the gaps among them make former what was said before
+  if (isBegin && !addInForce(i, stop)) return false;
   const Instant time = m_times.at(i);
   addedUntil(i);
   write(m_log.frames[i], time);
@@ -41,7 +43,7 @@ bool PartWriter::frame(std::uint64_t i, const std::stop_token& stop) {
   return true;
 }
 
-// The writer waits for the first frame that passes: beginAt() writes what is in force there.
+// The writer waits for the first frame that passes: frame() adds what is in force there.
 void PartWriter::heldBack(std::uint64_t i) {
   const Frame& frame = m_log.frames[i];
   if (m_written == 0 || !tellsWhoIsWho(frame)) return;
@@ -59,13 +61,14 @@ void PartWriter::noteFilters(Instant time) {
   if (m_span.isFiltered) write(note::Filtered{m_span.filter}, time);
 }
 
-bool PartWriter::beginAt(std::uint64_t i, const std::stop_token& stop) {
-  const FrameStore& frames = m_log.frames;
-  if (m_span.begin > 0) {
-    for (Note& note : notesInForce(frames, m_log.notes, m_span.begin))
-      write(std::move(note.value), note.time);
-  }
-  const std::vector<Frame> inForce = framesInForce(frames, m_log.notes, i, stop);
+void PartWriter::noteInForce() {
+  if (m_span.begin == 0) return;
+  for (Note& note : notesInForce(m_log.frames, m_log.notes, m_span.begin))
+    write(std::move(note.value), note.time);
+}
+
+bool PartWriter::addInForce(std::uint64_t i, const std::stop_token& stop) {
+  const std::vector<Frame> inForce = framesInForce(m_log.frames, m_log.notes, i, stop);
   if (stop.stop_requested()) return false;
   const Instant time = m_times.at(i);
   if (!inForce.empty()) write(note::Added{inForce.size()}, time);

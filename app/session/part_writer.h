@@ -47,7 +47,8 @@ class PartWriter {
 
  private:
   void noteFilters(Instant time);
-  bool beginAt(std::uint64_t i, const std::stop_token& stop);
+  void noteInForce();
+  bool addInForce(std::uint64_t i, const std::stop_token& stop);
   void passNotes(std::uint64_t before);
   void addedUntil(std::uint64_t i);
   void noteLeftOut();

@@ -2,6 +2,7 @@
 #include "state/in_force.h"
 
 #include <algorithm>
+#include <bitset>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -77,16 +78,28 @@ bool tellsWhoIsWho(const Frame& frame) {
 
 std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& notes, std::uint64_t at,
                                  const std::stop_token& stop) {
-  const std::vector<Note> before = notes.between(0, at);
+  const std::vector<Note> before = notes.between(0, at + 1);
   auto note = before.begin();
   LogTimes times(frames);
   RoleWalk walk;
   std::map<Key, Said> last;
+  std::bitset<256> isDown;  // by channel: its link
+  // Behind a gap nothing that was said before it is known to hold.
+  const auto passNotes = [&](std::uint64_t i) {
+    for (; note != before.end() && note->frame <= i; ++note) {
+      teach(walk, *note);
+      if (const auto* down = std::get_if<note::LinkDown>(&note->value)) isDown.set(down->channel.value);
+      const auto* up = std::get_if<note::LinkUp>(&note->value);
+      if (up == nullptr || !isDown[up->channel.value]) continue;
+      isDown.reset(up->channel.value);
+      std::erase_if(last, [&](const auto& entry) { return std::get<0>(entry.first) == up->channel.value; });
+    }
+  };
   for (std::uint64_t i = 0; i < at;) {
     for (const Frame& frame : frames.run(i)) {
       if (i == at) break;
       if (i % kGlance == 0 && stop.stop_requested()) return {};
-      for (; note != before.end() && note->frame <= i; ++note) teach(walk, *note);
+      passNotes(i);
       const Classified what = walk.next(frame, times.at(i));
       if (what.isDecoded() && kIsIdentity[what.message]) {
         const Address source = J1939Id::of(frame.identifier()).source;
@@ -99,6 +112,7 @@ std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& note
       ++i;
     }
   }
+  passNotes(at);
   walk.timeCame(frames.timeAt(at));
 
   std::vector<std::uint64_t> inForce;

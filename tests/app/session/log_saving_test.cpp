@@ -257,6 +257,34 @@ TEST_F(SavedPartTest, WhoComesLaterIsAddedThoughAFilterHoldsItBack) {
   EXPECT_EQ(stateOf(*read).channel({0}).book.holder({0x80}), stateOf(*log).channel({0}).book.holder({0x80}));
 }
 
+// What the filter held back was said behind the gap, and what is added at the begin must be behind it too.
+TEST_F(SavedPartTest, APinThatWasSaidBehindAGapIsNotFormer) {
+  log = test::logOfText(
+      "(100.000000) can0 18EFFF80#011D940371000041\n"
+      "(100.100000) can0 18EFFF80#011D940371000041\n"
+      "(102.000000) can0 18EFFF80#FF83150206021A0B\n"
+      "(102.100000) can0 18EFFF80#011D940371000041\n");
+  log->notes.append({.frame = 0, .time = {99'000'000'000}, .value = note::LinkUp{}});
+  log->notes.append({.frame = 2, .time = {101'000'000'000}, .value = note::LinkDown{}});
+  log->notes.append({.frame = 2, .time = {101'900'000'000}, .value = note::LinkUp{}});
+  for (const std::uint64_t begin : {0u, 1u, 2u}) {
+    EXPECT_EQ(
+        save({.begin = begin, .passes = [](std::uint64_t frame) { return frame == 3; }, .filter = "late"})
+            .added,
+        1u);
+    EXPECT_NE(stateOf(*reopened()).devices().byPin(monitor), nullptr) << begin;
+  }
+}
+
+TEST_F(SavedPartTest, APinThatWasSaidBeforeAGapIsFormerInAPartThatBeginsBehindIt) {
+  log->notes.append({.frame = 4, .time = {100'310'000'000}, .value = note::LinkDown{}});
+  log->notes.append({.frame = 4, .time = {100'390'000'000}, .value = note::LinkUp{}});
+  EXPECT_EQ(save({.begin = 4, .end = 6}).added, 1u) << "of the other channel";
+  const State state = stateOf(*reopened());
+  EXPECT_EQ(state.devices().byPin(monitor), nullptr);
+  EXPECT_NE(state.devices().byPin(other), nullptr);
+}
+
 TEST_F(SavedPartTest, FramesThatTheFilesReaderSkippedAreNoted) {
   const std::string text = std::string(kSimulator) + "(100.600000) can0 123##1001122\n";
   log = test::logOfText(text);

@@ -189,6 +189,22 @@ TEST_F(BehindAGap, AFormerIdentityIsNotInForce) {
   EXPECT_TRUE(framesInForce(frames, notes, 2, {}).empty());
 }
 
+TEST_F(BehindAGap, WhatWasSaidBeforeItIsNotInForceWhereTheNextFrameComes) {
+  FrameStore frames;
+  NoteStore notes;
+  const std::vector<Frame> batch{
+      frame("18EFFF80", kAnnouncesA, 0, 1'000'000'000), frame("18EFF980", "03010203040506", 0, 1'100'000'000),
+      frame("18EFF981", "03010203040506", 0, 1'200'000'000),  // of a monitor that has not said its PIN
+      frame("18EFFF81", kOutputs, 0, 1'300'000'000), frame("18EFFF81", kOutputs, 0, 1'400'000'000)};
+  ASSERT_TRUE(frames.append(batch));
+  EXPECT_EQ(framesInForce(frames, notes, 3, {}).size(), 3u);
+  notes.append({.frame = 3, .time = frames.timeAt(2), .value = note::LinkDown{}});
+  EXPECT_EQ(framesInForce(frames, notes, 3, {}).size(), 3u) << "the link is not up again";
+  notes.append({.frame = 3, .time = frames.timeAt(3), .value = note::LinkUp{}});
+  EXPECT_TRUE(framesInForce(frames, notes, 3, {}).empty());
+  EXPECT_TRUE(framesInForce(frames, notes, 4, {}).empty());
+}
+
 TEST(JoystickSource, IsKnownWhereItsMessagesAreMalformedFromTheStart) {
   Bus bus;
   bus.hear("0CFDD633", "01000100");
