@@ -5,11 +5,22 @@
 #include <unistd.h>
 
 #include <QFile>
+#include <QFileInfo>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 
+#include "log/journal_file.h"
+
 namespace deckpipe {
+namespace {
+
+// Not every file system can be told to put a file on the disk, nor any a folder that may be written and not read.
+bool cannotBeTold(int fault) {
+  return fault == EINVAL || fault == EROFS || fault == ENOSYS || fault == EACCES;
+}
+
+}  // namespace
 
 // A disk that is nearly full takes a part and gives no reason: the rest is tried for it.
 QString writeAll(QFileDevice& file, std::string_view bytes) {
@@ -39,13 +50,18 @@ bool WholeFile::write(std::string_view bytes) {
   return m_reason.isEmpty();
 }
 
-// Not every file system can be told to put a file on the disk.
+// Its name stands in the folder, which of a link is that of the file it leads to.
 bool WholeFile::commit() {
   if (!m_reason.isEmpty()) return false;
-  if (::fsync(m_file.handle()) != 0 && errno != EINVAL && errno != EROFS && errno != ENOSYS) {
-    m_reason = QString::fromStdString(std::generic_category().message(errno));
-  } else if (!m_file.commit()) {
+  const auto wordsOfFault = [] {
+    return cannotBeTold(errno) ? QString() : QString::fromStdString(std::generic_category().message(errno));
+  };
+  if (::fsync(m_file.handle()) != 0) m_reason = wordsOfFault();
+  if (!m_reason.isEmpty()) return false;
+  if (!m_file.commit()) {
     m_reason = m_file.errorString();
+  } else if (!syncName(QFile::encodeName(QFileInfo(m_file.fileName()).canonicalFilePath()).toStdString())) {
+    m_reason = wordsOfFault();
   }
   return m_reason.isEmpty();
 }

@@ -16,7 +16,8 @@ class WholeFile {
   bool open();
   // False after a fault, now or before.
   bool write(std::string_view bytes);
-  // Puts it in the place of what had its name. False after a fault, now or before: what was there stays.
+  // Puts it in the place of what had its name. False after a fault, now or before: what was there stays, or if only its
+  // folder cannot be put on the disk, nobody knows which of the two is there after a loss of power.
   bool commit();
   // The system's words; empty as long as nothing failed.
   const QString& reason() const { return m_reason; }

@@ -93,11 +93,7 @@ class PosixJournalFile final : public JournalFile {
   // The first time its name too, which stands in the folder.
   JournalFault sync() override {
     if (::fdatasync(m_file.get()) != 0) return writeFault();
-    if (m_isNamed) return {};
-    const std::string folder = m_path.substr(0, m_path.rfind('/') + 1);
-    const Descriptor opened(
-        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!opened || ::fsync(opened.get()) != 0) return writeFault();
+    if (!m_isNamed && !syncName(m_path)) return writeFault();
     m_isNamed = true;
     return {};
   }
@@ -145,6 +141,12 @@ MadeJournalFile createJournalFile(const std::string& path) {
     return MadeJournalFile(std::make_unique<PosixJournalFile>(file, name));
   }
   return Failure{fault(JournalFault::Kind::CannotCreate)};
+}
+
+bool syncName(const std::string& path) {
+  const std::string folder = path.substr(0, path.rfind('/') + 1);
+  const Descriptor opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return opened && ::fsync(opened.get()) == 0;
 }
 
 bool isBeingWritten(const std::string& path) {

@@ -50,6 +50,9 @@ using MadeJournalFile = Result<std::unique_ptr<JournalFile>, JournalFault>;
 // is such a file a number is added to it.
 MadeJournalFile createJournalFile(const std::string& path);
 
+// Puts the name of a file, which stands in its folder, on the disk. False: errno says why not.
+bool syncName(const std::string& path);
+
 // Whether a journal is open for writing, in this program or another.
 bool isBeingWritten(const std::string& path);
 // Writes down in a journal that nobody is writing that all of it was saved elsewhere.
