@@ -9,6 +9,8 @@ namespace deckpipe {
 void NoteStore::append(Note note) {
   const std::lock_guard lock(m_lock);
   m_places.emplace(std::pair(note.frame, note.time), m_notes.size());
+  if (const auto* filtered = std::get_if<note::Filtered>(&note.value))
+    m_filters.push_back(filtered->text.str());
   m_notes.push_back(std::move(note));
 }
 
@@ -48,12 +50,7 @@ std::uint64_t NoteStore::missedFrames() const {
 
 std::vector<std::string> NoteStore::filters() const {
   const std::lock_guard lock(m_lock);
-  std::vector<std::string> filters;
-  for (const Note& note : m_notes) {
-    if (const auto* filtered = std::get_if<note::Filtered>(&note.value))
-      filters.push_back(filtered->text.str());
-  }
-  return filters;
+  return m_filters;
 }
 
 std::vector<Note> NoteStore::appendedAfter(std::size_t count) const {

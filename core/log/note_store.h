@@ -35,6 +35,8 @@ class NoteStore {
  private:
   mutable std::mutex m_lock;
   std::vector<Note> m_notes;  // as they were appended
+  std::vector<std::string>
+      m_filters;  // of those that are note::Filtered; they are asked for with every frame drawn
   // Frame and time of each note, and its index in m_notes. A file may hold a million notes in any order: to put one at
   // its place costs log n. Notes of equal places keep the order in which they came.
   std::multimap<std::pair<std::uint64_t, Instant>, std::size_t> m_places;

@@ -64,6 +64,14 @@ TEST(NoteStore, TellsNotesAsTheyWereAppended) {
   EXPECT_TRUE(notes.appendedAfter(9).empty());
 }
 
+TEST(NoteStore, TellsTheFiltersAsTheyWereAppended) {
+  NoteStore notes;
+  EXPECT_TRUE(notes.filters().empty());
+  notes.append(mark(0, "no filter"));
+  for (const char* text : {"sa=80", "not t=3"}) notes.append({.frame = 2, .value = note::Filtered{text}});
+  EXPECT_EQ(notes.filters(), (std::vector<std::string>{"sa=80", "not t=3"}));
+}
+
 TEST(NoteStore, KeepsEveryFieldOfEveryKind) {
   NoteStore notes;
   std::vector<Note> expected;
