@@ -104,12 +104,11 @@ void EventWalk::timeCame(Instant time) {
   m_state->timeCame(time);
 }
 
-// Of what was found since so many events. That a node booted it says itself.
+// Of what was found since so many events. The state of such a log knows only restarts that a node says itself.
 void EventWalk::dropSilences(std::size_t since) {
   if (!m_state->isFiltered()) return;
   const auto isDropped = [](const Event& event) {
-    const bool isSaid = event.kind == EventKind::Restarted && event.node.value != 0;
-    return kEvents[event.kind].basis == EventBasis::Silence && !isSaid;
+    return kEvents[event.kind].basis == EventBasis::Silence && event.kind != EventKind::Restarted;
   };
   const auto first = m_found.begin() + static_cast<std::ptrdiff_t>(since);
   m_found.erase(std::remove_if(first, m_found.end(), isDropped), m_found.end());

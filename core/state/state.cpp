@@ -217,7 +217,7 @@ void State::nameHeard(Channel channelId, const Frame& frame, Instant time) {
     if (!isJ1939 || device.channel != channelId) continue;
     if (!isNamed(device, name, channel.book)) {
       if (isPushed(device, source, time)) device.provoked = time;
-    } else if (isNode(source) && !wasAdded() && isStart(channel, device, time)) {
+    } else if (isNode(source) && maySayStart() && isStart(channel, device, time)) {
       device.starts(time);
     }
   }
@@ -234,7 +234,8 @@ void State::announced(ChannelState& channel, Channel channelId, Address source, 
       (before->kind == Device::Kind::Pin ? before->pin == *pin : time - before->addressSince > kOneStart);
   m_devices.announced(channelId, source, *pin, time);
   Device* device = m_devices.findAddress(channelId, source);
-  if (device != nullptr && hasStayed && !wasAdded() && isStart(channel, *device, time)) device->starts(time);
+  if (device != nullptr && hasStayed && maySayStart() && isStart(channel, *device, time))
+    device->starts(time);
 }
 
 void State::applyStandard(const Frame& frame, Instant time, const Classified& what) {

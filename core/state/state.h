@@ -111,9 +111,9 @@ class State {
   void count(const Classified& what, Instant time);
   void linkIs(Channel channelId, ChannelLink link);
   void lose(Channel channel, const AddressBook::Lost& lost, Instant time);
-  // Whether the frame that is applied was put into the log when a part of it was saved: it says who is who, and no
-  // device sent it then.
-  bool wasAdded() const { return m_cursor.frames <= m_addedUntil; }
+  // Whether the frame that is applied may say that a device starts. One that was put into the log when a part of it was
+  // saved says who is who, and no device sent it then. What a filter held back may have asked for it.
+  bool maySayStart() const { return m_cursor.frames > m_addedUntil && !m_isFiltered; }
   Instant nextDeadline() const;
   void fire(Instant due);
 

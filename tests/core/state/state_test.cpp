@@ -83,6 +83,27 @@ TEST_F(StateOfOneChannel, KnowsAnAddressThatItsDeviceLeftUntilSomebodyIsHeardThe
   EXPECT_FALSE(book().wasLeft({0x80}));
 }
 
+// What the filter held back may have asked for them. That a node booted it says itself.
+TEST_F(StateOfOneChannel, TakesNoAnnouncementOfALogSavedThroughAFilterForARestart) {
+  for (const bool isFiltered : {false, true}) {
+    m_state = {};
+    if (isFiltered) m_state.apply(Note{.time = m_now, .value = note::Filtered{"sa=80"}});
+    hear("18EEFF80", kNameOfA);
+    hear("18EFFF80", kAnnouncesA);
+    hear("18EFFF80", kPosition);
+    hear("724", "05");
+    pass(10s);
+    hear("18EFFF80", kAnnouncesA);
+    ASSERT_NE(device(kPinA), nullptr);
+    EXPECT_EQ(device(kPinA)->restarted, isFiltered ? kNotYet : m_now);
+    pass(10s);
+    hear("18EEFF80", kNameOfA);
+    hear("724", "00");
+    EXPECT_EQ(device(kPinA)->restarted, isFiltered ? kNotYet : m_now);
+    EXPECT_EQ(m_state.devices().byNode(kCan0, NodeId{0x24})->restarted, m_now);
+  }
+}
+
 TEST_F(StateOfOneChannel, TakesOnePinOnTwoChannelsForTwoDevices) {
   hear("18EFFF80", kAnnouncesA);
   m_state.apply(frame("18EFFF90", kAnnouncesA, 1), m_now);
