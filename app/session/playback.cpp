@@ -7,6 +7,13 @@
 
 namespace deckpipe {
 
+void Playback::open(const FrameStore* frames, Start start) {
+  Playback next(frames, start);
+  next.m_speed = m_speed;
+  next.m_skipsSilences = m_skipsSilences;
+  *this = next;
+}
+
 void Playback::reach(Cursor end, bool grows) {
   m_end = end;
   m_grows = grows;

@@ -38,6 +38,8 @@ class Playback {
   explicit Playback(const FrameStore* frames = nullptr, Start start = Start::AtEnd)
       : m_frames(frames), m_isAtEnd(start == Start::AtEnd), m_awaitsFirst(start == Start::AtBegin) {}
 
+  // Another log, or none. The speed, and whether silences are skipped, stay as they are.
+  void open(const FrameStore* frames, Start start = Start::AtEnd);
   // Sets the log's end. `grows`: the end moves with time, also without frames.
   void reach(Cursor end, bool grows);
   // Moves the cursor that plays; at the log's end it stops playing and goes with the end. `found`: where the state

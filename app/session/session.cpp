@@ -115,11 +115,13 @@ void Session::endSource() {
   m_opening.reset();
   m_walker.reset();
   m_document.reset();
-  m_playback = Playback();
+  m_playback.open(nullptr);
   std::optional<LeftWaiting> waiting = std::move(m_snapshot.leftWaiting);
   m_snapshot = {};
   m_snapshot.leftRecording = left;
   m_snapshot.leftWaiting = std::move(waiting);
+  m_snapshot.speed = m_playback.speed();
+  m_snapshot.skipsSilences = m_playback.skipsSilences();
   m_snapshot.view.state = std::make_shared<const State>();
 }
 
@@ -141,7 +143,7 @@ void Session::beginDocument(std::shared_ptr<LogDocument> document) {
   m_labels.begin();
   m_indexed = {};
   m_walker = std::make_unique<StateWalker>(m_document);
-  m_playback = Playback(&m_document->frames);
+  m_playback.open(&m_document->frames);
   m_snapshot.view.document = m_document;
   m_timer.start(LiveBus::kTick);
 }
@@ -186,7 +188,7 @@ void Session::openLog(const QString& path, TimesOf times) {
 
 void Session::show(Candidate log) {
   beginDocument(log.document);
-  m_playback = Playback(&m_document->frames, Playback::Start::AtBegin);
+  m_playback.open(&m_document->frames, Playback::Start::AtBegin);
   m_snapshot.source.kind = SourceStatus::Kind::File;
   m_snapshot.source.progress = SourceStatus::Progress::Opening;
   m_snapshot.source.name = log.path;

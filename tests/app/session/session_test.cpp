@@ -310,6 +310,22 @@ TEST_F(OpenedLog, IsPlayedInALoopAndPastSilencesAsTheSnapshotSays) {
   EXPECT_FALSE(m_session.snapshot().isLooping);
 }
 
+TEST_F(OpenedLog, LeavesItsSpeedAndSkippedSilencesToTheNextOne) {
+  m_session.setSpeed(4);
+  m_session.setSkipsSilences(true);
+  m_session.setLoop(LoopSpan{{10'000'000'000}, {11'100'000'000}});
+  m_session.closeSource();
+  EXPECT_EQ(m_session.snapshot().speed, 4);
+  EXPECT_TRUE(m_session.snapshot().skipsSilences);
+  m_session.setSpeed(10);
+  QTemporaryDir dir;
+  m_session.openLog(writeLog(dir, "(10.000000) can0 123#\n(11.000000) can0 123#\n"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().frameCount == 2; }, kPatience));
+  EXPECT_EQ(m_session.snapshot().speed, 10);
+  EXPECT_TRUE(m_session.snapshot().skipsSilences);
+  EXPECT_FALSE(m_session.snapshot().isLooping) << "a span of another log";
+}
+
 TEST_F(OpenedLog, IsPlayedToItsEndAsFastAsTheStateIsFound) {
   m_session.setSpeed(Playback::kUnbounded);
   m_session.seekFrames(1);
