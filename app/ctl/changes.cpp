@@ -104,15 +104,18 @@ void Changes::compareDevice(const Device& device, Shown& shown) {
   };
   if (shown.kind != device.kind || shown.pin != device.pin || shown.node != device.node) {
     const AddressBook& book = m_follower.state().channel(m_channel).book;
+    EnumSet<MessageId> stale;
     if (shown.kind == Device::Kind::Pin && device.kind == Device::Kind::Address &&
         book.formerPin(device.address) == shown.pin) {
       m_out += begin("pin_former").add("former_pin", shown.pin).text();
-    } else if (device.kind == Device::Kind::Free) {  // an address that turned out to be somebody else's
-      m_out += begin("device_left").add("address", shown.address).text();
+      stale = shown.stale;
+    } else if (device.kind == Device::Kind::Free) {
+      // An address that turned out to be somebody else's, or a PIN that had none when the link was down.
+      m_out += begin("device_left").add("pin", shown.pin).add("address", shown.address).text();
     } else {
       m_out += begin("device_appeared").addTypeOf(device.pin).text();
     }
-    shown = {device.kind, device.pin, device.address, device.node, {}, device.restarted};
+    shown = {device.kind, device.pin, device.address, device.node, stale, device.restarted};
   }
   if (shown.address != device.address) {
     m_out += begin(device.address == kNullAddress ? "address_lost" : "address_changed")
