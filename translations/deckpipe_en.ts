@@ -62,6 +62,20 @@
             <numerusform>%1: %Ln CAN XL frames came and are not held</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %Ln lines of the file that this log was saved from could not be read</source>
+        <translation>
+            <numerusform>%1: %Ln line of the file that this log was saved from could not be read</numerusform>
+            <numerusform>%1: %Ln lines of the file that this log was saved from could not be read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: the recorder lost frames at %Ln places, as it says</source>
+        <translation>
+            <numerusform>%1: the recorder lost frames at %Ln place, as it says</numerusform>
+            <numerusform>%1: the recorder lost frames at %Ln places, as it says</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>
@@ -285,6 +299,13 @@ still go out, unless the interface was taken down.</numerusform>
         <translation>
             <numerusform>%Ln frame is not on the bus yet and may still go out; only taking the interface down takes it back.</numerusform>
             <numerusform>%Ln frames are not on the bus yet and may still go out; only taking the interface down takes them back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>what stood in %Ln lines of the file that it was saved from, which could not be read</source>
+        <translation>
+            <numerusform>what stood in %Ln line of the file that it was saved from, which could not be read</numerusform>
+            <numerusform>what stood in %Ln lines of the file that it was saved from, which could not be read</numerusform>
         </translation>
     </message>
 </context>

@@ -130,7 +130,8 @@ MissingFrames missingFrames(const LogDocument& log) {
     if (const auto* dropped = std::get_if<note::Dropped>(&note.value)) lost += dropped->count;
     if (const auto* noted = std::get_if<note::LeftOut>(&note.value)) leftOut[noted->why] += noted->count;
   }
-  const std::uint64_t places = skipped.count(Skipped::RecorderDropped);
+  const std::uint64_t places = skipped.count(Skipped::RecorderDropped) + leftOut[Why::RecorderLost];
+  const std::uint64_t lines = leftOut[Why::Unreadable];
   QStringList kinds;
   const auto add = [&kinds](std::uint64_t count, QString (*text)(int)) {
     if (count > 0) kinds += text(forPlural(count));
@@ -147,9 +148,14 @@ MissingFrames missingFrames(const LogDocument& log) {
   add(leftOut[Why::NotClassic], [](int n) {
     return StatusText::tr("%Ln frames that are not classic CAN, which are not held", nullptr, n);
   });
+  add(lines, [](int n) {
+    return StatusText::tr(
+        "what stood in %Ln lines of the file that it was saved from, which could not be read", nullptr, n);
+  });
   if (kinds.isEmpty()) return {};
-  return {places > 0 ? 0 : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] + leftOut[Why::NotClassic],
-          StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
+  return {
+      places + lines > 0 ? 0 : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] + leftOut[Why::NotClassic],
+      StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
 }
 
 StatusFact completenessFact(const Snapshot& snapshot) {

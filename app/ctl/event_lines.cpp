@@ -76,7 +76,7 @@ constexpr const char* kNotesHelp =
     "unlocked, own_address (reason),\n"
     "drive_said, drive_unsaid, asked (ask), ask_ended (ask, end), ask_waits (ask), still_waits (frames), "
     "pipe (file),\n"
-    "left_out (frames, reason), label (text), filtered (text),\n"
+    "left_out (frames, lines or places; reason), label (text), filtered (text),\n"
     "angles_before (ask, rotation_deg, elevation_deg: where it stood before a command)";
 
 std::string faultKey(std::int64_t bit) {
@@ -194,6 +194,16 @@ std::string spoken(std::string_view key) {
   return text;
 }
 
+// What a note counts.
+template <typename Kind>
+std::string_view countedIn(const Kind& n) {
+  if constexpr (requires { n.why; }) {
+    if (n.why == Kind::Why::Unreadable) return "lines";
+    if (n.why == Kind::Why::RecorderLost) return "places";
+  }
+  return "frames";
+}
+
 // The text behind the word for a note: ": fault, no answer"
 std::string detailText(const NoteValue& value) {
   std::string text;
@@ -210,7 +220,10 @@ std::string detailText(const NoteValue& value) {
           if (n.elevation.tenths) say("elevation " + tenthsText(*n.elevation.tenths));
         }
         if constexpr (requires { n.end; }) say(spoken(endWord(n.request, n.end)));
-        if constexpr (requires { n.count; }) say(framesText(n.count));
+        if constexpr (requires { n.count; }) {
+          const std::string_view many = countedIn(n);
+          say(counted(n.count, many.substr(0, many.size() - 1), many));
+        }
         if constexpr (requires { n.why; }) say(spoken(leftOutWord(n.why)));
       },
       value);
@@ -360,7 +373,7 @@ void addNoteFields(JsonLine& line, const NoteValue& value) {
         }
         if constexpr (requires { n.end; }) line.add("end", endWord(n.request, n.end));
         if constexpr (requires { n.file; }) addText("file", n.file);
-        if constexpr (requires { n.count; }) line.add("frames", n.count);
+        if constexpr (requires { n.count; }) line.add(countedIn(n), n.count);
         if constexpr (requires { n.why; }) line.add("reason", leftOutWord(n.why));
       },
       value);

@@ -169,6 +169,10 @@ void InfoReport::takeNotes(Times times) {
   if (m_withDevices) advance(m_state, m_frames, m_notes, endOfRecording());
   for (const Note& note : m_notes.all()) {
     m_missed += framesMissed(note.value);
+    if (const auto* leftOut = std::get_if<note::LeftOut>(&note.value)) {
+      if (leftOut->why == note::LeftOut::Why::Unreadable) m_missedLines += leftOut->count;
+      if (leftOut->why == note::LeftOut::Why::RecorderLost) m_missedPlaces += leftOut->count;
+    }
     if (std::holds_alternative<note::Mark>(note.value)) ++m_marks;
     if (const auto* added = std::get_if<note::Added>(&note.value)) m_added += added->count;
     if (const auto* label = std::get_if<note::Label>(&note.value)) m_labels[label->pin] = label->text.str();
@@ -200,6 +204,11 @@ void InfoReport::appendNotes(std::string& out) const {
   for (const std::string& filter : m_notes.filters())
     out += "  saved through the filter '" + printable(filter) + "': what did not pass it is missing\n";
   if (m_missed != 0) out += "  " + framesThat(m_missed, "came and is", "came and are") + " not in it\n";
+  if (m_missedPlaces != 0)
+    out += "  the recorder lost frames at " + counted(m_missedPlaces, "place", "places") + "\n";
+  if (m_missedLines != 0)
+    out +=
+        "  " + counted(m_missedLines, "line", "lines") + " of the file that it was saved from not readable\n";
   if (m_marks != 0) out += "  " + counted(m_marks, "mark", "marks") + "\n";
 }
 
@@ -307,6 +316,8 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
   line.add("filters", std::vector<std::string_view>(filters.begin(), filters.end()));
   line.add("last_line", kLastLineKeys[lastLine])
       .add("missed", m_missed)
+      .add("missed_lines", m_missedLines)
+      .add("missed_places", m_missedPlaces)
       .add("marks", m_marks)
       .add("time_jumps", m_timeJumps);
   line.add("unreadable", skipped.unreadable()).addJson("not_kept", notKept.object()).addList("ids", ids);

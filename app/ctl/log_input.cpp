@@ -162,16 +162,26 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
 }
 
 bool LogInput::sayMissed() const {
-  std::uint64_t lost = 0, leftOut = 0;
-  for (const Note& note : notes.all())
+  using Why = note::LeftOut::Why;
+  std::uint64_t lost = 0, leftOut = 0, lines = 0, places = 0;
+  for (const Note& note : notes.all()) {
     (std::holds_alternative<note::Dropped>(note.value) ? lost : leftOut) += framesMissed(note.value);
+    const auto* noted = std::get_if<note::LeftOut>(&note.value);
+    if (noted != nullptr && noted->why == Why::Unreadable) lines += noted->count;
+    if (noted != nullptr && noted->why == Why::RecorderLost) places += noted->count;
+  }
   if (lost > 0)
     std::fprintf(stderr, "%s: %s lost while it was recorded\n", name().c_str(),
                  framesThat(lost, "was", "were").c_str());
   if (leftOut > 0)
     std::fprintf(stderr, "%s: %s came that it cannot hold: CAN FD, or not classic CAN\n", name().c_str(),
                  framesText(leftOut).c_str());
-  return leftOut > 0;
+  if (places > 0)
+    complain(name(), "the recorder lost frames at " + counted(places, "place", "places") + ", as it says");
+  if (lines > 0)
+    complain(name(), counted(lines, "line", "lines") +
+                         " of the file that it was saved from could not be read and are not in it");
+  return leftOut + lines > 0;
 }
 
 bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }

@@ -52,6 +52,8 @@ constexpr std::string_view leftOutWord(note::LeftOut::Why why) {
     case Why::CanFd: return "can_fd";
     case Why::NotClassic: return "not_classic";
     case Why::CanXl: return "can_xl";
+    case Why::Unreadable: return "unreadable";
+    case Why::RecorderLost: return "recorder_lost";
   }
   return {};
 }

@@ -111,7 +111,7 @@ void PartWriter::end() {
   m_writer.end(m_out);
 }
 
-// The frames that the log's own file had and the store cannot hold; what a live log left out is noted where it came.
+// What the log's own file had and the store does not hold; what a live log left out is noted where it came.
 // The lines of a file are no places in the log, so a part of it cannot say which of them are missing there.
 void PartWriter::noteLeftOut() {
   using Why = note::LeftOut::Why;
@@ -119,10 +119,11 @@ void PartWriter::noteLeftOut() {
   const SkippedPlaces skipped = m_log.skipped.content();
   const std::uint64_t count = m_log.frames.count();
   const Instant time = count > 0 ? m_log.frames.timeAt(count - 1) : Instant{};
-  for (const auto& [why, reason] :
-       {std::pair(Why::CanFd, Skipped::CanFd), std::pair(Why::CanXl, Skipped::CanXl)}) {
-    if (const std::uint64_t leftOut = skipped.count(reason); leftOut > 0)
-      write(note::LeftOut{{m_channels.begin()->first}, why, leftOut}, time);
+  for (const auto& [why, leftOut] : {std::pair(Why::CanFd, skipped.count(Skipped::CanFd)),
+                                     std::pair(Why::CanXl, skipped.count(Skipped::CanXl)),
+                                     std::pair(Why::Unreadable, skipped.unreadable()),
+                                     std::pair(Why::RecorderLost, skipped.count(Skipped::RecorderDropped))}) {
+    if (leftOut > 0) write(note::LeftOut{{m_channels.begin()->first}, why, leftOut}, time);
   }
 }
 

@@ -142,14 +142,18 @@ struct StillWaits {
   std::uint64_t count = 0;
   friend bool operator==(const StillWaits&, const StillWaits&) = default;
 };
-// So many frames came before this place, and after the note of this kind before, that the log cannot hold.
+// So many frames came before this place, and after the note of this kind before, that the log cannot hold; of the kinds
+// that are no frames (countsFrames()), so many were in the file that the log was saved from.
 struct LeftOut {
   // Numbers stand in files: never renumber one, never use one again.
   enum class Why : std::uint8_t {
     CanFd = 1,
     NotClassic = 2,  // what the adapter handed over is no frame of classic CAN
     CanXl = 3,
+    Unreadable = 4,    // lines of which nobody knows what they were
+    RecorderLost = 5,  // places where the recorder says that it lost frames, and not how many
   };
+  static constexpr bool countsFrames(Why why) { return why != Why::Unreadable && why != Why::RecorderLost; }
   Channel channel;
   Why why = Why::CanFd;
   std::uint64_t count = 0;
@@ -188,7 +192,7 @@ struct Pipe {
 template <>
 inline constexpr note::OwnAddress::How kLastOf<note::OwnAddress::How> = note::OwnAddress::How::Disputed;
 template <>
-inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::CanXl;
+inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::RecorderLost;
 
 using NoteValue = std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked,
                                note::Unlocked, note::DriveSaid, note::OwnAddress, note::Asked,
@@ -210,7 +214,7 @@ std::string_view noteKey(const NoteValue& value);
 inline std::uint64_t framesMissed(const NoteValue& value) {
   if (const auto* dropped = std::get_if<note::Dropped>(&value)) return dropped->count;
   const auto* leftOut = std::get_if<note::LeftOut>(&value);
-  return leftOut != nullptr ? leftOut->count : 0;
+  return leftOut != nullptr && note::LeftOut::countsFrames(leftOut->why) ? leftOut->count : 0;
 }
 
 // Whether it tells of something that happened. Added frames are marked one by one where they stand.

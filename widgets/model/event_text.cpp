@@ -251,6 +251,12 @@ QString leftOutText(const note::LeftOut& n) {
     case Why::NotClassic:
       return EventText::tr("%1: %Ln frames came that are not classic CAN and are not held", nullptr,
                            forPlural(n.count));
+    case Why::Unreadable:
+      return EventText::tr("%1: %Ln lines of the file that this log was saved from could not be read",
+                           nullptr, forPlural(n.count));
+    case Why::RecorderLost:
+      return EventText::tr("%1: the recorder lost frames at %Ln places, as it says", nullptr,
+                           forPlural(n.count));
   }
   return {};
 }

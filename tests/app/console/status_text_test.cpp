@@ -434,6 +434,12 @@ TEST(MissingFrames, AreSaidByTheKindThatIsKnown) {
       begins +
           "what the recorder lost at 2 places, as it says; 4 frames that are not classic CAN, which are "
           "not held.");
+  EXPECT_EQ(
+      missing({note::LeftOut{{}, Why::RecorderLost, 1}, note::LeftOut{{}, Why::Unreadable, 2}},
+              {Skipped::RecorderDropped}),
+      begins +
+          "what the recorder lost at 2 places, as it says; what stood in 2 lines of the file that it was "
+          "saved from, which could not be read.");
 }
 
 TEST(MissingFrames, AreNotCountedWhereTheRecorderDoesNotSayHowManyItLost) {

@@ -105,16 +105,29 @@ TEST_F(RecordingsOfTheTool, SayWhatTheirNotesSayOfThem) {
       {.frame = 0, .time = {}, .value = note::Label{*Pin::parse("1032AE100801035"), "front bumper"}});
   record();
   m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, note::LeftOut::Why::CanFd, 7}});
+  using Why = note::LeftOut::Why;
+  m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, Why::Unreadable, 2}});
+  m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, Why::RecorderLost, 1}});
   m_writer->end();
   const Outcome text = run({QStringLiteral("info"), QStringLiteral("--devices"), m_path});
   EXPECT_EQ(text.status, 1) << "seven frames came that are not in it";
   EXPECT_TRUE(text.err.contains("7 frames came that it cannot hold")) << text.err.constData();
+  EXPECT_TRUE(text.err.contains("2 lines of the file that it was saved from")) << text.err.constData();
+  EXPECT_TRUE(text.err.contains("the recorder lost frames at 1 place,")) << text.err.constData();
   EXPECT_TRUE(text.out.contains("can0 was socketcan can0, 250 kbit/s")) << text.out.constData();
   EXPECT_TRUE(text.out.contains("front bumper"));
   const QJsonObject json =
       run({QStringLiteral("info"), QStringLiteral("--json"), QStringLiteral("--devices"), m_path})
           .objects()[0];
   EXPECT_EQ(json[QStringLiteral("missed")].toInt(), 7);
+  EXPECT_EQ(json[QStringLiteral("missed_lines")].toInt(), 2);
+  EXPECT_EQ(json[QStringLiteral("missed_places")].toInt(), 1);
+  const QList<QJsonObject> events =
+      run({QStringLiteral("events"), QStringLiteral("--json"), m_path}).objects();
+  ASSERT_GE(events.size(), 2);
+  EXPECT_EQ(events[events.size() - 2][QStringLiteral("lines")].toInt(), 2);
+  EXPECT_EQ(events.back()[QStringLiteral("reason")].toString(), QStringLiteral("recorder_lost"));
+  EXPECT_EQ(events.back()[QStringLiteral("places")].toInt(), 1);
   EXPECT_EQ(json[QStringLiteral("devices")].toArray()[0].toObject()[QStringLiteral("label")].toString(),
             QStringLiteral("front bumper"));
   const Outcome listed = run({QStringLiteral("recordings"), QStringLiteral("--folder"), m_dir.path()});

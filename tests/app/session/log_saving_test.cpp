@@ -310,6 +310,20 @@ TEST_F(SavedPartTest, SkippedFramesKeepTheirKind) {
   EXPECT_EQ(leftOut, (std::vector<note::LeftOut>{{Channel{0}, Why::CanFd, 1}, {Channel{0}, Why::CanXl, 2}}));
 }
 
+TEST_F(SavedPartTest, ThatItsFileHadUnreadableLinesAndPlacesWhereTheRecorderLostFramesIsNoted) {
+  log->skipped.add(7, Skipped::Data);
+  log->skipped.add(8, Skipped::Layout);
+  log->skipped.add(9, Skipped::RecorderDropped);
+  save({.begin = 3, .end = 5});
+  EXPECT_EQ(told(*reopened()), std::vector<std::string>{"0 added"}) << "nobody knows whether it was there";
+  for (const char* name : {"part.log", "part.deckpipe"}) {
+    path = dir.filePath(QString::fromLatin1(name));
+    save();
+    EXPECT_EQ(told(*reopened()), (std::vector<std::string>{"6 left_out", "6 left_out"}));
+    EXPECT_EQ(reopened()->notes.missedFrames(), 0u) << "they are no frames that can be counted";
+  }
+}
+
 TEST_F(SavedPartTest, WhoLeftItsAddressIsNotAddedThere) {
   log = test::logOfText(
       "(100.000000) can0 18EFFF80#FF83150206021A0B\n"
