@@ -102,7 +102,8 @@ bool ClaimService::isFree(const Live& live, Address address) const {
   if (book.isHeld(address) && book.holder(address).value != m_status.name) return false;
   if (!book.isHeard(address)) return true;
   // Rule 8: others may have sent from a monitor's address that was ours, while we did not listen.
-  const bool wasOurs = m_ours[address.value] || book.holder(address).value == m_status.name;
+  const bool wasOurs = m_ours[address.value] || book.holder(address).value == m_status.name ||
+                       book.formerHolder(address).value == m_status.name;
   return wasOurs && !isDynamicAddress(address);
 }
 

@@ -33,6 +33,16 @@ struct Claim : ::testing::Test {
     return out;
   }
   std::uint64_t ours() { return status().name; }
+  // Other services go on with the log as it is.
+  Console& connectAgain(Console& before) {
+    pair.setLink(before, false);
+    before.state.apply(Note{.time = pair.now(), .value = note::LinkDown{}});
+    pair.run(3s);
+    Console& console = pair.addConsole();
+    console.state = before.state;
+    console.state.apply(Note{.time = pair.now(), .value = note::LinkUp{}});
+    return console;
+  }
   // Another node holds every address from `first` on.
   void takeAll(unsigned first) {
     for (unsigned a = first; a <= 0xFD; ++a)
@@ -87,6 +97,17 @@ TEST_F(Claim, AnAddressWhoseHolderCannotClaimIsFreeAgain) {
   pair.inject(claimFrame(5, 0xFE));
   pair.unlock();
   EXPECT_EQ(status().address, Address{0xFA}) << "it was used, and may be again";
+}
+
+TEST_F(Claim, TheAddressThatItHadBeforeAGapIsItsOwnAgain) {
+  Console* console = &pair.console();
+  for (int i = 0; i < 3; ++i) {
+    pair.intend(*console, intent::Unlock{});
+    pair.run(1s);
+    EXPECT_EQ(console->status(pair.now()).claim.address, Address{0xF9})
+        << "connected again " << i << " times";
+    console = &connectAgain(*console);
+  }
 }
 
 TEST_F(Claim, AHigherNameIsAnsweredAtOnceAndLoses) {
@@ -378,6 +399,17 @@ TEST_F(ClaimAmongMonitors, WhereSomebodyMayHaveSpokenWhileItWasLockedItIsNotTake
   pair.inject(frame("18EFFFF7", "0100000000000000"));
   pair.unlock();
   EXPECT_EQ(status().address, Address{0xF6});
+}
+
+TEST_F(ClaimAmongMonitors, OneThatItHadBeforeAGapIsNotTakenAgain) {
+  pair.unlock();
+  ASSERT_EQ(status().address, Address{0xF7});
+  Console& console = connectAgain(pair.console());
+  pair.inject(claimFrame(5, 0xF9));
+  pair.inject(claimFrame(6, 0xFA));
+  pair.intend(console, intent::Unlock{});
+  pair.run(1s);
+  EXPECT_EQ(console.status(pair.now()).claim.address, Address{0xF6});
 }
 
 TEST_F(Claim, TwoConsolesOnOneBusShareTheServiceTools) {
