@@ -67,6 +67,8 @@ void AddressBook::linkCameBack() {
     if (has(a, kAkron | kForeign | kHeld) || !m_names[i].isNull() || m_pins[i] != 0) set(a, kFormer);
   }
   m_turns = {};
+  m_won.fill(0);
+  m_lost.fill(0);
   m_akronNodes.reset();
   m_openRequests = {};
 }
@@ -169,6 +171,7 @@ bool AddressBook::forgetTurns(IsMeant isMeant, Address except) {
 bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lost& lost) {
   if (!isNode(source)) return false;
   const bool isNews = !isAkron(source);
+  const Name former = formerHolder(source);
   forgetFormer(source);
   set(source, kAkron);
   const std::uint64_t pin = loadLittle(frame.data);
@@ -179,7 +182,9 @@ bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lo
     set(addressAt(i), kLeft);
     lost.set(i);
   }
-  if (m_pins[source.value] != 0) lost.set(source.value);
+  // Behind a gap: whose PIN was not known there may be known by its NAME to be another one.
+  const bool wasAnother = former.isAkron() && !isNameOf(former, pinOf(pin));
+  if (m_pins[source.value] != 0 || wasAnother) lost.set(source.value);
   m_pins[source.value] = pin;
   forgetTurns([pin](const Turn& turn) { return turn.by == Turn::By::Pin && turn.who == pin; }, source);
   noteTurn({time, pin, source, Turn::By::Pin});
@@ -236,7 +241,9 @@ void AddressBook::take(Address a, Name name, Instant since, Lost& lost) {
   const Name before = m_names[a.value];
   const Pin pin = pinOf(m_pins[a.value]);
   const bool isOther = !before.isNull() && before != name;
-  const bool keepsPin = !pin.isNull() && isNameOf(name, pin);
+  const Name former = formerHolder(a);
+  // A NAME tells of a PIN in 21 bits of its number alone: another bus may have such a one, too.
+  const bool keepsPin = !pin.isNull() && isNameOf(name, pin) && (former.isNull() || former == name);
   if (pin.isNull() ? isOther || !name.isAkron() : !keepsPin) lost.set(a.value);
   if (!keepsPin) m_pins[a.value] = 0;
   if (isContested(a)) end(contestAt(a));

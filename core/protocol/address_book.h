@@ -16,9 +16,10 @@
 //   5. A drive stays where the person said until a NAME other than the one before takes the address.
 //   6. An announcement to all tells the PIN at its source. A PIN is at one address only: its last.
 //   7. Claims from the global address or with NAME 0 mean nothing.
-//   8. Behind a gap, while the link was down, another bus may be at the plug. Nobody holds an address and no role
-//      holds there until a NAME or an announcement is heard from it anew; what was known is told as former. Messages
-//      of what was Akron's are presumed. A drive stays where the person said.
+//   8. While the link was down, which is a gap of the log, another bus may have come to the plug. Behind a gap nobody
+//      holds an address, and no role holds there, until a NAME or an announcement is heard from it anew; what was known
+//      is told as former. The former PIN is current again if it is announced, or if the very NAME that was there claims
+//      the address. Messages of what was Akron's are presumed. A drive stays where the person said.
 #pragma once
 
 #include <array>
@@ -71,8 +72,9 @@ class AddressBook {
   Name lastHolder(Address a) const { return has(a, kFormer) ? Name{} : m_names[a.value]; }
   // Null while none was announced there.
   Pin pin(Address a) const;
-  // The NAME and the PIN that were there before the link was down, as long as nobody has said since who is there.
-  Name formerHolder(Address a) const { return has(a, kFormer) ? m_names[a.value] : Name{}; }
+  // The NAME that held it and the PIN that was there when the link went down, as long as nobody has said since who is
+  // there.
+  Name formerHolder(Address a) const { return has(a, kFormer) && has(a, kHeld) ? m_names[a.value] : Name{}; }
   Pin formerPin(Address a) const;
   // Where a PIN was so; null: nowhere.
   Address formerAddress(const Pin& pin) const;
@@ -90,7 +92,8 @@ class AddressBook {
   Instant sharedSince(Address a, Instant now) const;
   // `now` is the log time that is looked at, not before the last frame.
   ClaimState claim(Address a, Instant now) const;
-  // Contests that a holder kept the address in, and lost it in, to a lower NAME or for want of an answer.
+  // Contests that a holder kept the address in, and lost it in, to a lower NAME or for want of an answer. They are
+  // counted from where the link came back.
   std::uint16_t claimsWon(Address a) const { return m_won[a.value]; }
   std::uint16_t claimsLost(Address a) const { return m_lost[a.value]; }
 
@@ -127,7 +130,8 @@ class AddressBook {
     kHeld = 16,
     kContested = 32,
     kLeft = 64,
-    kFormer = 128,  // kAkron, kForeign, kHeld, the NAME and the PIN are of before the link was down
+    kFormer =
+        128,  // kAkron, kForeign, kHeld, the NAME and the PIN tell who was there when the link went down
   };
   struct Contest {
     Instant since = kNotYet;  // kNotYet: a free place

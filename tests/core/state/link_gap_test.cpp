@@ -168,6 +168,33 @@ TEST_F(BehindAGap, SilenceIsCountedFromWhereTheLinkCameBack) {
   EXPECT_EQ(health().since, bus.state().channel(kCan0).linkUp);
 }
 
+TEST_F(BehindAGap, WhatANameAnsweredIsNoAnswerOfAnothersPin) {
+  bus.hear("18EEFF80", kNameOfA).statuses().answered("02002000000000");
+  gap();
+  bus.hear("18EFFF80", kAnnouncesB);
+  ASSERT_EQ(bus.device(kPinB), at(kMonitor));
+  EXPECT_FALSE(at(kMonitor)->faults().isKnown());
+  EXPECT_FALSE(at(kMonitor)->position().isKnown());
+}
+
+TEST_F(BehindAGap, AnotherNameWithTheNumberOfThePinDoesNotMakeItCurrent) {
+  bus.monitor();
+  gap();
+  bus.hear("18EEFF80", "0B1AC22801420090");  // another function instance
+  EXPECT_EQ(bus.device(kPinA), nullptr);
+  EXPECT_TRUE(book().pin(kMonitor).isNull());
+}
+
+TEST_F(BehindAGap, ANameThatHadLeftIsNotFormer) {
+  bus.hear("18EEFF80", kHigherForeignName).hear("18EEFFFE", kHigherForeignName);
+  bus.hear("18EEFF90", kHigherForeignName).hear("18EEFF90", kLowerForeignName);
+  ASSERT_EQ(book().claimsLost({0x90}), 1);
+  gap();
+  EXPECT_TRUE(book().formerHolder(kMonitor).isNull());
+  EXPECT_FALSE(book().formerHolder({0x90}).isNull());
+  EXPECT_EQ(book().claimsLost({0x90}), 0);
+}
+
 TEST_F(BehindAGap, StatusesThatCameBackWithTheLinkEndNoSilence) {
   bus.monitor();
   gap();
