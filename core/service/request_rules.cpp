@@ -11,6 +11,8 @@ RequestSet requestsTakenBy(const Live& live, const Device& device) {
   const AddressBook& book = live.bus().book;
   if (device.kind == Device::Kind::Node || book.isDrive(device.address) || book.isForeign(device.address))
     return {};
+  const Name former = book.formerHolder(device.address);
+  if ((!former.isNull() && !former.isAkron()) || live.bus().isBeforeGap(device.lastHeard)) return {};
   RequestSet set = kTakenByAll;
   const auto* type = device.pin.isNull() ? nullptr : deviceTypeOf(device.pin.deviceType());
   if (type != nullptr) set |= type->takes;

@@ -35,7 +35,8 @@ constexpr unsigned wholeAnswer(const RequestRule& rule) { return rule.answers[1]
 constexpr const RequestRule& ruleOf(Request request) { return kRequestRules[request]; }
 
 // What may be asked of a device by its type; of one without a PIN only what all take is known. Nothing of one
-// that the person said is a Copley drive, nor of another maker's: their messages look the same.
+// that the person said is a Copley drive, nor of another maker's: their messages look the same. Behind a gap nothing of
+// one that was not heard anew, nor where another maker's was, until it is heard who is there now.
 RequestSet requestsTakenBy(const Live& live, const Device& device);
 // Everyone on this channel that takes something, in order of first appearance.
 std::vector<DeviceKey> requestTargets(const Live& live);

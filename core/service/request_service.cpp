@@ -26,6 +26,10 @@ unsigned costOf(Request request) {
   return sum;
 }
 
+Refusal whyNothingIsTaken(const Live& live, const Device& device) {
+  return live.bus().isBeforeGap(device.lastHeard) ? Refusal::NotHeard : Refusal::NotTaken;
+}
+
 }  // namespace
 
 RequestService::Asked& RequestService::asked(const DeviceKey& device) {
@@ -43,7 +47,9 @@ const RequestService::Asked* RequestService::find(const DeviceKey& device) const
 }
 
 void RequestService::linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) {
-  if (!isOpen) endAll(now, live, RequestEnd::LinkLost, out);
+  if (!isOpen) return endAll(now, live, RequestEnd::LinkLost, out);
+  // Another device may be at an address by now.
+  std::erase_if(m_devices, [](const Asked& at) { return at.device.kind == DeviceKey::Kind::Address; });
 }
 
 void RequestService::end(Instant now, const Live& live, EndReason reason, Outgoing& out) {
@@ -91,7 +97,7 @@ Refusal RequestService::request(Instant now, const Live& live, const intent::Sen
   const Device* device = live.find(intent.device);
   if (device == nullptr || device->address == kNullAddress) return live.whyNowhere(intent.device);
   const RequestSet takes = requestsTakenBy(live, *device) & intent.requests;
-  if (takes.isEmpty()) return Refusal::NotTaken;
+  if (takes.isEmpty()) return whyNothingIsTaken(live, *device);
   // A silent device may be polled; nothing is sent to an address that is contested.
   const Refusal why = live.whyNotTo(now, intent.device);
   if (m_own.isDisputed() && (takes & kPolls) != takes) return Refusal::Disputed;
@@ -138,7 +144,7 @@ Refusal RequestService::repeat(Instant now, const Live& live, const intent::Repe
   const Device* device = live.find(key);
   if (device == nullptr || device->address == kNullAddress) return live.whyNowhere(key);
   const RequestSet takes = requestsTakenBy(live, *device) & intent.requests & kPolls;
-  if (takes.isEmpty()) return Refusal::NotTaken;
+  if (takes.isEmpty()) return whyNothingIsTaken(live, *device);
   Asked& at = asked(key);
   takes.forEach([&](Request request) {
     RequestStatus& status = at.status(request);

@@ -376,6 +376,72 @@ TEST_F(RequestServiceTest, APinOfBeforeAGapIsNobodyUntilItIsHeardAnew) {
   EXPECT_EQ(request(Request::Fault), Refusal::None);
 }
 
+// The link goes down and comes back; who was there says nothing anew.
+struct RequestsBehindAGap : RequestServiceTest {
+  void gap() {
+    Console& console = pair.console();
+    console.state.apply(Note{.time = pair.now(), .value = note::LinkDown{}});
+    pair.setLink(console, false);
+    pair.run(3s);
+    console.state.apply(Note{.time = pair.now(), .value = note::LinkUp{}});
+    pair.setLink(console, true);
+  }
+  // A node that is none of the simulator's sends a status.
+  void speak(std::uint8_t source) {
+    Frame status = frame("18EFFF00", "83C051");
+    status.id = J1939Id{6, pgn::kProprietaryA, Address{source}, kGlobalAddress}.frameId();
+    pair.inject(status);
+    pair.run(2 * Pair::kFlight);
+  }
+  Refusal poll(std::uint8_t address) {
+    return pair.intend(
+        intent::SendRequests{DeviceKey::at(Channel{}, Address{address}), RequestSet{Request::Fault}});
+  }
+};
+
+TEST_F(RequestsBehindAGap, WhereAnotherMakersNodeWasNothingIsAsked) {
+  pair.inject(frame("18EEFF90", "0100200000000000"));
+  speak(0x90);
+  gap();
+  pair.unlock();
+  speak(0x90);
+  ASSERT_NE(pair.console().state.devices().byAddress(Channel{}, Address{0x90}), nullptr);
+  EXPECT_EQ(poll(0x90), Refusal::NotTaken);
+  pair.inject(frame("18EEFF90", "0B1AC22800420090"));
+  speak(0x90);
+  EXPECT_EQ(poll(0x90), Refusal::None);
+}
+
+TEST_F(RequestsBehindAGap, WhoWasNotHeardAnewIsNotAsked) {
+  speak(0x90);
+  ASSERT_EQ(poll(0x90), Refusal::None);
+  gap();
+  pair.unlock();
+  EXPECT_EQ(poll(0x90), Refusal::NotHeard);
+  const Instant from = pair.now();
+  pair.intend(intent::SendRequests{{}, RequestSet{Request::Fault}});
+  pair.run(1s);
+  for (const Pair::Seen& seen : pair.sent(0x02, &pair.console(), from))
+    EXPECT_NE(seen.id().destination, Address{0x90});
+  speak(0x90);
+  EXPECT_EQ(poll(0x90), Refusal::None);
+}
+
+TEST_F(RequestsBehindAGap, WhatAnAddressWasAskedIsNotWhatItsNextDeviceWasAsked) {
+  speak(0x90);
+  ASSERT_EQ(poll(0x90), Refusal::None);
+  pair.inject(answer("02000000000000", 0x90));
+  pair.run(100ms);
+  gap();
+  pair.unlock();
+  pair.inject(frame("18EFFF90", "FF83150206021A0C"));
+  pair.run(1s);
+  const DeviceKey next = DeviceKey::of(*Pin::parse("1032AE100801036"));
+  pair.intend(intent::SendRequests{next, RequestSet{Request::Firmware}});
+  EXPECT_EQ(pair.console().request(pair.now(), next, Request::Fault).answered, 0u);
+  EXPECT_EQ(pair.console().request(pair.now(), next, Request::Fault).progress, Progress::Idle);
+}
+
 TEST_F(RequestServiceTest, RepeatedPollsEndWhenThePersonSaysThatItIsADrive) {
   pair.intend(intent::Repeat{monitor, kPolls, 500ms});
   pair.run(1s);
