@@ -30,6 +30,13 @@ Refusal Live::whyNotTo(Instant now, const DeviceKey& key) const {
   return now - device->lastHeard > kHeardWithin ? Refusal::NotHeard : Refusal::None;
 }
 
+Refusal Live::whyNoPacketTo(Instant now, const DeviceKey& key) const {
+  if (const Refusal why = whyNotTo(now, key); why != Refusal::None) return why;
+  const Address address = find(key)->address;
+  if (bus().book.isAkron(address)) return Refusal::None;
+  return bus().book.wasAkron(address) ? Refusal::FormerPin : Refusal::NotTaken;
+}
+
 DeviceKey Live::canonical(const DeviceKey& key) const {
   const Device* device = find(key);
   return device != nullptr && !device->pin.isNull() ? DeviceKey::of(device->pin, channel) : key;

@@ -26,8 +26,10 @@ struct Live {
   // Why a device that has no address now has none: a PIN that was said before a gap means nobody until it is heard
   // anew.
   Refusal whyNowhere(const DeviceKey& key) const;
-  // Why no command and no packet may go to a device now; None if it may. Polls are not asked for this.
+  // Why no command may go to a device now; None if it may. Polls are not asked for this.
   Refusal whyNotTo(Instant now, const DeviceKey& key) const;
+  // The same of a packet of the data pipe: an address that is presumed to be Akron's, or was, is no device to talk to.
+  Refusal whyNoPacketTo(Instant now, const DeviceKey& key) const;
   // An address that is a device's own with a PIN is that device.
   DeviceKey canonical(const DeviceKey& key) const;
 };

@@ -130,7 +130,7 @@ void Pipe::fly(const Turn& turn) {
   Packet& packet = *m_inFlight;
   packet.fate = Packet::Fate::NotSent;
   packet.to = addressOf(turn, m_device);
-  m_status.refusal = turn.live.whyNotTo(turn.now, m_device);
+  m_status.refusal = turn.live.whyNoPacketTo(turn.now, m_device);
   if (m_status.refusal != Refusal::None) return stall(turn, Stall::NotSent);
   packet.sent = turn.now;
   packet.fate = Packet::Fate::InAdapter;
@@ -270,7 +270,7 @@ Refusal Pipe::decide(const Turn& turn, Rest what, bool forTheRest) {
 Refusal Pipe::resend(const Turn& turn) {
   if (!after(m_status.progress, PipeMove::Resend) || m_inFlight->fate == Packet::Fate::InAdapter)
     return Refusal::Busy;
-  if (const Refusal why = turn.live.whyNotTo(turn.now, m_device); why != Refusal::None) return why;
+  if (const Refusal why = turn.live.whyNoPacketTo(turn.now, m_device); why != Refusal::None) return why;
   move(turn.now, PipeMove::Resend);
   if (m_inFlight->fate == Packet::Fate::OnBus) {
     ++m_status.resent;

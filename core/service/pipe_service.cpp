@@ -20,7 +20,9 @@ Pipe& PipeService::pipe(const DeviceKey& device) {
 }
 
 void PipeService::linkChanged(Instant now, const Live& live, bool isOpen, Outgoing& out) {
-  if (!isOpen) end(now, live, EndReason::Closing, out);
+  if (!isOpen) return end(now, live, EndReason::Closing, out);
+  // Another device may be at an address by now.
+  std::erase_if(m_pipes, [](const Pipe& pipe) { return pipe.device().kind == DeviceKey::Kind::Address; });
 }
 
 void PipeService::end(Instant now, const Live& live, EndReason, Outgoing& out) {
@@ -46,7 +48,7 @@ std::optional<Refusal> PipeService::intentCame(Instant now, const Live& live, co
   }
   if (m_own.isDisputed()) return Refusal::Disputed;
   const DeviceKey& to = write != nullptr ? write->device : file->device;
-  if (const Refusal why = live.whyNotTo(now, to); why != Refusal::None) return why;
+  if (const Refusal why = live.whyNoPacketTo(now, to); why != Refusal::None) return why;
   Pipe& at = pipe(live.canonical(to));
   return write != nullptr ? at.write(turn, write->bytes) : at.sendFile(turn, *file);
 }

@@ -11,9 +11,9 @@
 //    cannot be its own. A packet that is not on the bus yet is not sent a second time.
 // 3. After a packet was sent again, skipped or given up, an ack of it may still come. The next packet waits
 //    kSettle for it, from its being on the bus, lest it be taken for its own.
-// 4. Only who is known to be Akron's is answered: other makers' frames look the same.
+// 4. Only who is known to be Akron's is sent packets and answered: other makers' frames look the same.
 // 5. A device has one pipe, by its PIN once that is known: one that was used by its address joins it. Where
-//    both had something under way, both end.
+//    both had something under way, both end. When sending begins anew, pipes to addresses are forgotten.
 // 6. A packet belongs to the address it went to. When the device is elsewhere by then, the pipe stops.
 // 7. Each packet goes only where a command may go: to a device heard within 1 s, at an address that nobody
 //    contests. Otherwise the pipe stops before it.

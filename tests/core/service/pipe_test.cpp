@@ -489,6 +489,51 @@ TEST_F(Pipe, ThePacketsAfterTheFirstGoOnlyToADeviceThatIsHeardToo) {
   EXPECT_EQ(status().resent, 0u) << "it went for the first time";
 }
 
+TEST_F(Pipe, NothingGoesToAnAddressWhoseAcksWouldNotCount) {
+  const auto write = [&](std::uint8_t address) {
+    return pair.intend(intent::PipeWrite{DeviceKey::at(Channel{}, Address{address}), "A?"});
+  };
+  pair.inject(frame("18EFFF90", "83C051"));
+  pair.run(2 * Pair::kFlight);
+  EXPECT_EQ(write(0x90), Refusal::NotTaken) << "presumed to be Akron's by its message alone";
+  State& state = pair.console().state;
+  state.apply(Note{.time = pair.now(), .value = note::LinkDown{}});
+  pair.run(1ms);
+  state.apply(Note{.time = pair.now(), .value = note::LinkUp{}});
+  pair.run(300ms);
+  EXPECT_EQ(write(address()), Refusal::NoDevice);
+  const Address was = state.channel(Channel{}).book.formerAddress(monitor.pin);
+  EXPECT_EQ(write(was.value), Refusal::FormerPin);
+  EXPECT_TRUE(packets().empty());
+}
+
+TEST_F(Pipe, WhatWentToAnAddressBeforeAGapIsNotItsNextDevices) {
+  pair.inject(frame("18EEFF90", "0B1AC22800420090"));
+  pair.inject(frame("18EFFF90", "83C051"));
+  pair.run(2 * Pair::kFlight);
+  const DeviceKey byAddress = DeviceKey::at(Channel{}, Address{0x90});
+  ASSERT_EQ(pair.intend(intent::PipeWrite{byAddress, "A?"}), Refusal::None);
+  pair.run(Pair::kFlight);
+  pair.inject(fromDevice("FE", 0x90));
+  pair.run(2 * Pair::kFlight);
+  ASSERT_EQ(pair.console().pipe(pair.now(), byAddress).sent, 2u);
+  Console& console = pair.console();
+  console.state.apply(Note{.time = pair.now(), .value = note::LinkDown{}});
+  pair.setLink(console, false);
+  pair.run(3s);
+  console.state.apply(Note{.time = pair.now(), .value = note::LinkUp{}});
+  pair.setLink(console, true);
+  pair.unlock();
+  pair.inject(frame("18EFFF90", "FF83150206021A0C"));
+  pair.run(2 * Pair::kFlight);
+  const DeviceKey next = DeviceKey::of(*Pin::parse("1032AE100801036"));
+  pair.intend(intent::PipeWrite{next, "B"});
+  pair.run(Pair::kFlight);
+  pair.inject(fromDevice("FE", 0x90));
+  pair.run(2 * Pair::kFlight);
+  EXPECT_EQ(console.pipe(pair.now(), next).sent, 1u);
+}
+
 TEST_F(Pipe, OthersFramesThatLookTheSameAreNotAnswered) {
   const Instant before = pair.now();
   pair.inject(frame("18EEFFA0", "1234560000000000"));  // another maker's NAME
