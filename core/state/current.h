@@ -21,8 +21,7 @@ inline bool isLinkDown(const State& state, Channel channel) {
 // Whether the link went down after something that was heard at `at`. Whether that still holds shows once it is heard
 // again.
 inline bool isCutOff(const State& state, Channel channel, Instant at) {
-  const Instant down = state.channel(channel).linkDown;
-  return at != kNotYet && at <= down && state.cursor().time > down;
+  return (at != kNotYet && isLinkDown(state, channel)) || state.channel(channel).isBeforeGap(at);
 }
 
 // Whether what one of kPeriodicReports said last is old.
@@ -41,7 +40,7 @@ inline bool isExtendedStale(const State& state, Channel channel, const Joystick&
 }
 // Whether monitors act on its input now, as far as is known.
 inline bool isInForce(const State& state, Channel channel, const Joystick& stick) {
-  return stick.basic.isKnown() && !isStale(state, channel, stick);
+  return stick.isActive() && !isStale(state, channel, stick);
 }
 
 // Of what was heard at `at` on a channel; kNotYet: it was not.

@@ -82,15 +82,34 @@ void Device::timeCame(Instant time) {
   }
 }
 
-void Device::linkCameBack() {
-  isPartFormer = partNumber.isKnown();
+void Device::linkCameBack(Instant time) {
+  m_gapEnd = time;
+  addressChanges = 0;
+  formerAddresses = {};
   malformed = 0;
   m_malformed = {};
   doubledSince = doubled = paired = kNotYet;
   isOnlyEqual = false;
   m_paces = {};
+  m_periods = {};
   for (Instant& asked : m_askedInVain) asked = kNotYet;
   m_refused = {};
+  // A log without times stands still at 0.
+  if (time == Instant{}) forgetUntil(kNever);
+}
+
+void Device::forgetUntil(Instant end) {
+  for (Report& report : m_reports) {
+    if (report.at < end) report = {};
+  }
+  for (const MessageId id : kPeriodicReports) {
+    if (!report(id).isKnown()) m_stale.remove(id);
+  }
+  if (!permissive().isKnown()) permissiveFrom = {};
+  if (partNumber.at < end) partNumber = {};
+  if (operationalErrorCode.at < end) operationalErrorCode = {};
+  if (commanded.at < end) commanded = {};
+  if (lastStatus < end) lastStatus = kNotYet;
 }
 
 void Device::statusCame(Instant time) {
@@ -171,7 +190,6 @@ void Device::takeSdo(const Frame& frame, Instant time) {
   const unsigned size = sdo::valueSize(frame.data[0]);
   if (object == sdo::kDeviceType && size == 4) {
     partNumber.set(static_cast<std::uint32_t>(readBits(frame.data, gateway::kValue.bits)), time);
-    isPartFormer = false;
   } else if (object == sdo::kFaultStatus && size == 4) {
     m_reports[kReportPlaces[MessageId::FaultResponse]].set(frame, time);
     answered(Request::Fault);

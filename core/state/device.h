@@ -49,7 +49,7 @@ struct Device {
   std::uint16_t addressChanges = 0;
   Instant addressSince = kNotYet;
   std::array<FormerAddress, 3> formerAddresses;  // the latest first; null addresses where there were fewer
-  Instant announced = kNotYet;
+  Instant announced = kNotYet;                   // the PIN that it has, or had before its link was down
   Instant listenedSince = kNotYet;  // when the link of its channel last came up; kNever while it is down
   Instant lastHeard = kNotYet;
   std::uint32_t frames = 0;
@@ -65,11 +65,10 @@ struct Device {
   // as it has the address.
   Instant doubledSince = kNotYet;
   Instant doubled = kNotYet;
-  Instant paired = kNotYet;   // when a status changed last as in a log that holds each frame twice
-  bool isOnlyEqual = false;   // nothing but equal statuses showed the two: the log may hold each frame twice
-  bool isCoarse = false;      // its log has times that are good to the second
-  bool isPartFormer = false;  // its part number was said before the link was down
-  bool isErrorOver = false;   // so says a status of the operational error whose code an answer gave before
+  Instant paired = kNotYet;  // when a status changed last as in a log that holds each frame twice
+  bool isOnlyEqual = false;  // nothing but equal statuses showed the two: the log may hold each frame twice
+  bool isCoarse = false;     // its log has times that are good to the second
+  bool isErrorOver = false;  // so says a status of the operational error whose code an answer gave before
 
   Address permissiveFrom;  // the master controller that sent the permissive
 
@@ -79,7 +78,7 @@ struct Device {
   Reported<&BasicJoystick::of> commanded;  // RPDO1; the sender is not known
 
   // The part number; 0: not said, or not since the link came back.
-  std::uint32_t part() const { return isPartFormer ? 0 : partNumber.value; }
+  std::uint32_t part() const { return isBeforeGap(partNumber.at) ? 0 : partNumber.value; }
   // Null where it had none before.
   Address previousAddress() const { return formerAddresses.front().address; }
   // A frame of it came.
@@ -89,8 +88,15 @@ struct Device {
     ++frames;
   }
 
-  // Frames come again after its link was down. What it said keeps its time; what is counted begins anew.
-  void linkCameBack();
+  // Frames come again after its link was down. What it said keeps its time, but where there are no times to keep.
+  // What is counted begins anew, and its earlier addresses were another's, as far as is known.
+  void linkCameBack(Instant time);
+  // Somebody else said what was said before that.
+  void forgetBeforeGap() { forgetUntil(m_gapEnd); }
+  // Whether a report is of whoever is there: of before a gap it is only as long as nothing is heard behind it.
+  bool isKnownNow(MessageId id) const {
+    return report(id).isKnown() && (!isBeforeGap(report(id).at) || isBeforeGap(lastHeard));
+  }
 
   // It claims an address and then announces itself: that is one start.
   void starts(Instant time) {
@@ -155,6 +161,8 @@ struct Device {
   friend bool operator==(const Device&, const Device&) = default;
 
  private:
+  bool isBeforeGap(Instant at) const { return at < m_gapEnd; }
+  void forgetUntil(Instant end);
   void answered(Request request) {
     m_askedInVain[request] = kNotYet;
     m_refused.remove(request);
@@ -171,6 +179,7 @@ struct Device {
   void takeDoubling(Doubling doubling, Instant time);
   void takeSdo(const Frame& frame, Instant time);
 
+  Instant m_gapEnd = kNotYet;  // when the link of its channel last came back
   std::array<Report, kReports.size()> m_reports;
   std::array<Pace, kOwnPeriodicReports.size()> m_paces;
   std::array<OwnPeriod, kNodeReports.size()> m_periods;

@@ -116,6 +116,8 @@ void Devices::announced(Channel channel, Address address, const Pin& pin, Instan
     device = findAddress(channel, address);  // heard before it said who it is
     if (device == nullptr) device = makeForPin(channel, address, time);
     if (device == nullptr) return;
+    // The address book has taken away the address of whoever had another PIN there.
+    if (device->announced == kNotYet) device->forgetBeforeGap();
     device->kind = Device::Kind::Pin;
     device->pin = pin;
     device->addressSince = time;
@@ -136,7 +138,7 @@ void Devices::named(Channel channel, Address address, const Pin& pin) {
   device->pin = pin;
 }
 
-void Devices::linkCameBack(Channel channel) {
+void Devices::linkCameBack(Channel channel, Instant time) {
   for (Device& device : std::span(m_devices).first(m_used)) {
     if (device.kind == Device::Kind::Free || device.channel != channel) continue;
     if (device.kind == Device::Kind::Pin) {
@@ -147,7 +149,7 @@ void Devices::linkCameBack(Channel channel) {
         continue;
       }
     }
-    device.linkCameBack();
+    device.linkCameBack(time);
   }
 }
 

@@ -44,10 +44,11 @@ class Devices {
   void addressLost(Channel channel, Address address, Instant time);
   // Frames come again on a channel after its link was down: nobody has said yet whose its addresses are now. What had
   // a PIN is known by its address alone, and what had no address is forgotten.
-  void linkCameBack(Channel channel);
+  void linkCameBack(Channel channel, Instant time);
   // Behind a gap the device at an address claimed it under the NAME of the PIN that it had: it is the same one.
   void named(Channel channel, Address address, const Pin& pin);
-  // A device announced itself: it has this address from now on. Whoever had it lost it before.
+  // A device announced itself: it has this address from now on. Whoever had it lost it before. What was said there
+  // before a gap, by whoever had not said its PIN, is not its own.
   void announced(Channel channel, Address address, const Pin& pin, Instant time);
 
   // Whether times are good to the second; before the first device.

@@ -199,9 +199,10 @@ void EventWalk::lookStandard(const Frame& frame, BusWatch& bus) {
   if (device == nullptr) return;
   // Other buses use these identifiers too: nothing is told of a node that was not heard as one. Two of its statuses
   // that are both in order are no coincidence.
-  const bool isNode = device->heartbeat().isKnown() || device->faults().isKnown() ||
-                      (device->position().isKnown() && device->outputs().isKnown()) ||
-                      m_state->channel({frame.channel}).book.isAkronNode(cob.node);
+  const bool isNode =
+      device->isKnownNow(MessageId::Heartbeat) || device->isKnownNow(MessageId::FaultResponse) ||
+      (device->isKnownNow(MessageId::PositionLimitStatus) && device->isKnownNow(MessageId::DigitalOutputs)) ||
+      m_state->channel({frame.channel}).book.isAkronNode(cob.node);
   if (isNode && message != MessageId::Count) look(*device, message, frame.data, bus);
 }
 

@@ -77,7 +77,8 @@ bool canBeRequested(const Subject& s) {
   if (s.device == nullptr) return false;
   if (!s.isNode()) return true;
   const Device& d = *s.device;
-  return d.part() != 0 || d.faults().isKnown() || d.position().isKnown() || d.outputs().isKnown();
+  return d.part() != 0 || d.isKnownNow(MessageId::FaultResponse) ||
+         d.isKnownNow(MessageId::PositionLimitStatus) || d.isKnownNow(MessageId::DigitalOutputs);
 }
 
 // What the device has to repeat, as far as its type says it, or without one what it sends. The heartbeat of a gateway

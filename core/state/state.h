@@ -57,8 +57,11 @@ struct ChannelState {
   std::uint32_t bitRate = 0;  // bit/s; 0: the log does not say it
   // When the link last came up, and when it last went down: nothing can be heard in between.
   Instant linkUp = kNotYet, linkDown = kNotYet;
-  // Whether the link was down since something was heard, and is up again: another bus may be at the plug.
-  bool isBeforeGap(Instant at) const { return link == ChannelLink::Up && at != kNotYet && at <= linkDown; }
+  // Whether the link was down since something was heard, and is up again: another bus may be at the plug. A log without
+  // times stands still at 0: what was said before its gaps is forgotten instead.
+  bool isBeforeGap(Instant at) const {
+    return link == ChannelLink::Up && at != kNotYet && at <= linkDown && linkDown != Instant{};
+  }
   // Whatever is missing is missing since then, at the earliest.
   Instant missedFrom(Instant lastHeard) const { return std::max(lastHeard, linkUp); }
   // The last instant at or before `now` at which this channel could be heard.

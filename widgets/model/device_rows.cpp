@@ -23,8 +23,8 @@ struct Row {
 constexpr NodeId kGatewayNode{0x70};  // the gateway manual's default
 
 bool sendsMonitorStatus(const Device& d) {
-  return d.position().isKnown() || d.outputs().isKnown() || d.rotationLimits().isKnown() ||
-         d.elevationLimits().isKnown();
+  return d.isKnownNow(MessageId::PositionLimitStatus) || d.isKnownNow(MessageId::DigitalOutputs) ||
+         d.isKnownNow(MessageId::RotationSoftLimits) || d.isKnownNow(MessageId::ElevationSoftLimits);
 }
 
 bool isJoystick(const State& state, Channel channel, Address address) {
@@ -126,8 +126,8 @@ DeviceType typeOf(const Device& d) {
     return {d.node == kGatewayNode ? From::GatewayNode : From::CanopenNode};
   }
   if (sendsMonitorStatus(d)) return {From::Messages83};
-  if (d.miniOutputs().isKnown()) return {From::Messages84};
-  if (d.inputs().isKnown()) return {From::Messages85};
+  if (d.isKnownNow(MessageId::MiniDigitalOutputs)) return {From::Messages84};
+  if (d.isKnownNow(MessageId::DigitalInputs)) return {From::Messages85};
   return {From::AkronMessages};
 }
 

@@ -322,6 +322,12 @@ INSTANTIATE_TEST_SUITE_P(
                b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(3s);
              },
              "silent faults_old"},
+        Case{"ANodeOfAnotherSystemBehindALinkThatWasDown",
+             [](Bus& b) {
+               b.node().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(1ms);
+               b.hear("724", "05");
+             },
+             "cannot_be_asked"},
         Case{"AJoystickWhoseLinkIsDown",
              [](Bus& b) {
                b.hear("18EEFF33", kNameOfA).hear("18EFFF33", kAnnouncesA);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "health_bus.h"
+#include "state/current.h"
 #include "state/in_force.h"
 #include "state/role_notes.h"
 
@@ -193,6 +194,46 @@ TEST_F(BehindAGap, ANameThatHadLeftIsNotFormer) {
   EXPECT_TRUE(book().formerHolder(kMonitor).isNull());
   EXPECT_FALSE(book().formerHolder({0x90}).isNull());
   EXPECT_EQ(book().claimsLost({0x90}), 0);
+}
+
+TEST_F(BehindAGap, WhatAnAddressAnsweredIsNoAnswerOfThePinThatIsAnnouncedThere) {
+  bus.statuses().answered("02002000000000");
+  ASSERT_TRUE(at(kMonitor)->faults().isKnown());
+  gap();
+  bus.statuses().hear("18EFFF80", kAnnouncesB);
+  ASSERT_EQ(bus.device(kPinB), at(kMonitor));
+  EXPECT_FALSE(at(kMonitor)->faults().isKnown());
+  EXPECT_TRUE(at(kMonitor)->position().isKnown()) << "it came behind the gap";
+}
+
+TEST_F(BehindAGap, AnAddressHasNoMovesOfThePinThatWasThere) {
+  bus.monitor().hear("18EFFF81", kAnnouncesA);
+  ASSERT_EQ(at({0x81})->previousAddress(), kMonitor);
+  gap();
+  EXPECT_EQ(at({0x81})->previousAddress(), kNullAddress);
+  EXPECT_EQ(at({0x81})->addressChanges, 0);
+}
+
+TEST(BehindAGapWithoutTimes, WhatIsSaidAnewIsCurrentAndWhatWasSaidIsForgotten) {
+  State state;
+  const auto hear = [&](std::string_view id, std::string_view data) { state.apply(frame(id, data), {}); };
+  const auto at80 = [&]() -> const Device& { return *state.devices().byAddress(kCan0, kMonitor); };
+  state.apply(Note{.value = note::LinkUp{}});
+  hear("18EEFF80", kNameOfA);
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EFFF80", kPosition);
+  hear("18EF80F9", "02");
+  hear("18EFF980", "02002000000000");
+  state.apply(Note{.value = note::LinkDown{}});
+  state.apply(Note{.value = note::LinkUp{}});
+  EXPECT_FALSE(at80().faults().isKnown());
+  EXPECT_FALSE(at80().position().isKnown());
+  hear("18EFFF80", kAnnouncesA);
+  hear("18EFFF80", kPosition);
+  hear("18EF80F9", "02");
+  hear("18EFF980", kNoFaults);
+  EXPECT_EQ(ageOfAnswer(state, at80(), at80().faults().at), AnswerAge::Current);
+  EXPECT_FALSE(isCutOff(state, kCan0, at80().position().at));
 }
 
 TEST_F(BehindAGap, StatusesThatCameBackWithTheLinkEndNoSilence) {
