@@ -63,6 +63,8 @@ void BusWatch::linkCameBack() {
   m_shared.reset();
   m_strangerSince = neverHeard<256>();
   m_nodeSince = neverHeard<128>();
+  m_sticks = {};
+  m_sticksDue = kNever;
 }
 
 Address BusWatch::formerAddress(Address address, Instant now) const {

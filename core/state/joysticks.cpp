@@ -38,7 +38,7 @@ void Joysticks::heardBasic(Address source, const Frame& frame, Instant time) {
     }
   }
   stick->basic.set(frame, time);
-  stick->timedOut = false;
+  stick->timedOut = stick->isFormer = false;
   ++stick->frames;
 }
 
@@ -47,6 +47,13 @@ void Joysticks::heardExtended(Address source, const Frame& frame, Instant time) 
   if (stick == nullptr) return;
   stick->extended.set(frame, time);
   ++stick->frames;
+}
+
+void Joysticks::linkCameBack() {
+  for (Joystick& stick : m_sticks) {
+    stick.timedOut = false;
+    stick.isFormer = stick.basic.isKnown();
+  }
 }
 
 Instant Joysticks::timeoutOf(const Joystick& stick) const {

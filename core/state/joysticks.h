@@ -24,6 +24,7 @@ struct Joystick {
   std::uint32_t frames = 0;
   std::uint32_t timeouts = 0;  // how often more than kInputTimeout passed without a basic message
   bool timedOut = false;       // now: controllers have cleared this source's input
+  bool isFormer = false;       // not heard since the link came back: nobody knows whether any do
   Duration period{0};          // smoothed over about eight messages
   Duration worstGap{0};        // between two basic messages; silences above kSilence are none
 
@@ -36,7 +37,7 @@ struct Joystick {
   // Whether any message of its had a right length.
   bool isUnderstood() const { return basic.isKnown() || extended.isKnown(); }
   // Whether the source sends now: controllers hold its input.
-  bool isActive() const { return basic.isKnown() && !timedOut; }
+  bool isActive() const { return basic.isKnown() && !timedOut && !isFormer; }
   friend bool operator==(const Joystick&, const Joystick&) = default;
 };
 
@@ -56,6 +57,8 @@ class Joysticks {
   void setCoarse(bool areCoarse) { m_areCoarse = areCoarse; }
   // The link came up; kNever: it went down, and no source times out.
   void listensSince(Instant time) { m_listensSince = time; }
+  // Frames come again after the link was down: no source is expected to be on this bus.
+  void linkCameBack();
   Instant nextDeadline() const;
   void timeCame(Instant time);
 

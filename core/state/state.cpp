@@ -300,6 +300,7 @@ void State::linkIs(Channel channelId, ChannelLink link) {
   if (isBack) {
     channel.book.linkCameBack();
     channel.nodes.linkCameBack();
+    channel.joysticks.linkCameBack();
     m_devices.linkCameBack(channelId, m_cursor.time);
   }
   (isDown ? channel.linkDown : channel.linkUp) = m_cursor.time;

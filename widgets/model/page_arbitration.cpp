@@ -40,7 +40,7 @@ QStringList heard(const State& state, Channel channel, Address from, Address to)
     const Joystick* stick = joysticks.find(Address{static_cast<std::uint8_t>(a)});
     if (stick == nullptr) continue;
     const QString name = joystickName(stick->source);
-    if (isCutOff(state, channel, stick->basic.at)) {
+    if (stick->isFormer || isCutOff(state, channel, stick->basic.at)) {
       lines << Arbitration::tr("%1: not heard since the link went down").arg(name);
       continue;
     }

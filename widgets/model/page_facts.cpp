@@ -189,7 +189,7 @@ PageFactGroup joystickOf(const State& state, Channel channel, const Joystick& st
     facts.push_back({Facts::tr("Sending"), Facts::tr("stopped; monitors forgot its input"), Severity::Unknown,
                      ageAt(stick.basic.at, now)});
   } else {
-    facts.push_back(plain(Facts::tr("Sending"), stick.basic.isKnown()
+    facts.push_back(plain(Facts::tr("Sending"), stick.isActive()
                                                     ? Facts::tr("every %1").arg(periodText(stick.period))
                                                     : Facts::tr("extended messages only")));
   }

@@ -214,6 +214,27 @@ TEST_F(BehindAGap, AnAddressHasNoMovesOfThePinThatWasThere) {
   EXPECT_EQ(at({0x81})->addressChanges, 0);
 }
 
+TEST_F(BehindAGap, AJoystickThatIsNotHeardAnewTimesOutForNobody) {
+  bus.hear("0CFDD633", "907D010000000000").pass(10ms);
+  gap();
+  const auto stick = [&] { return *bus.state().channel(kCan0).joysticks.find({0x33}); };
+  bus.pass(1s);
+  EXPECT_FALSE(stick().isActive());
+  EXPECT_FALSE(stick().timedOut);
+  EXPECT_EQ(stick().timeouts, 0u);
+  EXPECT_FALSE(healthOf(bus.state(), kCan0, {0x33}).has(HealthCause::JoystickStopped));
+  bus.hear("0CFDD633", "907D010000000000");
+  EXPECT_TRUE(stick().isActive());
+  bus.pass(1s);
+  EXPECT_EQ(stick().timeouts, 1u);
+}
+
+TEST_F(BehindAGap, AJoystickThatHadStoppedBeforeItIsNotSaidToHaveStopped) {
+  bus.hear("0CFDD633", "907D010000000000").pass(2s);
+  gap(57s);
+  EXPECT_FALSE(healthOf(bus.state(), kCan0, {0x33}).has(HealthCause::JoystickStopped));
+}
+
 TEST(BehindAGapWithoutTimes, WhatIsSaidAnewIsCurrentAndWhatWasSaidIsForgotten) {
   State state;
   const auto hear = [&](std::string_view id, std::string_view data) { state.apply(frame(id, data), {}); };
