@@ -65,6 +65,8 @@ struct Subject {
   Instant lastHeard() const {
     return device != nullptr ? device->lastHeard : channel.nodes[address].lastHeard;
   }
+  // Nobody was heard there since the link came back: nobody has to be there.
+  bool isFormer() const { return channel.isBeforeGap(lastHeard()); }
 };
 
 Subject subjectOf(const State& state, const Device& device) {
@@ -95,12 +97,15 @@ EnumSet<MessageId> repeats(const Subject& s) {
 }
 
 // Whether something of it comes by itself. Controls have to send joystick messages, but from an address of 33 to
-// 38 hex that no message ties to their PIN.
+// 38 hex that no message ties to their PIN. Statuses of before a gap oblige only the PIN that sent them.
 bool sendsByItself(const Subject& s) {
-  if (s.joystick() != nullptr) return true;
+  const Joystick* stick = s.joystick();
+  if (stick != nullptr && !s.channel.isBeforeGap(std::max(stick->basic.at, stick->extended.at))) return true;
   if (s.device == nullptr) return !s.channel.wereOwn[s.address.value] && s.channel.nodes[s.address].isSteady;
   if (s.isNode()) return s.device->hasPeriod();
-  return s.device->lastStatus != kNotYet || !repeats(s).isEmpty();
+  const bool hasSent = s.device->lastStatus != kNotYet &&
+                       (s.device->kind == Device::Kind::Pin || !s.channel.isBeforeGap(s.device->lastStatus));
+  return hasSent || !repeats(s).isEmpty();
 }
 
 // So long after the last beat it is missing.
@@ -124,7 +129,7 @@ void takeShared(const Subject& s, Health& h);
 bool isLost(const Subject& s, const Health& h) { return h.sharedAddress != kNullAddress && !s.hasAddress(); }
 
 bool isSilent(const Subject& s) {
-  if (s.state.isFiltered()) return false;
+  if (s.state.isFiltered() || s.isFormer()) return false;
   // One that has sent nothing of the kind yet has as long for it.
   const Instant last = lastBeat(s) != kNotYet ? lastBeat(s) : s.lastHeard();
   if (!sendsByItself(s) || !s.isMissing(last, missingAfter(s))) return false;
@@ -135,8 +140,12 @@ bool isSilent(const Subject& s) {
 
 AnswerAge ageOf(const Subject& s, Instant answered) {
   const Device& d = *s.device;
-  if (answered < d.restarted && !s.state.isFiltered()) return AnswerAge::BeforeRestart;
-  if (answered < d.resumed && !s.state.isFiltered()) return AnswerAge::BeforeSilence;
+  // What happened before a gap may have been another device's.
+  const auto isFollowedBy = [&](Instant at) {
+    return answered < at && !s.channel.isBeforeGap(at) && !s.state.isFiltered();
+  };
+  if (isFollowedBy(d.restarted)) return AnswerAge::BeforeRestart;
+  if (isFollowedBy(d.resumed)) return AnswerAge::BeforeSilence;
   if (s.channel.isBeforeGap(answered)) return AnswerAge::BeforeGap;
   // An answer that came while the statuses were missing is as good as any.
   if (isSilent(s) && s.now() - answered >= missingAfter(s)) return AnswerAge::BeforeSilence;
@@ -310,7 +319,9 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
      [](const Subject& s, const Health&) { return isLinkDown(s.channel, s.state.cursor().time); }},
     {HealthCause::Filtered, [](const Subject& s, const Health&) { return s.state.isFiltered(); }},
     {HealthCause::Idle,
-     [](const Subject& s, const Health&) { return !sendsByItself(s) && s.isMissing(s.lastHeard()); }},
+     [](const Subject& s, const Health&) {
+       return (!sendsByItself(s) || s.isFormer()) && s.isMissing(s.lastHeard());
+     }},
     {HealthCause::FaultsAwaited,
      [](const Subject& s, const Health& h) {
        return canBeRequested(s) && h.answered == kNotYet &&

@@ -3,8 +3,11 @@
 // a rule for each). A pure function of the state and so of the cursor, live or of a log. It says what was reported
 // and what stopped coming; what to do about it is for the findings to say.
 //
-// Behind a gap, while the link was down, whatever is missing is missing from then on, no value of before counts, and
-// of a device that has not said its PIN anew nothing is expected by what it sent before.
+// While the link was down, which is a gap of the log, another bus may have come to the plug. A gap changes four things:
+//   1. No value of before it counts.
+//   2. A silence is counted from where the link came back.
+//   3. Whoever was not heard since then is idle, and not silent: nobody knows whether it is at this bus.
+//   4. A device that has not said its PIN since then need not send what was sent from its address before.
 //
 // A device is fine only if it sends all that its type sends (protocol/device_types.h), can act, and has answered
 // since its last restart or silence that it has no faults. While its link is down, that alone is known.
@@ -54,7 +57,8 @@ struct Health {
   // Silent: when a periodic message came last, kNotYet if none ever did. Idle: when it was heard last. LinkDown: when
   // the link went down.
   Instant since = kNotYet;
-  bool isSinceLinkUp = false;             // Silent, Idle: … not since the link came back, at `since`
+  // Silent, Idle: nothing of the kind came since the link came back, and `since` is when it did.
+  bool isSinceLinkUp = false;
   Instant asked = kNotYet;                // FaultsNotAnswered: the first try
   Instant answered = kNotYet;             // FaultsOld: when the answer came
   AnswerAge answer = AnswerAge::Current;  // FaultsOld: why it is old

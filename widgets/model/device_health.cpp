@@ -65,8 +65,10 @@ QString whatOf(HealthCause cause, const Health& health, Instant now) {
                  : HealthWords::tr("Its periodic messages stopped %1").arg(agoOf(health.since, now));
     case HealthCause::Idle:
       if (health.isSinceLinkUp)
-        return HealthWords::tr("before the link came back %1").arg(agoOf(health.since, now));
-      return agoOf(health.since, now);
+        return HealthWords::tr("Not heard since the link came back %1; it may not be on this bus")
+            .arg(agoOf(health.since, now));
+      return HealthWords::tr("Last heard %1; no periodic message is expected of it")
+          .arg(agoOf(health.since, now));
     case HealthCause::LinkDown: return agoOf(health.since, now);
     case HealthCause::FaultsNotAnswered: return agoOf(health.asked, now);
     case HealthCause::TwoAtOneAddress: return sharedText(health);

@@ -90,12 +90,13 @@ const std::vector<EventCase> kCases{
        s.hear("18EF8021", "A1000F").goOn(1s);
      },
      {"46.300 permissive_lost 80"}},
+    {"ADeviceThatIsNotBackWithItsLink", [](Story& s) { s.monitor().gap().pass(9s); }, {}},
     {"ASilenceAfterTheLinkIsUpAgain",
-     [](Story& s) { s.monitor().gap().pass(9s); },
+     [](Story& s) { s.monitor().gap().goOn(100ms).pass(9s); },
      {"49.000 silent 80 since 46.000"}},
     {"ASilenceThatTheLinkIsDownIn",
      [](Story& s) { s.monitor().pass(4s).gap().pass(4s).goOn(1s); },
-     {"8.900 silent" MONITOR " since 5.900", "53.000 silent 80 since 50.000", "54.000 back 80 4000 ms"}},
+     {"8.900 silent" MONITOR " since 5.900"}},
     {"ADeviceBehindAGapThatSaysItsPinAnew",
      [](Story& s) {
        s.monitor().answers("02002000000000").gap().goOn(1s).asksForNames();
@@ -302,12 +303,12 @@ const std::vector<EventCase> kCases{
        s.note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(1s).hear("18FF1028", "00");
      },
      {}},
-    {"ANodeOfAnotherMakerThatIsSilentAfterTheLinkIsUpAgain",
+    {"ANodeOfAnotherMakerThatIsNotBackWithItsLink",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
        s.note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s);
      },
-     {"50.000 silent 28 since 47.000"}},
+     {}},
     {"ANodeOfAnotherMakerThatSendsEverySecondBeforeAndAfterAGap",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);

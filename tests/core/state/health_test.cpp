@@ -275,7 +275,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](Bus& b) {
                b.monitor().answered().pass(3s).note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(3s);
              },
-             "silent faults_old"},
+             "idle faults_old"},
         Case{"SilenceThatHadNotBegunWhenTheLinkWasDown",
              [](Bus& b) {
                b.monitor().answered().pass(3s - 1ns).note(note::LinkDown{}).pass(1h).note(note::LinkUp{});
@@ -317,11 +317,35 @@ INSTANTIATE_TEST_SUITE_P(
                for (int i = 0; i < 10; ++i) b.pass(100ms).hear("18EFFF80", "848000");
              },
              "faults_never_asked"},
-        Case{"SilenceAfterTheLinkIsUpAgain",
+        Case{"ADeviceThatIsNotHeardSinceTheLinkIsUpAgain",
              [](Bus& b) {
                b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(3s);
              },
+             "idle faults_old"},
+        Case{
+            "SilenceAfterTheLinkIsUpAgain",
+            [](Bus& b) {
+              b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).statuses().pass(3s);
+            },
+            "silent faults_old"},
+        Case{"APinThatIsHeardAnewWithoutItsStatuses",
+             [](Bus& b) {
+               b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(1ms);
+               b.hear("18EEFF80", kNameOfA).hear("18EFFF80", kAnnouncesA).pass(3s);
+             },
              "silent faults_old"},
+        Case{"AnAddressThatIsHeardAnewWithoutItsStatusesAndItsPin",
+             [](Bus& b) {
+               b.monitor().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(1ms);
+               b.hear("18EFF980", kNoFaults).pass(3s);
+             },
+             "idle"},
+        Case{"AJoystickThatIsNotHeardSinceTheLinkIsUpAgain",
+             [](Bus& b) {
+               b.hear("0CFDD621", "0100010000000000").pass(2s).note(note::LinkDown{}).pass(57s);
+               b.note(note::LinkUp{}).pass(1ms);
+             },
+             "cannot_be_asked"},
         Case{"ANodeOfAnotherSystemBehindALinkThatWasDown",
              [](Bus& b) {
                b.node().answered().note(note::LinkDown{}).pass(1h).note(note::LinkUp{}).pass(1ms);

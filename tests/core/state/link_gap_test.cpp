@@ -161,12 +161,32 @@ TEST_F(BehindAGap, ThePartNumberOfANodeIsFormerUntilItIsHeardAnew) {
 TEST_F(BehindAGap, SilenceIsCountedFromWhereTheLinkCameBack) {
   bus.monitor();
   gap();
-  bus.pass(3s - 2ms);
+  bus.hear("18EFFF80", kAnnouncesA).pass(3s - 2ms);
   EXPECT_FALSE(health().has(HealthCause::Silent));
   bus.pass(2s);
   ASSERT_TRUE(health().has(HealthCause::Silent));
   EXPECT_TRUE(health().isSinceLinkUp);
   EXPECT_EQ(health().since, bus.state().channel(kCan0).linkUp);
+}
+
+TEST_F(BehindAGap, WhoeverIsNotHeardSinceTheLinkCameBackIsIdleFromThenOn) {
+  bus.monitor();
+  gap();
+  bus.pass(3s);
+  ASSERT_EQ(listed(health()), "idle faults_never_asked");
+  EXPECT_EQ(health().severity(), Severity::Unknown);
+  EXPECT_TRUE(health().isSinceLinkUp);
+  EXPECT_EQ(health().since, bus.state().channel(kCan0).linkUp);
+}
+
+TEST_F(BehindAGap, WhatAnAddressAnsweredIsNoAnswerOfThePinThatIsAnnouncedThere) {
+  bus.statuses().answered("02002000000000");
+  ASSERT_TRUE(at(kMonitor)->faults().isKnown());
+  gap();
+  bus.statuses().hear("18EFFF80", kAnnouncesB);
+  ASSERT_EQ(bus.device(kPinB), at(kMonitor));
+  EXPECT_FALSE(at(kMonitor)->faults().isKnown());
+  EXPECT_TRUE(at(kMonitor)->position().isKnown()) << "it came behind the gap";
 }
 
 TEST_F(BehindAGap, WhatANameAnsweredIsNoAnswerOfAnothersPin) {
@@ -194,16 +214,6 @@ TEST_F(BehindAGap, ANameThatHadLeftIsNotFormer) {
   EXPECT_TRUE(book().formerHolder(kMonitor).isNull());
   EXPECT_FALSE(book().formerHolder({0x90}).isNull());
   EXPECT_EQ(book().claimsLost({0x90}), 0);
-}
-
-TEST_F(BehindAGap, WhatAnAddressAnsweredIsNoAnswerOfThePinThatIsAnnouncedThere) {
-  bus.statuses().answered("02002000000000");
-  ASSERT_TRUE(at(kMonitor)->faults().isKnown());
-  gap();
-  bus.statuses().hear("18EFFF80", kAnnouncesB);
-  ASSERT_EQ(bus.device(kPinB), at(kMonitor));
-  EXPECT_FALSE(at(kMonitor)->faults().isKnown());
-  EXPECT_TRUE(at(kMonitor)->position().isKnown()) << "it came behind the gap";
 }
 
 TEST_F(BehindAGap, AnAddressHasNoMovesOfThePinThatWasThere) {
