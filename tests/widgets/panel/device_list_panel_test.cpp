@@ -279,6 +279,24 @@ TEST_F(DeviceListPanelTest, EditsNoLabelOfWhatHasNoPin) {
   EXPECT_EQ(m_list->findChild<QLineEdit*>(QStringLiteral("labelEditor")), nullptr);
 }
 
+// A row that gets the focus asks for its first cell alone.
+TEST_F(DeviceListPanelTest, PaintsTheWordsOfTheHealthIntoEveryCellThatTheyReach) {
+  neighbours(m_bus.monitor());
+  m_panel.resize(240, 600);
+  show();
+  m_list->setFocus();
+  click(QString::fromLatin1(kPinA));
+  QWidget* rows = m_list->viewport();
+  const QModelIndex device = m_list->selectionModel()->selectedRows(DeviceModel::DeviceColumn).front();
+  const QRect cell = m_list->visualRect(device);
+  const auto painted = [&](const QRegion& region) {
+    QImage image(rows->size(), QImage::Format_RGB32);
+    rows->render(&image, region.boundingRect().topLeft(), region);
+    return image.copy(cell);
+  };
+  EXPECT_EQ(painted(cell), painted(rows->rect()));
+}
+
 TEST_F(DeviceListPanelTest, SortsAndCopiesFromItsMenu) {
   m_bus.hear("18EFFF95", kPosition).hear("18EFFF93", kPosition).monitor();
   show();

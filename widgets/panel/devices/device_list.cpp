@@ -5,6 +5,7 @@
 #include <QFontMetricsF>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QPolygonF>
 #include <QResizeEvent>
@@ -181,6 +182,12 @@ void DeviceList::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QTreeView::keyPressEvent(event);
+}
+
+// QTreeView paints only the cells that it was asked for, and the words of the health lie in those before as well.
+void DeviceList::paintEvent(QPaintEvent* event) {
+  QPaintEvent rows(QRect(0, event->rect().top(), viewport()->width(), event->rect().height()));
+  QTreeView::paintEvent(&rows);
 }
 
 void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,

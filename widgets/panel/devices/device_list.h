@@ -23,6 +23,7 @@ class DeviceList : public QTreeView {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
   void resizeEvent(QResizeEvent* event) override;
