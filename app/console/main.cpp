@@ -64,8 +64,8 @@ int main(int argc, char** argv) {
   } else {
     window.resize(options.grabSize);
   }
-  if (const auto theme = deckpipe::themeOfKey(options.theme)) window.setTheme(*theme);
-  if (const auto density = deckpipe::densityOfKey(options.density)) window.setDensity(*density);
+  window.setLook(deckpipe::themeOfKey(options.theme).value_or(window.theme()),
+                 deckpipe::densityOfKey(options.density).value_or(window.density()));
   window.show();
   asked = &window;
   if (!options.logFile.isEmpty()) session.openLog(options.logFile);

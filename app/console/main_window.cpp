@@ -349,6 +349,16 @@ void MainWindow::chooseBitRate() {
   menu->popup(m_notice->mapToGlobal(m_notice->rect().bottomRight() - QPoint(menu->sizeHint().width(), 0)));
 }
 
+void MainWindow::setTheme(Theme theme) {
+  m_chosenTheme = theme;
+  setLook(theme, m_density);
+}
+
+void MainWindow::setDensity(Density density) {
+  m_chosenDensity = density;
+  setLook(m_theme, density);
+}
+
 void MainWindow::setLook(Theme theme, Density density) {
   m_theme = theme;
   m_density = density;
@@ -364,8 +374,8 @@ void MainWindow::setLook(Theme theme, Density density) {
 // The look first: what follows is measured in its letters.
 void MainWindow::restoreLayout() {
   const QSettings settings;
-  setLook(themeOfKey(settings.value(kThemeKey).toString()).value_or(m_theme),
-          densityOfKey(settings.value(kDensityKey).toString()).value_or(m_density));
+  setTheme(themeOfKey(settings.value(kThemeKey).toString()).value_or(m_theme));
+  setDensity(densityOfKey(settings.value(kDensityKey).toString()).value_or(m_density));
   if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray())) {
     resize(firstSize(screen()->availableGeometry()));
     if (size() != kUsualWindow) setWindowState(windowState() | Qt::WindowMaximized);
@@ -375,12 +385,13 @@ void MainWindow::restoreLayout() {
   m_workspace->restoreFrom(settings);
 }
 
+// Docks and columns are measured in the letters of a density: those of another one than is kept are not kept either.
 void MainWindow::saveLayout() const {
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  m_workspace->saveTo(settings);
-  settings.setValue(kThemeKey, keyOfTheme(m_theme));
-  settings.setValue(kDensityKey, keyOfDensity(m_density));
+  if (m_density == m_chosenDensity) m_workspace->saveTo(settings);
+  settings.setValue(kThemeKey, keyOfTheme(m_chosenTheme));
+  settings.setValue(kDensityKey, keyOfDensity(m_chosenDensity));
 }
 
 // Asked last, after the widget pointed at and all around it: what has no story has its tool tip.

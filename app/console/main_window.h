@@ -36,9 +36,13 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(Session& session, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  void setTheme(Theme theme) { setLook(theme, m_density); }
+  // As a person chose: kept for the next time.
+  void setTheme(Theme theme);
+  void setDensity(Density density);
+  // Of this run alone.
+  void setLook(Theme theme, Density density);
   Theme theme() const { return m_theme; }
-  void setDensity(Density density) { setLook(m_theme, density); }
+  Density density() const { return m_density; }
   // Writes what is held of the open log; the line above the timeline shows how that goes.
   void saveLog(const QString& path);
   // What is seen. The session's, on its tick; pictures of every state come from here too.
@@ -65,7 +69,6 @@ class MainWindow : public QMainWindow {
   void makeEventsMenu();
   void makeHelpMenu();
   void connectPanels();
-  void setLook(Theme theme, Density density);
   void showSnapshot();
   void rememberWhatWasRead();
   void showPage();
@@ -108,8 +111,8 @@ class MainWindow : public QMainWindow {
 
   Session& m_session;
   Snapshot m_snapshot;
-  Theme m_theme = Theme::Light;
-  Density m_density = Density::Desk;
+  Theme m_theme = Theme::Light, m_chosenTheme = m_theme;
+  Density m_density = Density::Desk, m_chosenDensity = m_density;
   SettingsLabels m_labels;
   Notice m_addressNotice;  // until the settings were looked at
   QMenuBar* m_menus;

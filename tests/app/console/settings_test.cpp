@@ -165,6 +165,17 @@ TEST_F(Looks, AreKeptForTheNextTime) {
   EXPECT_TRUE(test::child<QAction>(next, "fieldDensityAction")->isChecked());
 }
 
+TEST_F(Looks, OfOneRunAreNotKept) {
+  m_window.setTheme(Theme::Sunlight);
+  m_window.setLook(Theme::Dark, Density::Field);
+  EXPECT_TRUE(named<QAction>("fieldDensityAction")->isChecked());
+  m_window.close();
+  MainWindow next(m_session);
+  next.restoreLayout();
+  EXPECT_EQ(next.theme(), Theme::Sunlight);
+  EXPECT_EQ(next.density(), Density::Desk);
+}
+
 // Widths were measured in the letters of their density: taken in others they would grow each time.
 TEST_F(Looks, KeepTheColumnsOfTheFieldAsWideAsTheyWere) {
   const auto widthIn = [](const MainWindow& window, int column) {
