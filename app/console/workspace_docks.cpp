@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kDevicesLetters = 56;
 constexpr int kTraceHeight = 208;
+constexpr int kPageLines = 14;  // height of a page with its whole dial
 
 }  // namespace
 
@@ -93,7 +94,9 @@ void Workspace::shareRoom() {
   if (!isVisible()) return;
   resizeDocks({dock(kDevicesDock).dock}, {kDevicesLetters * fontMetrics().averageCharWidth()},
               Qt::Horizontal);
-  resizeDocks({dock(kTraceDock).dock}, {kTraceHeight}, Qt::Vertical);
+  // The tabs below the docks stand outside of their size.
+  const int forTrace = height() - kPageLines * fontMetrics().height() - targetHeight(this);
+  resizeDocks({dock(kTraceDock).dock}, {std::clamp(forTrace, 0, kTraceHeight)}, Qt::Vertical);
 }
 
 void Workspace::resetLayout() {
