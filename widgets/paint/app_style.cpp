@@ -96,6 +96,16 @@ void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
   if (element == PE_FrameLineEdit || isChoice) drawFocusRing(*painter, option->rect);
 }
 
+// Without Fusion's line under a menu bar: other things stand beside this one.
+void AppStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                           const QWidget* widget) const {
+  QProxyStyle::drawControl(element, option, painter, widget);
+  const bool isOpen = (option->state & State_Sunken) != 0;
+  if (element != CE_MenuBarEmptyArea && (element != CE_MenuBarItem || isOpen)) return;
+  const QRect& rect = option->rect;
+  painter->fillRect(QRect(rect.left(), rect.bottom(), rect.width(), 1), option->palette.window());
+}
+
 QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                                  const QWidget* widget) const {
   QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);

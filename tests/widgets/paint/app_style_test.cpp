@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenuBar>
 #include <QTest>
 #include <QToolButton>
 #include <QWindow>
@@ -41,6 +42,23 @@ TEST(AppStyle, GivesItsThemeToWhatIsThereAndToWhatComes) {
     for (const QWidget* widget : {&before, &after}) {
       EXPECT_EQ(coloursOf(widget).theme, theme);
       EXPECT_EQ(widget->palette().color(QPalette::Window), coloursOf(theme).window);
+    }
+  }
+}
+
+TEST(AppStyle, DrawsNoLineUnderAMenuBar) {
+  for (const Theme theme : kThemes) {
+    const test::Look look(theme);
+    QMenuBar bar;
+    bar.addMenu(QStringLiteral("File"));
+    bar.addMenu(QStringLiteral("Help"));
+    bar.resize(300, bar.sizeHint().height());
+    bar.show();
+    QCoreApplication::processEvents();
+    const QImage image = bar.grab().toImage();
+    for (int y = image.height() * 3 / 4; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x)
+        ASSERT_EQ(image.pixelColor(x, y), coloursOf(theme).window) << "at " << x << ',' << y;
     }
   }
 }
