@@ -286,7 +286,9 @@ void DialPainter::drawCommand() {
   m_painter.setPen(QPen(m_colours.surface, line(0.06, 5.0), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   m_painter.setBrush(m_colours.surface);
   m_painter.drawPolygon(m_view->command);
-  m_painter.setPen(QPen(m_colours.text, line(0.018, 1.5), Qt::SolidLine, Qt::RoundCap, Qt::MiterJoin));
+  // Nobody knows whether a monitor that is not heard follows it.
+  const QColor ink = m_view->axis.isStale ? m_colours.stale.ink : m_colours.text;
+  m_painter.setPen(QPen(ink, line(0.018, 1.5), Qt::SolidLine, Qt::RoundCap, Qt::MiterJoin));
   m_painter.drawPolygon(m_view->command);
 }
 

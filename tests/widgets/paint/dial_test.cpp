@@ -85,6 +85,20 @@ TEST_P(DialInTheme, ANeedleIsPaintedForAFreshReadingOnly) {
   }
 }
 
+TEST_P(DialInTheme, TheCommandToAMonitorThatIsNotHeardIsGrey) {
+  const Colours colours = coloursOf(GetParam());
+  const QSize size(640, 360);
+  DialValues v = usualValues();
+  for (DialAxis* axis : {&v.rotation, &v.elevation}) {
+    axis->command = DialAxis::Command{0.6, QStringLiteral("Joystick 33")};
+    axis->isStale = true;
+  }
+  const QImage image = picture(v, GetParam(), size);
+  const DialGeometry g = dialGeometry(v, QRectF(QPointF(0, 0), size));
+  EXPECT_EQ(needlePixels(image, g.rotation, colours.text), 0);
+  EXPECT_EQ(needlePixels(image, g.elevation, colours.text), 0);
+}
+
 TEST_P(DialInTheme, NoTwoStatesLookAlikeEvenWithoutColour) {
   for (const QSize size : {QSize(640, 360), QSize(480, 112), QSize(200, 200), QSize(200, 120)}) {
     std::vector<std::vector<bool>> pictures;
