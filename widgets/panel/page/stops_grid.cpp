@@ -2,6 +2,7 @@
 #include "panel/page/stops_grid.h"
 
 #include <QGridLayout>
+#include <algorithm>
 
 #include "model/page_sources.h"
 #include "paint/status_lamp.h"
@@ -55,6 +56,14 @@ void StopsGrid::setStops(const PageStops& stops) {
     setLamp(*m_lines[i].minus, stop.minus, stops.isStale, QStringLiteral("stops"));
     setLamp(*m_lines[i].plus, stop.plus, stops.isStale, QStringLiteral("stops"));
   }
+  // The side with the longer names has more of the width: its words need the room beside them.
+  int minus = 1, plus = 1;
+  for (std::size_t i = 0; i < stops.axes.size(); ++i) {
+    minus = std::max(minus, m_lines[i].minus->sizeHint().width());
+    plus = std::max(plus, m_lines[i].plus->sizeHint().width());
+  }
+  m_grid->setColumnStretch(1, minus);
+  m_grid->setColumnStretch(2, plus);
 }
 
 }  // namespace deckpipe
