@@ -135,7 +135,12 @@ void MainWindow::connectPanels() {
   connect(m_settings, &SettingsPage::resetLayoutRequested, m_workspace, &Workspace::resetLayout);
   connect(m_settings, &SettingsPage::forgetLogsRequested, this, [] { forgetLogs(); });
   connect(m_notice, &NoticeBar::actionRequested, this, &MainWindow::follow);
-  connect(m_notice, &NoticeBar::closeRequested, &m_session, &Session::dismiss);
+  connect(m_notice, &NoticeBar::closeRequested, this, [this] {
+    for (Notice* kept : {&m_addressNotice, &m_unsavedNotice}) {
+      if (*kept == m_notice->notice()) *kept = {};
+    }
+    m_session.dismiss();
+  });
   connect(m_markBar, &MarkBar::marked, &m_session, &Session::mark);
   connect(m_saveBar, &SaveBar::saved, this, [](const QString& path) { rememberLog(path); });
   connect(m_saveBar, &SaveBar::savedWhole, &m_session, &Session::setSaved);

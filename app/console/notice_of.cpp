@@ -122,11 +122,14 @@ bool hides(const Notice& answer, const Notice& standing) {
 }  // namespace
 
 Notice refusedAddressNotice(Address refused, Address used) {
-  return {Severity::Warning,
+  return {
+      .tone = Severity::Warning,
+      .text =
           NoticeText::tr(
               "The preferred address %1 of the settings is a joystick's or a monitor's and is not used: on "
               "unlocking, %2 is claimed. Another can be chosen in the settings.")
-              .arg(hexText(refused.value), hexText(used.value))};
+              .arg(hexText(refused.value), hexText(used.value)),
+      .canClose = true};
 }
 
 Notice noticeOf(const Snapshot& snapshot, const BusRates& rates) {

@@ -133,7 +133,8 @@ Notice unsavedNotice(const std::vector<Recording>& recordings) {
     sentences << RecordingsList::tr("%Ln earlier ones were not saved either.", nullptr,
                                     static_cast<int>(unsaved.size() - named));
   const QString text = sentences.join(QLatin1Char(' '));
-  return {.tone = Severity::Warning, .text = text, .action = Notice::Action::ShowRecordings};
+  return {
+      .tone = Severity::Warning, .text = text, .action = Notice::Action::ShowRecordings, .canClose = true};
 }
 
 struct RecordingsList::Work {

@@ -81,6 +81,14 @@ TEST_F(RecordingsPageTest, TheStartOffersWhatWasNotSavedByTimeAndPin) {
   EXPECT_FALSE(named<QWidget>("recordingsPage")->isVisible()) << "the log is shown";
 }
 
+TEST_F(RecordingsPageTest, TheOfferOfTheStartCanBeClosed) {
+  record();
+  start();
+  ASSERT_TRUE(waitFor([&] { return notice().startsWith(QStringLiteral("A recording of ")); }));
+  click("noticeClose");
+  EXPECT_EQ(notice(), QString());
+}
+
 TEST(NoticeOfUnsaved, NamesUpToThreeAndCountsTheOthers) {
   Recording recording;
   recording.isReadable = true;
