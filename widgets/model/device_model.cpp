@@ -158,7 +158,10 @@ QString DeviceModel::textOf(const DeviceRow& row, int column) const {
   switch (column) {
     case DeviceColumn: {
       const QString label = m_labels.of(row.key);
-      return label.isEmpty() ? deviceText(row) : label;
+      if (!label.isEmpty()) return label;
+      return row.formerPin.isNull()
+                 ? deviceText(row)
+                 : tr("was %1", "a PIN; the address stands beside").arg(pinText(row.formerPin));
     }
     case TypeColumn: return typeText(row);
     case AddressColumn:

@@ -257,7 +257,7 @@ TEST_F(DeviceTable, SaysWhoWasAtAnAddressBeforeTheLinkWasDown) {
   note(note::LinkUp{});
   m_bus.pass(5s);
   show();
-  EXPECT_EQ(all(0), "Address 80, was 1032AE100801035 | Monitor, type not known | 80 | 95 s | idle | 0/s | 5");
+  EXPECT_EQ(all(0), "was 1032AE100801035 | Monitor, type not known | 80 | 95 s | idle | 0/s | 5");
   ASSERT_EQ(changed.size(), 1);
   EXPECT_EQ(changed[0][0].value<DeviceKey>(), keyOfA());
   EXPECT_EQ(changed[0][1].value<DeviceKey>(), DeviceKey::at(Channel{0}, Address{0x80}));
