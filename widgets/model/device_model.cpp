@@ -140,6 +140,7 @@ QString DeviceModel::emptyText() const {
   const State& state = *m_view.state;
   const std::uint64_t frames = state.cursor().frames;
   if (frames == 0) {
+    if (m_view.frameCount > 0) return tr("No device heard yet.\nThe log is at its begin.");
     return tr("No device heard yet.\nNot one frame has come.");
   }
   std::uint64_t errors = 0;

@@ -70,6 +70,18 @@ TEST_F(PageTest, SaysWhatToDoWhereThereIsNothingToShow) {
   m_bus.monitor();
   show({});
   EXPECT_EQ(text("pageMessage"), QStringLiteral("Choose a device on the left."));
+  LogView earlier = m_bus.view();
+  earlier.frameCount = 900;
+  show(earlier, {});
+  EXPECT_EQ(
+      text("pageMessage"),
+      QStringLiteral("More is heard later in this log: press play, or click further on in the timeline.\n"
+                     "Choose a device on the left."));
+  earlier.cursor.frames = 1;
+  show(earlier, {});
+  EXPECT_EQ(text("pageMessage"),
+            QStringLiteral("The log is at its begin: press play, or click into the timeline.\n"
+                           "Choose a device on the left."));
   show(DeviceKey::of(*Pin::parse("1042XY123456789")));
   EXPECT_EQ(text("pageMessage"),
             QStringLiteral("1042XY123456789 was not heard up to this place of the log."));

@@ -111,8 +111,18 @@ void DevicePage::explain() {
 QString DevicePage::missingText() const {
   if (!m_view.device.isNull())
     return tr("%1 was not heard up to this place of the log.").arg(nameText(m_view.device, m_view.labels));
-  const bool isAnyone = m_view.log.state != nullptr && !deviceRows(*m_view.log.state).empty();
-  return isAnyone ? tr("Choose a device on the left.") : tr("Devices are shown here once they are heard.");
+  const LogView& log = m_view.log;
+  const bool isAnyone = log.state != nullptr && !deviceRows(*log.state).empty();
+  const bool goesOn = log.cursor.frames < log.frameCount && !m_view.isMoving;
+  QStringList sentences;
+  if (goesOn && log.cursor.frames <= 1) {
+    sentences << tr("The log is at its begin: press play, or click into the timeline.");
+  } else if (goesOn) {
+    sentences << tr("More is heard later in this log: press play, or click further on in the timeline.");
+  }
+  if (isAnyone) sentences << tr("Choose a device on the left.");
+  if (sentences.isEmpty()) sentences << tr("Devices are shown here once they are heard.");
+  return sentences.join(QLatin1Char('\n'));
 }
 
 void DevicePage::showParts() {
