@@ -10,7 +10,7 @@ namespace deckpipe {
 namespace {
 
 // In the place of an angle that is not known.
-constexpr std::string_view kNoAngle = "none";
+constexpr std::string_view kNoAngleWord = "none";
 constexpr std::string_view kHexDigits = "0123456789ABCDEF";
 
 class TextWriter {
@@ -33,7 +33,7 @@ class TextWriter {
   void put(const Pin& pin) { putQuoted(pin.text()); }
   void put(const NoteText& text) { putQuoted(text.str()); }
   void put(const note::NotedAngle& angle) {
-    m_out += angle.tenths ? std::to_string(*angle.tenths) : std::string(kNoAngle);
+    m_out += angle.tenths ? std::to_string(*angle.tenths) : std::string(kNoAngleWord);
   }
 
  private:
@@ -72,7 +72,7 @@ class TextReader : public layouts::FieldReader<TextReader> {
     text = std::move(words);
   }
   void take(note::NotedAngle& angle) {
-    if (m_text.starts_with(kNoAngle)) return takeWord(kNoAngle);
+    if (m_text.starts_with(kNoAngleWord)) return takeWord(kNoAngleWord);
     takeNumber(angle.tenths.emplace());
   }
   template <typename Member, typename T>
