@@ -58,7 +58,7 @@ TEST(OverviewOf, DrawsNothingAsCurrentWhileTheLinkIsDown) {
 }
 
 std::string announcementOfMonitor(int i) {
-  char pin[16];
+  char pin[24];
   std::snprintf(pin, sizeof pin, "1032AE%09d", i);
   return announcementOf(pin);
 }
@@ -67,7 +67,7 @@ std::string announcementOfMonitor(int i) {
 Heard thirtyMonitors() {
   Heard bus;
   for (int i = 0; i < 30; ++i) {
-    char from[9];
+    char from[16];
     std::snprintf(from, sizeof from, "18EFFF%02X", 0x80u + static_cast<unsigned>(i));
     const std::string answer = "18EFF9" + std::string(from + 6), ask = "18EF" + std::string(from + 6) + "F9";
     bus.hear(from, announcementOfMonitor(i))
