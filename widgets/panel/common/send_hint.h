@@ -38,9 +38,9 @@ class SendHint : public QWidget {
   static QString noLinkText();
   static QString lockedText();
 
+  bool m_keepsRoom = false;  // before the children: their coming is an event
   QLabel* m_text;
   QPushButton* m_unlock;
-  bool m_keepsRoom = false;
 };
 
 }  // namespace deckpipe
