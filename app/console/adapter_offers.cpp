@@ -109,7 +109,7 @@ AdapterOffers offersOf(const AdapterList& list, int bitRate, bool isSearching,
   offers.isSearching = isSearching && list.plugins.isEmpty();
   for (const Adapter& adapter : list.adapters)
     offers.adapters.push_back(offerOf(adapter, bitRate, isHeard(adapter)));
-  // What can be connected to first, then what needs something first; virtual buses last.
+  // Adapters that can be connected to stand first, virtual buses last.
   std::ranges::stable_sort(offers.adapters, {}, [](const AdapterOffer& offer) {
     return std::pair(offer.isVirtual, !offer.canConnect);
   });

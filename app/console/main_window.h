@@ -39,7 +39,7 @@ class MainWindow : public QMainWindow {
   // As a person chose: kept for the next time.
   void setTheme(Theme theme);
   void setDensity(Density density);
-  // Of this run alone.
+  // The look is of this run alone and is not kept.
   void setLook(Theme theme, Density density);
   Theme theme() const { return m_theme; }
   Density density() const { return m_density; }
@@ -74,7 +74,7 @@ class MainWindow : public QMainWindow {
   void showPage();
   // Settings, about, recordings: in the place of the work until closed. Null: none.
   void showExtra(QWidget* page);
-  // What can be done now.
+  // Enables what can be done now; the tips of the others say why not.
   void offerActions();
   QFileDialog* fileDialog(const QString& title, const QStringList& filters);
   void openLogByHand();

@@ -22,7 +22,7 @@ struct StatusFact {
 // The sentence for an error, with the system's own words where it has any; empty if there is no error.
 QString sourceErrorText(const SourceError& error);
 QString unkeptMarksText(const UnkeptMarks& marks);
-// Where the frames come from: "can0 · 250 kbit/s", "Simulated truck", "truck.log".
+// The title says where the frames come from: "can0 · 250 kbit/s", "Simulated truck", "truck.log".
 QString sourceTitle(const SourceStatus& source);
 StatusFact sourceFact(const SourceStatus& source);
 StatusFact loadFact(const Snapshot& snapshot, const BusRates& rates);

@@ -194,7 +194,7 @@ std::string spoken(std::string_view key) {
   return text;
 }
 
-// What a note counts.
+// The word says what a note counts.
 template <typename Kind>
 std::string_view countedIn(const Kind& n) {
   if constexpr (requires { n.why; }) {

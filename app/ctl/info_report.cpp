@@ -36,7 +36,7 @@ std::string_view ageWord(AnswerAge age) {
   return {};
 }
 
-// Who was at its address before the link was down, if nobody has said since who is there; null otherwise.
+// The PIN that was at its address before the link was down; null if somebody has said since who is there.
 Pin formerPinOf(const State& state, const Device& device) {
   const bool isAddress = device.kind == Device::Kind::Address;
   return isAddress ? state.channel(device.channel).book.formerPin(device.address) : Pin();
@@ -232,7 +232,7 @@ std::string InfoReport::spanText() const {
   return text;
 }
 
-// Of channels beyond those that a store names.
+// Counts the frames of channels beyond those that a store names.
 std::uint64_t InfoReport::framesOfOthers() const {
   std::uint64_t frames = 0;
   for (const auto& [key, count] : m_byId) frames += key.channel == FrameStore::kOtherChannels ? count : 0;

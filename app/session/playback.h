@@ -80,7 +80,7 @@ class Playback {
   void skipSilence(Instant now);
   // The log has something of the loop.
   bool isLooping() const { return m_loop && m_loop->begin < m_end.time; }
-  // Where what is played ends.
+  // The time at which playing ends.
   Instant playedEnd() const { return isLooping() ? std::min(m_loop->end, m_end.time) : m_end.time; }
 
   const FrameStore* m_frames;

@@ -106,7 +106,7 @@ enum class EventDetail : std::uint8_t {
   Frames,   // now: how many
 };
 
-// What an event rests on.
+// An event rests on one of these.
 enum class EventBasis : std::uint8_t {
   Heard,    // something that came
   Silence,  // also something that did not come: not to be told where frames are left out
