@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "link/plugins.h"
+#include "link/adapters.h"
 #include "notice_of.h"
 
 namespace deckpipe {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "link/adapters.h"
-#include "panel/connect/adapter_offer.h"
+#include "panel/connect/adapter_row.h"
 
 namespace deckpipe {
 

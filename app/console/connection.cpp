@@ -10,8 +10,7 @@
 
 #include "adapter_offers.h"
 #include "kept_settings.h"
-#include "link/plugins.h"
-#include "panel/connect/bit_rates.h"
+#include "link/adapters.h"
 #include "panel/connect/connection_page.h"
 
 namespace deckpipe {

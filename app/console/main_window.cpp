@@ -28,7 +28,6 @@
 #include "panel/common/about_page.h"
 #include "panel/common/build.h"
 #include "panel/common/settings_page.h"
-#include "panel/connect/bit_rates.h"
 #include "panel/connect/connection_page.h"
 #include "panel/connect/recordings_page.h"
 #include "panel/play/transport_bar.h"

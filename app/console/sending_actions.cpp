@@ -9,7 +9,7 @@
 
 #include "panel/common/build.h"
 #include "panel/common/danger_dialog.h"
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 #include "protocol/name.h"
 #include "text/service_text.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "base/age.h"
+#include "base/time.h"
 
 namespace deckpipe::ctl {
 

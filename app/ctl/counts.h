@@ -21,7 +21,7 @@ inline std::string framesText(std::uint64_t number) { return counted(number, "fr
 // "3 frames are", for what is said of them.
 std::string framesThat(std::uint64_t number, std::string_view doesOne, std::string_view doMany);
 
-// "150 ms", "4.0 s", "93 s", "25 min 04 s", "24 h 10 min", "9 d 02 h": cut as base/age.h cuts them.
+// "150 ms", "4.0 s", "93 s", "25 min 04 s", "24 h 10 min", "9 d 02 h": cut as base/time.h cuts them.
 std::string lengthText(Duration length);
 
 }  // namespace deckpipe::ctl

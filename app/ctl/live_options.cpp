@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "link/plugins.h"
-#include "protocol/address_use.h"
+#include "link/adapters.h"
+#include "protocol/address_book.h"
 #include "protocol/name.h"
 
 namespace deckpipe::ctl {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "counts.h"
-#include "link/plugins.h"
+#include "link/adapters.h"
 #include "link_words.h"
 #include "request_words.h"
 #include "session/stop_signals.h"

@@ -11,7 +11,7 @@
 
 #include "command.h"
 #include "counts.h"
-#include "link/plugins.h"
+#include "link/adapters.h"
 #include "link_words.h"
 #include "live_options.h"
 #include "log/log_format.h"

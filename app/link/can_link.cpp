@@ -3,10 +3,10 @@
 
 #include <QCanBusFrame>
 
+#include "link/adapters.h"
 #include "link/hardware_facts.h"
 #include "link/interface_watch.h"
 #include "link/link_device.h"
-#include "link/plugins.h"
 
 namespace deckpipe {
 namespace {

@@ -30,7 +30,7 @@
 
 #include "bus/own_frames.h"
 #include "bus/port.h"
-#include "link/interface_source.h"
+#include "link/interface_watch.h"
 #include "link/kernel_socket.h"
 #include "link/link_delivery.h"
 #include "link/link_life.h"

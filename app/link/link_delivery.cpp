@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "link/link_delivery.h"
 
-#include "link/convert.h"
+#include "link/link_device.h"
 
 namespace deckpipe {
 namespace {

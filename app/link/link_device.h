@@ -14,9 +14,12 @@
 #include <QCanBusFrame>
 #include <QObject>
 #include <QTimer>
+
 #include <chrono>
 #include <optional>
 
+#include "base/result.h"
+#include "bus/port.h"
 #include "link/kernel_socket.h"
 #include "link/link_status.h"
 
@@ -88,5 +91,15 @@ class LinkDevice : public QObject {
   int m_descriptor = -1;
   std::uint32_t m_drops = 0;
 };
+
+// QCanBusFrame <-> Frame, the only place where one becomes the other. CanLink calls it for every frame.
+// Flags stay 0; CanLink sets them, as it knows whose frame it is. CAN FD frames, unknown kinds and identifiers out of
+// range are refused with their reason. A stamp of exactly zero is what plugins leave when
+// the driver gave none, and becomes kNoStamp.
+Result<Frame, NotKept> fromCanBusFrame(const QCanBusFrame& frame, Channel channel);
+
+// Data and remote frames; a remote frame carries its length as that many zero bytes, as the plugins want it.
+// Error frames are not for sending (see CanLink::write), but convert faithfully.
+QCanBusFrame toCanBusFrame(const Frame& frame);
 
 }  // namespace deckpipe

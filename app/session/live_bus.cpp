@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "link/plugins.h"
+#include "link/adapters.h"
 #include "session/clocks.h"
 
 namespace deckpipe {

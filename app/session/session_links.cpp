@@ -2,7 +2,7 @@
 // The session's links: opened, recorded, begun anew, and what the window wants of them and of the demo's truck.
 #include <utility>
 
-#include "link/plugins.h"
+#include "link/adapters.h"
 #include "session/bus_threads.h"
 #include "session/clocks.h"
 #include "session/recorder.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much something asks to be looked at: the health of a device, an event, a lamp that is on, a line of a page, a
-// notice. The sign and the colour of each stand in paint/severity_look.h.
+// notice. The sign and the colour of each stand in paint/glyph.h.
 #pragma once
 
 #include <cstdint>

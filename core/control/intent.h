@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "base/device_key.h"
+#include "base/ids.h"
 #include "base/overload.h"
 #include "base/time.h"
 #include "control/request.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/device_key.h"
+#include "base/ids.h"
 #include "base/time.h"
 #include "control/request.h"
 

@@ -4,7 +4,6 @@
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "protocol/address_book.h"
-#include "protocol/address_use.h"
 #include "protocol/lists.h"
 
 namespace deckpipe {

@@ -24,7 +24,7 @@
 
 #include "bus/j1939.h"
 #include "control/status.h"
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 #include "service/service.h"
 
 namespace deckpipe {

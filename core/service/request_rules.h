@@ -9,7 +9,7 @@
 #include "control/request.h"
 #include "control/status.h"
 #include "protocol/lists.h"
-#include "service/live.h"
+#include "service/service.h"
 
 namespace deckpipe {
 

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "simulator/address_claim.h"
-#include "simulator/identity.h"
 #include "simulator/misbehaviour.h"
 #include "simulator/pipe_end.h"
 

@@ -5,10 +5,46 @@
 // released, it goes on sending neutral. Source: CAN Messaging manual, PGN 64982 and Appendices A and B.
 #pragma once
 
+#include <deque>
+
+#include "protocol/typed.h"
 #include "simulator/device.h"
-#include "simulator/hand_script.h"
+#include "simulator/joystick_inputs.h"
+#include "simulator/random.h"
 
 namespace deckpipe::simulator {
+
+// A hand on a joystick that nobody holds: a seeded, endless sequence of gestures as somebody tries out a
+// monitor. Deploys it first, then sweeps, elevates, changes the pattern, rests at neutral, and now and then
+// lets it oscillate. Joystick6035 asks for the stick every 20 ms.
+class HandScript {
+ public:
+  static constexpr Duration kStep = 20ms;
+
+  explicit HandScript(std::uint64_t seed) : m_random(seed) {}
+
+  // The stick one step on. Released, it goes back to neutral and stays there, and the script stands still.
+  BasicJoystick next(bool released);
+
+ private:
+  struct Gesture {
+    int steps = 0;
+    int x = 0, y = 0;  // 0.1 %, right and back (up) positive
+    int pressed = -1;  // index of a switch, none below 0
+  };
+  void compose();
+  void rest(int shortest, int longest);  // milliseconds
+  void push(Function function, int shortest, int longest);
+  void sweep();
+  void elevate();
+  void add(int shortest, int longest, Gesture gesture);
+
+  Random m_random;
+  std::deque<Gesture> m_script;
+  bool m_hasBegun = false;
+  bool m_nextRight = true, m_nextUp = true;
+  int m_x = 0, m_y = 0;  // where the stick is: a hand needs time to move it
+};
 
 class Joystick6035 : public Device {
  public:

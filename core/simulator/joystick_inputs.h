@@ -15,7 +15,7 @@
 #include "base/enum_table.h"
 #include "base/time.h"
 #include "bus/j1939.h"
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 #include "protocol/typed.h"
 
 namespace deckpipe::simulator {

@@ -5,10 +5,89 @@
 // Source: CAN Messaging manual, message types 01, 81-83, A1, 02, 21, 22, 41, 45, 46 and Appendices A-C.
 #pragma once
 
+#include <array>
+
+#include "protocol/typed.h"
+#include "simulator/axis.h"
 #include "simulator/device.h"
-#include "simulator/monitor_control.h"
+#include "simulator/joystick_inputs.h"
 
 namespace deckpipe::simulator {
+
+// 0.1 degree, as the messages have it; mechanical zero is dead ahead and level.
+struct MonitorSettings {
+  int softLeft = -900, softRight = 900, softDown = -200, softUp = 800;
+  int oscillationLeft = -300, oscillationRight = 450;
+  bool startsStowed = true;   // else dead ahead and level
+  bool soeMode = false;       // a permissive (A1) is required to move
+  bool aimAtNeutral = false;  // see JoystickInputs
+};
+
+// What moves the simulated monitor: five axes, soft limits, and the functions that were started (oscillate,
+// stow, deploy, discharge valve). Monitor6032 steps it every 10 ms with what the joysticks ask for and under
+// which conditions it may move; nothing else moves it. No frames, no time but the steps.
+// Sources: CAN Messaging manual, Appendices B and C; message A1. Speeds, travels and the stow position are
+// ours, of the size of a real Trident.
+//
+// 1. A hand (stick or point aim) always wins over what was started, and ends it: oscillation by rotation,
+//    stowing and deploying by either axis.
+// 2. Enable off: nothing moves, and what was started is over; enabling starts nothing again.
+// 3. Hard stops always hold. Soft limits hold where there is feedback, but not on the way to and from stow.
+// 4. Without feedback there is no oscillation, stowing, deploying or point aim.
+class MonitorControl {
+ public:
+  static constexpr Duration kStep = 10ms;
+  // Mechanical range and stow position, 0.1 degree.
+  static constexpr int kHardLeft = -1750, kHardRight = 1750, kHardDown = -450, kHardUp = 900;
+  static constexpr int kStowRotation = 0, kStowElevation = -400;
+
+  // Under which it may move in one step.
+  struct Conditions {
+    bool enabled = true;
+    bool rotationFeedback = true, elevationFeedback = true;
+    Permissive permissive{true, true, true, true};
+    std::array<bool, 5> motorFault{};
+  };
+
+  explicit MonitorControl(const MonitorSettings& settings);
+
+  void step(const Demand& demand, const Conditions& conditions);
+  // The motors are off and what was started is over; everything stays where it is.
+  void stop();
+  // Both positions count from here on as zero (message 41). Soft limits keep their numbers.
+  void zero();
+
+  // As reported, 0.1 degree.
+  int rotation() const;
+  int elevation() const;
+  SoftLimits rotationLimits() const;
+  SoftLimits elevationLimits() const;
+  const std::array<Axis, 5>& axes() const { return m_axes; }
+  bool isStowed() const;
+  bool isAiming() const { return m_aiming; }
+  bool isDischargeOpen() const { return !m_axes[4].isAtLow(); }
+  bool isHighFlow() const { return m_axes[3].travelled() > 500'000; }
+
+ private:
+  enum class Started : std::uint8_t { Nothing, Stow, Deploy };
+
+  void start(const Functions& pressed, const Conditions& conditions);
+  void handMoved(const Demand& demand);
+  void limitAxes(const Conditions& conditions);
+  void commandRotation(const Demand& demand, bool feedback);
+  void commandElevation(const Demand& demand, bool feedback);
+  void commandStow();
+  void commandValves(const Functions& functions);
+
+  MonitorSettings m_settings;
+  std::array<Axis, 5> m_axes;  // Appendix C: rotation, elevation, pattern, flow, discharge valve
+  int m_zeroRotation = 0, m_zeroElevation = 0;  // micro-degrees
+  Oscillation m_oscillation;
+  Started m_started = Started::Nothing;
+  int m_valve = 0;  // started: +1 opening, -1 closing
+  bool m_aiming = false;
+  Functions m_before;
+};
 
 class Monitor6032 : public Device {
  public:

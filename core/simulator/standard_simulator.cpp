@@ -33,4 +33,82 @@ StandardSimulator standardSimulator(std::uint64_t seed, const MonitorSettings& s
   return s;
 }
 
+namespace {
+
+// The manual names no 6039's numbers; these are the simulator's own.
+Identity ioModule(std::uint32_t identityNumber) {
+  Identity result;
+  result.name = akronName(identityNumber);
+  result.model = "6039 CAN I/O Module";
+  result.pcode = {6039, 1, 0x0100};
+  result.config = {60390001, 0x0100};
+  return result;
+}
+
+}  // namespace
+
+IoModule6039::IoModule6039(std::uint32_t identityNumber, std::uint64_t seed)
+    : Device(ioModule(identityNumber), kStatusPeriod, seed), m_random(seed + 2) {}
+
+void IoModule6039::setInputs(const DigitalInputs& inputs) {
+  m_inputs = inputs;
+  m_scripted = false;
+}
+
+void IoModule6039::started(Instant now) { m_changeAt = now + m_random.between(5, 20) * Duration(1s); }
+
+void IoModule6039::tick(Instant now) {
+  if (m_scripted && m_changeAt <= now) {
+    m_inputs.allowedInCollisionZone = !m_inputs.allowedInCollisionZone;
+    m_changeAt = now + m_random.between(10'000, 60'000) * Duration(1ms);
+  }
+  broadcast(now, MessageId::DigitalInputs, m_inputs.encode());
+}
+
+namespace {
+
+// The manual names no 6033's numbers; these are the simulator's own.
+constexpr PcodeVersion kRiserPcode{6033, 1, 0x0102};
+constexpr ConfigVersion kRiserConfig{60330001, 0x0100};
+
+constexpr int kTravel = 1'000'000;
+constexpr int kStep =
+    static_cast<int>(kTravel * MiniUniversal6033::kStatusPeriod / MiniUniversal6033::kTravelTime) + 1;
+
+}  // namespace
+
+MiniUniversal6033::MiniUniversal6033(std::string_view pin, std::uint64_t seed)
+    : Device(identityOf(pin, kRiserPcode, kRiserConfig), kStatusPeriod, seed),
+      m_riser({0, kTravel, kStep, kStep}, 0) {}
+
+void MiniUniversal6033::started(Instant) {
+  m_inputs.clear();
+  m_before = {};
+  m_riser.drive(0);
+}
+
+void MiniUniversal6033::heard(Instant now, const J1939Id& id, const Frame& frame) {
+  m_inputs.expire(now);
+  m_inputs.received(now, id, frame);
+  const Functions functions = m_inputs.demand().functions;
+  const Functions pressed = functions - m_before;
+  m_before = functions;
+  if (misbehaviour().enableOff) return;
+  if (pressed.has(Function::Deploy)) m_riser.drive(1000);
+  if (pressed.has(Function::Stow)) m_riser.drive(-1000);
+}
+
+void MiniUniversal6033::tick(Instant now) {
+  m_inputs.expire(now);
+  m_before = m_before & m_inputs.demand().functions;
+  if (misbehaviour().enableOff) m_riser.halt();
+  m_riser.step();
+  MiniOutputs outputs;
+  outputs.riserRetracted = isRetracted();
+  outputs.riserExtended = isExtended();
+  outputs.deviceFaulted = misbehaviour().faultBits != 0;
+  outputs.deviceActive = !misbehaviour().enableOff;
+  broadcast(now, MessageId::MiniDigitalOutputs, outputs.encode());
+}
+
 }  // namespace deckpipe::simulator

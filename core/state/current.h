@@ -4,7 +4,7 @@
 // be heard (State::linkIs).
 #pragma once
 
-#include "base/age.h"
+#include "base/time.h"
 #include "state/state.h"
 
 namespace deckpipe {

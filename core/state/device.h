@@ -12,8 +12,6 @@
 #include "log/time_grain.h"
 #include "protocol/lists.h"
 #include "protocol/typed.h"
-#include "state/frame_rate.h"
-#include "state/own_period.h"
 #include "state/pace.h"
 #include "state/timed.h"
 

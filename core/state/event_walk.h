@@ -6,7 +6,7 @@
 //   2. They come in the order of their times.
 //   3. The first value heard of anything is no change, but for faults, errors, and what keeps a device from moving.
 //      Whoever is heard within kSettling of its channel's first frame was there before the log began.
-//   4. What changes faster than a person reads is told at the pace of event_slot.h.
+//   4. What changes faster than a person reads is told at the pace of EventSlot.
 //   5. Of a log that was saved through a filter nothing is told that rests on a silence (EventBasis).
 //
 // A frame costs a comparison with what its device said before; no state is compared with another one.
@@ -19,7 +19,6 @@
 #include "log/note_store.h"
 #include "state/bus_watch.h"
 #include "state/device_watch.h"
-#include "state/node_watch.h"
 
 namespace deckpipe {
 

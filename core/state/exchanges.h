@@ -9,7 +9,7 @@
 #include <memory>
 #include <mutex>
 
-#include "base/device_key.h"
+#include "base/ids.h"
 #include "log/frame_store.h"
 #include "log/stable_list.h"
 #include "state/role_index.h"

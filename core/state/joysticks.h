@@ -9,7 +9,7 @@
 
 #include "bus/frame.h"
 #include "log/time_grain.h"
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 #include "protocol/typed.h"
 #include "state/timed.h"
 

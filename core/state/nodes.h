@@ -9,7 +9,7 @@
 
 #include "base/ids.h"
 #include "base/time.h"
-#include "state/frame_rate.h"
+#include "state/pace.h"
 
 namespace deckpipe {
 

@@ -93,4 +93,65 @@ class Pace {
   bool m_hasSingles = false;    // meanwhile one differed from the one before and from the one after it
 };
 
+// How often one message comes whose period is a setting of its sender. Device owns one for each report of a CANopen
+// node.
+//
+// It is the longest gap that came twice in a row: a single longer one is a message that is missing. After the first gap
+// it is that gap.
+class OwnPeriod {
+ public:
+  // The message came, and the one before it so long ago.
+  void came(Duration gap) {
+    const auto units =
+        static_cast<std::uint32_t>(std::clamp<Duration::rep>((gap + kUnit / 2) / kUnit, 1, kMax));
+    const std::uint32_t before = m_gap, longest = m_isRepeated ? m_period : 0u;
+    m_period = (before == 0 ? units : std::max(longest, std::min(units, before))) & kMax;
+    m_isRepeated = before != 0;
+    m_gap = units & kMax;
+  }
+  // 0 until the message has come twice.
+  Duration value() const { return m_period * kUnit; }
+  friend bool operator==(const OwnPeriod&, const OwnPeriod&) = default;
+
+ private:
+  static constexpr Duration kUnit = 20ms;
+  static constexpr std::uint32_t kMax = (1u << 15) - 1;  // 11 minutes
+
+  std::uint32_t m_gap : 15 = 0;  // before the last message; 0: there was none before it
+  std::uint32_t m_period : 15 = 0;
+  std::uint32_t m_isRepeated : 1 = 0;  // it is a gap that came twice in a row
+};
+static_assert(sizeof(OwnPeriod) == 4, "State holds three for every device");
+
+// Frames a second of one sender, counted in whole seconds of log time, so that the figure is the same however
+// the cursor came here and stands still for a second at a time. Owned by Device and Node, which know when
+// they were heard last.
+class FrameRate {
+ public:
+  // A frame came at `time`, the one before it at `before`.
+  void count(Instant time, Instant before) {
+    const std::int64_t now = secondOf(time), then = secondOf(before);
+    if (now != then) {
+      const bool isNext = now == then + 1;
+      m_last = isNext ? m_current : std::uint16_t{0};
+      m_current = 0;
+    }
+    if (m_current < kMax) ++m_current;
+  }
+  // Of the last whole second before `now`; `heard` is when the last frame came.
+  unsigned at(Instant now, Instant heard) const {
+    const std::int64_t since = secondOf(now) - secondOf(heard);
+    return since == 0 ? m_last : since == 1 ? m_current : 0u;
+  }
+  friend bool operator==(const FrameRate&, const FrameRate&) = default;
+
+ private:
+  static constexpr unsigned kMax = (1u << 15) - 1;  // more than a bus of 1 Mbit/s carries
+
+  static std::int64_t secondOf(Instant t) { return t.ns / 1'000'000'000; }
+
+  std::uint16_t m_current = 0;  // in the second of the last frame
+  std::uint16_t m_last = 0;     // in the one before it
+};
+
 }  // namespace deckpipe

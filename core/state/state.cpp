@@ -7,7 +7,7 @@
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "bus/load.h"
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 #include "protocol/lists.h"
 
 namespace deckpipe {

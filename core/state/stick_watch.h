@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "state/event_slot.h"
+#include "state/event.h"
 
 namespace deckpipe {
 

@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "link/interface_source.h"
+#include "link/interface_watch.h"
 
 namespace deckpipe {
 

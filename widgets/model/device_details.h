@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tooltip of the device table tells of one device, in sentences.
+// One device in words: how it is, and what a tooltip of the device table tells of it.
 #pragma once
 
 #include <QString>
 #include <QStringList>
+
+#include <optional>
 #include <string_view>
 
-#include "base/device_key.h"
+#include "base/ids.h"
 #include "model/device_labels.h"
+#include "state/health.h"
 #include "state/log_view.h"
+#include "text/health_text.h"
 
 namespace deckpipe {
 
@@ -24,5 +28,30 @@ std::string_view claimKey(ClaimState claim);
 QString contestText(const AddressBook& book, Address address);
 
 QString detailsText(const LogView& view, const DeviceKey& key, const DeviceLabels& labels = {});
+
+// Of its health (state/health.h) the word of the worst cause: "disabled", "error 11"; "fine" where there is none.
+QString healthWord(const Health& health);
+// The words of all causes, the worst first; "fine" alone where there is none.
+QStringList healthWords(const Health& health);
+struct HealthReason {
+  HealthCause cause = HealthCause::Count;
+  QString text;  // a sentence
+};
+// All causes, the worst first; none of a device that is fine.
+std::vector<HealthReason> healthReasons(const Health& health, Instant now);
+QStringList healthSentences(const Health& health, Instant now);
+
+// What a fault answer said: "no faults", "internal fuse, error 11".
+QString faultSummary(std::uint32_t faults, unsigned errorCode);
+// Why there is no answer of what was asked or not: "no answer, asked 2 s ago", "asked, no answer yet",
+// "refused, or answered in a wrong length", "never asked". `ask` is nothing where Deckpipe has no poll for
+// it.
+QString noAnswerText(const State& state, const Device& device, std::optional<Request> request, Instant now);
+// What came of the last asking where an earlier answer is shown; empty if that is the last one's, or is
+// awaited.
+QString askedAgainText(const State& state, const Device& device, Request request, Instant now);
+// "restarted since", "silent since", "link down since", "before the link went down"; empty for an answer that still
+// holds.
+QString answerAgeText(AnswerAge age);
 
 }  // namespace deckpipe

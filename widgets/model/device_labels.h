@@ -6,7 +6,7 @@
 #include <QMap>
 #include <QString>
 
-#include "base/device_key.h"
+#include "base/ids.h"
 #include "log/note_store.h"
 
 namespace deckpipe {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QString>
+
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "paint/dial_values.h"
 #include "paint/glyph.h"
 #include "paint/stick_values.h"
+#include "state/log_view.h"
 
 namespace deckpipe {
 
@@ -102,5 +104,9 @@ struct DevicePageValues {
   std::vector<PageFactGroup> facts{};
   friend bool operator==(const DevicePageValues&, const DevicePageValues&) = default;
 };
+
+// A device's page as a pure function of the view: the same cursor gives the same page, live or from a file.
+// Ages are of the state's own cursor, so that a page never mixes two instants.
+DevicePageValues devicePageOf(const LogView& view, const DeviceKey& key, const DeviceLabels& labels = {});
 
 }  // namespace deckpipe

@@ -4,12 +4,15 @@
 // lists, the page takes the words for a type from here.
 #pragma once
 
+#include <QSortFilterProxyModel>
 #include <QString>
+#include <QStringList>
+
 #include <optional>
 #include <vector>
 
-#include "base/device_key.h"
-#include "model/device_health.h"
+#include "base/ids.h"
+#include "model/device_details.h"
 #include "model/device_labels.h"
 
 namespace deckpipe {
@@ -88,5 +91,29 @@ QString keyText(const DeviceKey& key);
 // What people call it, the label first: "Roof monitor (1032AE100801035)"; without a label as above.
 QString nameText(const DeviceRow& row, const DeviceLabels& labels);
 QString nameText(const DeviceKey& key, const DeviceLabels& labels);
+
+// The device table in groups, in each group in the order that a person asked for. A DeviceModel is its
+// source; the table of the device panel shows it.
+class DeviceOrder : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  explicit DeviceOrder(QObject* parent = nullptr);
+
+  // -1: in order of first appearance.
+  void orderBy(int column, Qt::SortOrder order);
+  // Only rows that have every word of it somewhere, in their name, type, group, address or health.
+  void setFilter(const QString& text);
+  // Whether a row is the first of its group.
+  bool startsGroup(int row) const;
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+ private:
+  int m_column = -1;
+  QStringList m_words;
+};
 
 }  // namespace deckpipe

@@ -7,7 +7,7 @@
 
 #include "base/overload.h"
 #include "model/field_text.h"
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 #include "protocol/name.h"
 #include "text/device_text.h"
 #include "text/plural.h"

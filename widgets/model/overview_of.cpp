@@ -7,8 +7,7 @@
 #include <map>
 
 #include "model/device_details.h"
-#include "model/page_dial.h"
-#include "model/page_lamps.h"
+#include "model/page_parts.h"
 #include "state/current.h"
 #include "text/device_text.h"
 

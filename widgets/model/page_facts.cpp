@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/page_facts.h"
+#include "model/page_parts.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/page_lamps.h"
+#include "model/page_parts.h"
 
 #include <QCoreApplication>
 #include <utility>
@@ -130,7 +130,7 @@ std::optional<PageLampGroup> permissiveOf(const State& state, const Device& d) {
 using Drawing = std::optional<PageLampGroup> (*)(const State&, const Device&);
 constexpr EnumTable<PageGroup, Drawing> kDrawings{{
     {PageGroup::Health, nullptr},  // DevicePageValues::reasons
-    {PageGroup::Dial, nullptr},    // page_dial.h
+    {PageGroup::Dial, nullptr},    // dialOf()
     {PageGroup::Stops, nullptr},   // stopsOf()
     {PageGroup::Status, statusOf},
     {PageGroup::Outputs, outputsOf},
@@ -140,7 +140,7 @@ constexpr EnumTable<PageGroup, Drawing> kDrawings{{
     {PageGroup::Switches, nullptr},  // switchesOf(), as are the next two
     {PageGroup::Detents, nullptr},
     {PageGroup::Grip, nullptr},
-    {PageGroup::Joystick, nullptr},  // page_facts.h, as are the rest
+    {PageGroup::Joystick, nullptr},  // page_facts.cpp, as are the rest
     {PageGroup::Faults, nullptr},
     {PageGroup::Versions, nullptr},
     {PageGroup::Node, nullptr},

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "model/table_model.h"
+#include "model/trace_cells.h"
 #include "model/trace_filter.h"
-#include "model/trace_rows.h"
 #include "state/log_view.h"
 
 namespace deckpipe {

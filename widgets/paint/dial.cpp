@@ -12,7 +12,6 @@
 #include "paint/app_style.h"
 #include "paint/dial_painter.h"
 #include "paint/dial_readout.h"
-#include "paint/dial_text.h"
 #include "paint/figures.h"
 
 namespace deckpipe {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the dial shows, as plain values. The page of a monitor fills it from the state at the cursor
-// (model/page_dial.h); nothing here knows a message. Degrees throughout: rotation 0 ahead, right positive;
+// (dialOf() of the model room); nothing here knows a message. Degrees throughout: rotation 0 ahead, right positive;
 // elevation 0 level, up positive.
 #pragma once
 
 #include <QString>
 #include <optional>
 
-#include "base/age.h"
 #include "base/ids.h"
 #include "base/part_state.h"
+#include "base/time.h"
 
 namespace deckpipe {
 

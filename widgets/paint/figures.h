@@ -8,7 +8,7 @@
 #include <QRectF>
 #include <QString>
 
-#include "base/age.h"
+#include "base/time.h"
 
 class QFontMetricsF;
 class QPainter;
@@ -18,7 +18,7 @@ namespace deckpipe {
 // "47.3", "−5.5" (U+2212), "0.0": one decimal, the person's decimal sign, never a negative zero, no unit.
 QString degreesText(double degrees);
 
-// "0.4 s", "95 s", "1 min 45 s" (base/age.h): short, for beside a value.
+// "0.4 s", "95 s", "1 min 45 s" (base/time.h): short, for beside a value.
 QString ageText(Duration age);
 
 // A device's name in `room` pixels: whole if it fits. A PIN keeps its first four characters, the type, and its

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "paint/app_style.h"
-#include "paint/event_mark.h"
+#include "paint/glyph.h"
 
 namespace deckpipe {
 namespace {

@@ -26,7 +26,7 @@ namespace deckpipe {
 struct TimelineMark {
   enum class Kind : std::uint8_t {
     TimeJump,  // a line through the strip
-    Event,     // the mark of its group (paint/event_mark.h)
+    Event,     // the mark of its group (paint/glyph.h)
   };
   Kind kind = Kind::Event;
   Instant time;

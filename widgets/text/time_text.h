@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "base/age.h"
+#include "base/time.h"
 
 namespace deckpipe {
 
@@ -21,7 +21,7 @@ bool isDate(std::int64_t stampNs);
 // "14:33:39.184225", the local time of a stamp that is a date.
 QString clockText(std::int64_t stampNs);
 
-// "0.4 s", "95 s", "1 min 45 s", "1 h 05 min", "2 d 03 h" (base/age.h).
+// "0.4 s", "95 s", "1 min 45 s", "1 h 05 min", "2 d 03 h" (base/time.h).
 QString briefAge(Duration age);
 // "0.4 s ago"
 QString agoText(Duration age);

@@ -14,7 +14,6 @@
 #include "panel/devices/device_list_panel.h"
 #include "panel/page/device_page.h"
 #include "panel/page/full_dial.h"
-#include "panel/page/monitor_tile.h"
 #include "panel/page/overview_panel.h"
 #include "support/child.h"
 #include "support/patience.h"

@@ -6,8 +6,6 @@
 #include <QCanBus>
 #include <algorithm>
 
-#include "link/plugins.h"
-
 namespace deckpipe {
 namespace {
 

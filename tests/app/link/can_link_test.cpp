@@ -14,8 +14,8 @@
 #include <memory>
 #include <thread>
 
+#include "link/adapters.h"
 #include "link/link_device.h"
-#include "link/plugins.h"
 #include "link/virtual_bus.h"
 #include "support/patience.h"
 #include "support/raw_frames.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/convert.h"
+#include "link/link_device.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/interface_reader.h"
+#include "link/interface_watch.h"
 
 #include <gtest/gtest.h>
 

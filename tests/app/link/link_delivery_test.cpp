@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "link/convert.h"
+#include "link/link_device.h"
 #include "support/raw_frames.h"
 #include "support/recording_listener.h"
 

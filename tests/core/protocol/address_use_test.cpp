@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 
 #include <gtest/gtest.h>
 

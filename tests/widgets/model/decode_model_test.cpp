@@ -6,7 +6,6 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
-#include "model/decode_rows.h"
 #include "protocol/catalogue.h"
 #include "protocol/samples.h"
 #include "support/frames.h"

@@ -6,7 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
-#include "model/device_order.h"
+#include "model/device_rows.h"
 #include "widgets/model/heard.h"
 
 namespace deckpipe {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/device_page_of.h"
+#include "model/device_page_values.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "base/device_key.h"
+#include "base/ids.h"
 #include "state/log_view.h"
 #include "support/frames.h"
 

@@ -6,7 +6,6 @@
 #include <QAbstractItemModelTester>
 #include <QTest>
 
-#include "model/id_table.h"
 #include "support/frames.h"
 #include "support/logs.h"
 #include "widgets/panel/panel_samples.h"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "model/filter_worker.h"
-#include "model/id_table.h"
+#include "model/id_model.h"
 #include "model/trace_model.h"
 
 namespace deckpipe {

@@ -12,7 +12,6 @@
 #include <QWindow>
 
 #include "paint/dial.h"
-#include "panel/page/monitor_tile.h"
 #include "support/child.h"
 #include "widgets/panel/panel_scenes.h"
 

@@ -15,7 +15,7 @@
 #include <ctime>
 
 #include "paint/timeline.h"
-#include "panel/play/time_readout.h"
+#include "panel/play/time_field.h"
 #include "panel/play/transport_button.h"
 #include "support/child.h"
 #include "support/frames.h"

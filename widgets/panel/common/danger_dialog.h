@@ -5,9 +5,13 @@
 #pragma once
 
 #include <QDialog>
+#include <QPointer>
+
 #include <functional>
 #include <utility>
 #include <vector>
+
+#include "panel/common/panel_view.h"
 
 class QCheckBox;
 class QLabel;
@@ -65,6 +69,22 @@ class DangerDialog : public QDialog {
   QLabel* m_withdrawn = nullptr;
   WarningButton* m_verb = nullptr;
   QPushButton* m_no = nullptr;
+};
+
+// The danger question about one device, kept true while it stands open: it names the device, shows where it stands and
+// who commands it, and is withdrawn with a sentence once what it asks cannot be done any more. A panel that sends has
+// one and gives it every view.
+class DeviceQuestion {
+ public:
+  // Asks about the chosen device of `view`, named at the end of `question.title`. The dialog belongs to `panel`.
+  void ask(QWidget* panel, const PanelView& view, DangerDialog::Question question,
+           std::function<void(bool isTicked)> act);
+  void setView(const PanelView& view);
+
+ private:
+  QPointer<DangerDialog> m_dialog;
+  DeviceKey m_device;
+  Address m_address;  // where it was when the question was put
 };
 
 }  // namespace deckpipe

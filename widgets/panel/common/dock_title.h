@@ -4,7 +4,10 @@
 // menu of the tabs shows and hides them. The workspace gives one to every dock.
 #pragma once
 
+#include <QString>
 #include <QWidget>
+
+#include "base/time.h"
 
 class QDockWidget;
 
@@ -29,6 +32,30 @@ class DockTitle : public QWidget {
   Button* m_float;
   Button* m_close;
   bool m_isCollapsed = false;
+};
+
+// The line over a group of lamps or facts: what it is, a remark, and at the right how old it is.
+class SectionTitle : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SectionTitle(QWidget* parent = nullptr);
+
+  void setTitle(const QString& title, const QString& remark = {});
+  // That nothing was heard is said, too, unless this is never called.
+  void setAge(const Age& age, bool isStale);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void describe();
+
+  QString m_title, m_remark, m_age;
+  bool m_isStale = false;
 };
 
 }  // namespace deckpipe

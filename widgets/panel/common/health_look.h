@@ -4,8 +4,8 @@
 
 #include <QFontMetricsF>
 
-#include "model/device_health.h"
-#include "paint/severity_look.h"
+#include "model/device_details.h"
+#include "paint/glyph.h"
 
 namespace deckpipe {
 

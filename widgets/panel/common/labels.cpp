@@ -3,7 +3,9 @@
 
 #include <QPainter>
 
+#include "model/device_rows.h"
 #include "paint/app_style.h"
+#include "panel/common/build.h"
 
 namespace deckpipe {
 
@@ -40,6 +42,23 @@ void GlyphLabel::paintEvent(QPaintEvent*) {
   const Colours& c = coloursOf(this);
   drawGlyph(painter, QRectF(rect()).adjusted(1, 1, -1, -1), *m_glyph, inkOf(c, m_ink), Qt::transparent,
             c.stroke);
+}
+
+UntrackedLabel::UntrackedLabel(const QString& objectName, QWidget* parent) : QLabel(parent) {
+  setObjectName(objectName);
+  setAccessibleName(tr("What is not listed"));
+  setWordWrap(true);
+  setMargin(8);
+  setAutoFillBackground(true);
+  setBackgroundRole(QPalette::Base);
+  setInk(*this, Ink::Warning);
+  hide();
+}
+
+void UntrackedLabel::setView(const LogView& view) {
+  const QString said = view.state == nullptr ? QString() : untrackedText(*view.state);
+  deckpipe::setText(*this, said);
+  setVisible(!said.isEmpty());
 }
 
 }  // namespace deckpipe

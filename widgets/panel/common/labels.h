@@ -4,10 +4,12 @@
 
 #include <QLabel>
 #include <QWidget>
+
 #include <optional>
 
 #include "paint/glyph.h"
 #include "paint/palette.h"
+#include "state/log_view.h"
 
 namespace deckpipe {
 
@@ -47,6 +49,15 @@ class GlyphLabel : public QWidget {
  private:
   std::optional<Glyph> m_glyph;
   Ink m_ink = Ink::Text;
+};
+
+// The line under a list of devices that says what was heard and is not listed, as there is too much of it.
+// Hidden where there is nothing to say.
+class UntrackedLabel : public QLabel {
+  Q_OBJECT
+ public:
+  UntrackedLabel(const QString& objectName, QWidget* parent);
+  void setView(const LogView& view);
 };
 
 }  // namespace deckpipe

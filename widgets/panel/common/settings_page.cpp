@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "panel/common/build.h"
-#include "protocol/address_use.h"
+#include "protocol/address_book.h"
 #include "text/device_text.h"
 
 namespace deckpipe {

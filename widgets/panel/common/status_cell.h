@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "paint/severity_look.h"
+#include "paint/glyph.h"
 
 namespace deckpipe {
 

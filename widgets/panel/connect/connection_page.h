@@ -4,10 +4,13 @@
 // what the person chooses. MainWindow handles files that are dropped.
 #pragma once
 
+#include <QString>
 #include <QWidget>
+
+#include <span>
 #include <vector>
 
-#include "panel/connect/adapter_offer.h"
+#include "panel/connect/adapter_row.h"
 
 class QComboBox;
 class QLabel;
@@ -15,6 +18,12 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace deckpipe {
+
+// The bit rates that are offered, each once. Where to connect and where nothing is heard offer the same list:
+// bit/s, rising; 0 first: as the interface is set.
+std::span<const int> offeredBitRates();
+// "250 kbit/s – J1939, the monitors' own bus".
+QString bitRateText(int bitRate);
 
 class AdapterRow;
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "model/device_model.h"
-#include "model/device_order.h"
+#include "model/device_rows.h"
 #include "paint/app_style.h"
 #include "paint/figures.h"
 #include "panel/common/build.h"

@@ -14,7 +14,7 @@
 #include <algorithm>
 
 #include "model/device_model.h"
-#include "model/device_order.h"
+#include "model/device_rows.h"
 #include "paint/app_style.h"
 #include "panel/common/build.h"
 #include "panel/devices/device_delegate.h"

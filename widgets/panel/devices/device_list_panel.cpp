@@ -13,9 +13,9 @@
 #include <QStackedWidget>
 
 #include "model/device_model.h"
-#include "model/device_order.h"
+#include "model/device_rows.h"
 #include "panel/common/build.h"
-#include "panel/common/untracked_label.h"
+#include "panel/common/labels.h"
 #include "panel/devices/device_list.h"
 
 namespace deckpipe {

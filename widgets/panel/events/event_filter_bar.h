@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-#include "base/device_key.h"
-#include "paint/event_mark.h"
+#include "base/ids.h"
+#include "paint/glyph.h"
 
 class QComboBox;
 class QLineEdit;

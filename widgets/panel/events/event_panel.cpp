@@ -14,12 +14,11 @@
 
 #include "model/event_model.h"
 #include "paint/app_style.h"
-#include "paint/event_mark.h"
 #include "paint/figures.h"
-#include "paint/severity_look.h"
+#include "paint/glyph.h"
 #include "panel/common/build.h"
 #include "panel/common/flat_header.h"
-#include "panel/common/untracked_label.h"
+#include "panel/common/labels.h"
 #include "panel/events/event_filter_bar.h"
 
 namespace deckpipe {

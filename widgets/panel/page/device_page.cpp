@@ -10,13 +10,11 @@
 #include "paint/dial.h"
 #include "panel/common/build.h"
 #include "panel/page/fact_list.h"
-#include "panel/page/fault_lines.h"
 #include "panel/page/full_dial.h"
 #include "panel/page/lamp_grid.h"
 #include "panel/page/page_content.h"
 #include "panel/page/page_header.h"
 #include "panel/page/stick_box.h"
-#include "panel/page/stops_grid.h"
 
 namespace deckpipe {
 namespace {

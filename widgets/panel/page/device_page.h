@@ -9,7 +9,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/device_page_of.h"
+#include "model/device_page_values.h"
 #include "panel/common/panel_view.h"
 
 class QLabel;

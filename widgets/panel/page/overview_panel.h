@@ -5,9 +5,11 @@
 // among the tiles they keep their places.
 #pragma once
 
+#include <QAbstractButton>
 #include <QRect>
 #include <QSize>
 #include <QWidget>
+
 #include <vector>
 
 #include "model/overview_of.h"
@@ -17,6 +19,35 @@ class QLabel;
 class QScrollArea;
 
 namespace deckpipe {
+
+// One monitor on the overview: its name, its health, its dial, its trouble and the other stops that it stands at. A button:
+// pressed it asks for the monitor's page. Used by OverviewPanel alone.
+class Dial;
+
+class MonitorTile : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  explicit MonitorTile(QWidget* parent = nullptr);
+
+  void setMonitor(const OverviewMonitor& monitor);
+  const OverviewMonitor& monitor() const { return m_monitor; }
+  // True if the device page shows this monitor.
+  void setChosen(bool chosen);
+  void setAnimated(bool animated);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void describe();
+
+  OverviewMonitor m_monitor;
+  Dial* m_dial;
+  bool m_isChosen = false;
+};
 
 // How many tiles stand beside one another in the overview, and how large each is: all of them as large as fit
 // at once; where that would be too small to read, at their least size, and the panel scrolls. Pure.

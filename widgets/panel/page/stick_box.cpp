@@ -7,7 +7,7 @@
 
 #include "paint/app_style.h"
 #include "paint/stick_view.h"
-#include "panel/common/section_title.h"
+#include "panel/common/dock_title.h"
 
 namespace deckpipe {
 

@@ -12,7 +12,6 @@
 #include "panel/pipe/file_send_bar.h"
 #include "panel/pipe/pipe_input.h"
 #include "panel/pipe/pipe_view.h"
-#include "panel/pipe/send_file_button.h"
 #include "text/service_text.h"
 #include "text/time_text.h"
 

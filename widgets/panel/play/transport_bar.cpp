@@ -14,12 +14,11 @@
 
 #include "model/event_text.h"
 #include "paint/app_style.h"
-#include "paint/event_mark.h"
+#include "paint/glyph.h"
 #include "paint/timeline.h"
 #include "panel/common/build.h"
 #include "panel/play/log_scale.h"
 #include "panel/play/time_field.h"
-#include "panel/play/time_readout.h"
 #include "panel/play/transport_button.h"
 #include "text/plural.h"
 #include "text/time_text.h"

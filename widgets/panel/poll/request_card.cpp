@@ -5,10 +5,10 @@
 #include <QPushButton>
 
 #include "paint/app_style.h"
-#include "paint/severity_look.h"
+#include "paint/glyph.h"
 #include "panel/common/build.h"
 #include "panel/common/labels.h"
-#include "panel/common/warning_button.h"
+#include "panel/common/tick_box.h"
 #include "text/service_text.h"
 
 namespace deckpipe {

@@ -14,13 +14,13 @@
 #include <algorithm>
 
 #include "model/answer_history.h"
-#include "model/device_health.h"
+#include "model/device_details.h"
 #include "model/device_rows.h"
 #include "panel/common/build.h"
 #include "panel/common/flat_header.h"
 #include "panel/common/labels.h"
 #include "panel/common/send_hint.h"
-#include "panel/common/warning_button.h"
+#include "panel/common/tick_box.h"
 #include "panel/poll/repeat_bar.h"
 #include "panel/poll/request_card.h"
 #include "text/service_text.h"

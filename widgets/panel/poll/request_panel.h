@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "control/intent.h"
-#include "panel/common/device_question.h"
+#include "panel/common/danger_dialog.h"
 #include "panel/common/panel_view.h"
 
 class QComboBox;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "service/live.h"
+#include "service/service.h"
 
 namespace deckpipe {
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/device_page_of.h"
+#include "model/device_page_values.h"
 
 #include <QCoreApplication>
+
 #include <algorithm>
 
 #include "model/device_details.h"
-#include "model/page_arbitration.h"
-#include "model/page_dial.h"
-#include "model/page_facts.h"
-#include "model/page_lamps.h"
-#include "model/page_motion.h"
-#include "model/page_stick.h"
+#include "model/page_parts.h"
 #include "state/current.h"
 #include "text/device_text.h"
 
