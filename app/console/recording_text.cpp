@@ -167,7 +167,7 @@ StatusFact completenessFact(const Snapshot& snapshot) {
   };
   if (source.kind == From::File && !isReadWhole(source))
     miss(StatusText::tr("Not whole"),
-         StatusText::tr("Not all of the log could be read; what is missing is said below the strip."));
+         StatusText::tr("Not all of the log could be read; what is missing is said beside the menus."));
   if (std::holds_alternative<StoreFull>(source.error))
     miss(StatusText::tr("Store full"),
          StatusText::tr("What came after the last frame is missing here: there was no room for more."));
@@ -194,7 +194,7 @@ StatusFact completenessFact(const Snapshot& snapshot) {
              .arg(toQString(FrameStore::kOtherChannelsName)));
   if (source.unreadable > 0)
     miss(StatusText::tr("%Ln unreadable lines", nullptr, forPlural(source.unreadable)),
-         StatusText::tr("Lines that are no frames are left out; what they were is said below the strip."));
+         StatusText::tr("Lines that are no frames are left out; what they were is said beside the menus."));
   if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
     miss(missing.count == 0 ? StatusText::tr("Frames missing")
                             : StatusText::tr("%Ln frames missing", nullptr, forPlural(missing.count)),
