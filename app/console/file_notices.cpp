@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
+#include <vector>
 
 #include "log/delta_times.h"
 #include "log/log_format.h"
@@ -158,24 +159,79 @@ QString lastLineText(LastLine line) {
   return {};
 }
 
-// What is missing of a log that was read.
-Notice readingNotice(const ReadSummary& read) {
-  if (read.sidecarFault) return sidecarNotice(*read.sidecarFault);
-  if (read.damage.places > 0) return damageNotice(read);
-  if (read.cutBytes > 0)
-    return {Severity::Warning,
-            cutText(read.cutBytes) + QLatin1Char(' ') + NoticeText::tr("Everything before them is here.")};
-  if (read.newerParts > 0)
-    return {Severity::Warning,
-            NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
-                           nullptr, forPlural(read.newerParts))};
+Notice cutNotice(const ReadSummary& read) {
+  return {Severity::Warning,
+          cutText(read.cutBytes) + QLatin1Char(' ') + NoticeText::tr("Everything before them is here.")};
+}
+
+Notice emptyNotice(const Snapshot& snapshot) {
+  if (snapshot.view.frameCount > 0) return {};
+  return {Severity::Warning, NoticeText::tr("This log holds no frames.")};
+}
+
+Notice newerPartsNotice(const ReadSummary& read) {
+  if (read.newerParts == 0) return {};
+  return {Severity::Warning,
+          NoticeText::tr("%Ln parts of this log are of a newer version of Deckpipe and were left out.",
+                         nullptr, forPlural(read.newerParts))};
+}
+
+Notice openEndNotice(const ReadSummary& read) {
   if (read.goesOn)
     return {Severity::Warning,
             NoticeText::tr("This recording still goes on: what came since it was opened is not here.")};
-  if (read.lastLine == LastLine::LeftOut) return {Severity::Warning, lastLineText(read.lastLine)};
-  if (read.isOpenEnded)
-    return {Severity::Warning, NoticeText::tr("This recording has no end: its last second may be missing.")};
-  return {};
+  if (!read.isOpenEnded) return {};
+  return {Severity::Warning, NoticeText::tr("This recording has no end: its last second may be missing.")};
+}
+
+Notice fractionNotice(const LogDocument& log) {
+  const auto cut = log.skipped.content().count(Skipped::Fraction);
+  if (cut == 0) return {};
+  return {Severity::Warning, NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
+                                            "only their seconds are kept, so rates and ages are not to be "
+                                            "trusted.",
+                                            nullptr, forPlural(cut))};
+}
+
+// All that is to be said of a log that was read, the worst first: what can still be lost, what is missing, what is not
+// to be trusted.
+std::vector<Notice> noticesOfReadLog(const Snapshot& snapshot) {
+  const SourceStatus& source = snapshot.source;
+  const LogDocument& log = *snapshot.view.document;
+  const ReadSummary& read = source.read;
+  std::vector<Notice> said;
+  const auto say = [&said](Notice notice) {
+    if (!notice.text.isEmpty()) said.push_back(std::move(notice));
+  };
+  if (source.unkeptMarks)
+    say({Severity::Warning,
+         NoticeText::tr(
+             "Marks of this log are in memory alone: %1. “Save log” under another name keeps them.")
+             .arg(unkeptMarksText(*source.unkeptMarks))});
+  // Nothing else that is said of times is true before they are added up.
+  const bool areDeltas = !source.addsUpTimes && hasDeltaTimes(log.frames);
+  if (areDeltas)
+    say({.tone = Severity::Warning,
+         .text = NoticeText::tr("The times of this log look like differences, each to the frame before."),
+         .action = Notice::Action::AddUpTimes});
+  if (read.damage.places > 0) {
+    say(damageNotice(read));
+  } else if (read.cutBytes > 0) {
+    say(cutNotice(read));
+  }
+  if (source.unreadable > 0) say(unreadable(snapshot));
+  if (read.lastLine == LastLine::LeftOut) say({Severity::Warning, lastLineText(read.lastLine)});
+  say(emptyNotice(snapshot));
+  if (const MissingFrames missing = missingFrames(log); !missing.text.isEmpty())
+    say({Severity::Warning, missing.text});
+  say(newerPartsNotice(read));
+  if (read.sidecarFault) say(sidecarNotice(*read.sidecarFault));
+  say(openEndNotice(read));
+  say(filterNotice(log));
+  say(fractionNotice(log));
+  if (!areDeltas && snapshot.view.frameCount > 0) say(clockNotice(log));
+  if (read.lastLine == LastLine::Open) say({Severity::Plain, lastLineText(read.lastLine)});
+  return said;
 }
 
 }  // namespace
@@ -194,31 +250,16 @@ Notice fileNotice(const Snapshot& snapshot) {
   if (source.progress == Progress::Failed)
     return {Severity::Fault, unreadableText(source.name, source.error)};
   if (source.progress != Progress::Done) return {};
-  if (source.unkeptMarks)
-    return {
-        Severity::Warning,
-        NoticeText::tr("Marks of this log are in memory alone: %1. “Save log” under another name keeps them.")
-            .arg(unkeptMarksText(*source.unkeptMarks))};
-  // Before the rest, as nothing else that is said of times is true before they are added up.
-  if (!source.addsUpTimes && hasDeltaTimes(snapshot.view.document->frames)) {
-    return {.tone = Severity::Warning,
-            .text = NoticeText::tr("The times of this log look like differences, each to the frame before."),
-            .action = Notice::Action::AddUpTimes};
+  // One line each. The first way out is offered.
+  Notice all;
+  for (const Notice& notice : noticesOfReadLog(snapshot)) {
+    if (all.text.isEmpty()) all.tone = notice.tone;
+    all.text += (all.text.isEmpty() ? QString() : QStringLiteral("\n")) + notice.text;
+    if (all.action != Notice::Action::None) continue;
+    all.action = notice.action;
+    all.details = notice.details;
   }
-  if (source.unreadable > 0) return unreadable(snapshot);
-  if (Notice notice = readingNotice(source.read); !notice.text.isEmpty()) return notice;
-  if (snapshot.view.frameCount == 0) return {Severity::Warning, NoticeText::tr("This log holds no frames.")};
-  if (Notice notice = filterNotice(*snapshot.view.document); !notice.text.isEmpty()) return notice;
-  if (const auto cut = snapshot.view.document->skipped.content().count(Skipped::Fraction); cut > 0)
-    return {Severity::Warning,
-            NoticeText::tr("%Ln times of this log are written with more than nine decimals: "
-                           "only their seconds are kept, so rates and ages are not to be "
-                           "trusted.",
-                           nullptr, forPlural(cut))};
-  if (const MissingFrames missing = missingFrames(*snapshot.view.document); !missing.text.isEmpty())
-    return {Severity::Warning, missing.text};
-  if (Notice notice = clockNotice(*snapshot.view.document); !notice.text.isEmpty()) return notice;
-  return {Severity::Plain, lastLineText(source.read.lastLine)};
+  return all;
 }
 
 }  // namespace deckpipe

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a snapshot's state needs said above the work, in words: why nothing is heard, that the traffic is not
 // what Deckpipe reads, that the link went away, that the cursor stands in the past, what of a file could not
-// be read. The worst alone, and with it what came of the last thing that a person wanted; a pure function, so that
-// every state is tested without a window.
+// be read. The worst alone, of a file all that is to be said of it, and with it what came of the last thing that a
+// person wanted; a pure function, so that every state is tested without a window.
 #pragma once
 
 #include "model/bus_rates.h"

@@ -122,6 +122,36 @@ TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
   EXPECT_TRUE(says(notice(snapshot), "newer version")) << notice(snapshot);
 }
 
+TEST(FileNotice, SaysAllThatIsMissingOfAFileOneLineEachTheWorstFirst) {
+  Snapshot snapshot = file("(1.5) can0 123#11\nrubbish\n(2.5) can0 123##011\n(1.1) can0 123#11\n");
+  snapshot.source.unreadable = 1;
+  snapshot.source.read = {
+      .sidecarFault = SidecarFault{.kind = SidecarFault::Kind::Cut, .path = "truck.log.notes"},
+      .lastLine = LastLine::Open,
+      .newerParts = 2,
+      .isOpenEnded = true,
+      .damage = {.places = 1}};
+  const_cast<LogDocument&>(*snapshot.view.document).notes.append({.value = note::Filtered{"sa=80"}});
+  const QStringList lines = QString::fromStdString(notice(snapshot)).split(QLatin1Char('\n'));
+  const std::vector<const char*> words{"damaged",
+                                       "line 2: ",
+                                       "1 CAN FD frame",
+                                       "newer version",
+                                       "marks, notes and labels",
+                                       "no end",
+                                       "saved through the filter",
+                                       "goes back at frame 2",
+                                       "no line end"};
+  ASSERT_EQ(lines.size(), static_cast<qsizetype>(words.size())) << notice(snapshot);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    EXPECT_TRUE(says(lines[static_cast<qsizetype>(i)].toStdString(), words[i]))
+        << words[i] << notice(snapshot);
+  const Notice all = noticeOf(snapshot, ratesAt(snapshot.view));
+  EXPECT_EQ(all.action, Notice::Action::CopyDetails);
+  EXPECT_TRUE(says(all.details.toStdString(), "line 2: "));
+  EXPECT_EQ(all.tone, Severity::Warning);
+}
+
 TEST(SourceFact, NamesTheLinkItsRateAndItsState) {
   SourceStatus source = link(Progress::Running).source;
   EXPECT_EQ(sourceFact(source).text.toStdString(), "can0 · 250 kbit/s – connected");
