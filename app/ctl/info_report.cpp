@@ -36,6 +36,18 @@ std::string_view ageWord(AnswerAge age) {
   return {};
 }
 
+// The same for a script. Frozen contract.
+Value ageKey(AnswerAge age) {
+  switch (age) {
+    case AnswerAge::Current: break;
+    case AnswerAge::BeforeRestart: return Value::word("restart");
+    case AnswerAge::BeforeSilence: return Value::word("silence");
+    case AnswerAge::BeforeLinkDown: return Value::word("link_down");
+    case AnswerAge::BeforeGap: return Value::word("gap");
+  }
+  return {};
+}
+
 // The PIN that was at its address before the link was down; null if somebody has said since who is there.
 Pin formerPinOf(const State& state, const Device& device) {
   const bool isAddress = device.kind == Device::Kind::Address;
@@ -99,8 +111,7 @@ std::string deviceJson(const State& state, const Device& device, std::string_vie
     line.add("pcode_error", faults.pcodeError ? Value::integer(*faults.pcodeError) : Value());
     const Duration ago = state.cursor().time - device.faults().at;
     line.add("faults_age", hasTimes ? Value::decimal(ago / 100ms, 1) : Value());
-    const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
-    line.add("faults_old", why.empty() ? Value() : Value::text(why));
+    line.add("faults_old", ageKey(ageOfAnswer(state, device, device.faults().at)));
   }
   if (device.firmware().isKnown()) line.add("system", Value::version(device.firmware().value().system));
   if (device.pcode().isKnown())

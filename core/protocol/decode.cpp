@@ -40,7 +40,7 @@ Value pinOf(const Frame& frame) {
   const auto part = [&](BitRange bits) { return static_cast<unsigned>(readBits(frame.data, bits)); };
   const auto pin = Pin::make(part(akron::kPinType), part(akron::kPinLetter5), part(akron::kPinLetter6),
                              part(akron::kPinSerial));
-  return pin ? Value::text(pin->text()) : Value();
+  return pin ? Value::pin(*pin) : Value();
 }
 
 // From the range's offset to the end of the data, low byte first.

@@ -3,18 +3,25 @@
 
 #include <algorithm>
 #include <charconv>
+#include <tuple>
 
 namespace deckpipe {
 
+// Whoever makes a text says how long it can be: none is ever cut.
+template <std::size_t kMaxLength>
 Value Value::text(std::string_view characters) {
+  static_assert(kMaxLength <= std::tuple_size_v<decltype(m_inline)>);
   Value v(Type::Text, 0);
-  v.m_size = static_cast<std::uint8_t>(std::min(characters.size(), v.m_inline.size()));
+  v.m_size = static_cast<std::uint8_t>(std::min(characters.size(), kMaxLength));
   std::copy_n(characters.begin(), v.m_size, v.m_inline.begin());
   return v;
 }
 
+Value Value::pin(const Pin& pin) { return text<Pin::kLength>(pin.text()); }
+
 Value Value::version(std::uint16_t majorMinor) {
-  return text(std::to_string(majorMinor >> 8) + '.' + std::to_string(majorMinor & 0xFF));
+  constexpr std::size_t kLongest = std::string_view("255.255").size();
+  return text<kLongest>(std::to_string(majorMinor >> 8) + '.' + std::to_string(majorMinor & 0xFF));
 }
 
 Value Value::bytes(std::span<const std::uint8_t> bytes) {

@@ -23,7 +23,7 @@ class Value {
     Real,     // real()
     Flag,     // flag()
     Word,     // text(): a key
-    Text,     // text()
+    Text,     // text(): a PIN or a version
     Bytes,    // bytes()
     Names,    // the words() whose bit is set in mask()
     Numbers,  // the numbers of the bits set in mask()
@@ -47,7 +47,7 @@ class Value {
     v.m_word = key;
     return v;
   }
-  static Value text(std::string_view characters);  // at most 16
+  static Value pin(const Pin& pin);                // text
   static Value version(std::uint16_t majorMinor);  // text: "2.6" of 0206 hex
   static Value bytes(std::span<const std::uint8_t> bytes);
   static constexpr Value names(std::uint32_t mask, std::span<const ValueName> words) {
@@ -72,6 +72,8 @@ class Value {
 
  private:
   constexpr Value(Type type, std::int64_t number) : m_type(type), m_number(number) {}
+  template <std::size_t kMaxLength>
+  static Value text(std::string_view characters);
 
   Type m_type = Type::Null;
   std::uint8_t m_size = 0;

@@ -142,7 +142,7 @@ Frame nameFrame(Name name, Address source) {
 
 Frame announcementFrame(const Pin& pin, Address source) {
   return j1939Frame(messageOf(MessageId::AddressAnnouncement),
-                    encoded(MessageId::AddressAnnouncement, {{"pin", Value::text(pin.text())}}), source);
+                    encoded(MessageId::AddressAnnouncement, {{"pin", Value::pin(pin)}}), source);
 }
 
 }  // namespace deckpipe::simulator

@@ -83,6 +83,16 @@ TEST(AnswerOfALog, IsSaidWithItsAgeAndWhyItIsOld) {
       << out.toStdString();
 }
 
+TEST(AnswerOfALog, HasAKeyForWhyItIsOld) {
+  QProcess process;
+  process.start(QStringLiteral(DECKPIPECTL), deckpipe::test::words("info --devices --json -"));
+  process.write(kAnnounced + kStatus + kAnswered + "(1700000093.2) can0 18FEF100#FFFFFFFFFFFFFFFF\n");
+  process.closeWriteChannel();
+  EXPECT_TRUE(process.waitForFinished(60'000));
+  const QByteArray out = deckpipe::test::outcomeOf(process).out;
+  EXPECT_TRUE(out.contains("\"faults_old\":\"silence\"")) << out.toStdString();
+}
+
 TEST(AnswerOfALog, HasNoAgeInALogWithoutTimes) {
   const QByteArray log =
       "can0  18EFFF80   [8]  FF 83 15 02 06 02 1A 0B\n"
