@@ -18,6 +18,8 @@ class EventLines {
   // The store must hold a frame.
   void append(std::string& out, const Event& event) const;
   void append(std::string& out, const Note& note) const;
+  // In nanoseconds, as the clock of a channel had it at a frame; kNoStamp in a log without stamps.
+  std::int64_t stampOf(Instant time, std::uint8_t channel, std::uint64_t frame) const;
 
  private:
   std::string whenText(Instant time) const;
@@ -25,8 +27,6 @@ class EventLines {
   std::string json(const Event& event) const;
   std::string text(const Event& event) const;
   std::string json(const Note& note) const;
-  // In nanoseconds, as the clock of a channel had it at a frame; kNoStamp in a log without stamps.
-  std::int64_t stampOf(Instant time, std::uint8_t channel, std::uint64_t frame) const;
   std::int64_t stampOf(const Event& event) const;
   std::int64_t stampOf(const Note& note) const;
 

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "counts.h"
+#include "event_lines.h"
 #include "json_line.h"
+#include "link_words.h"
 #include "log/time_grain.h"
 #include "node_lines.h"
 #include "output.h"
@@ -14,6 +16,7 @@
 #include "state/advance.h"
 #include "state/current.h"
 #include "state/health.h"
+#include "stick_lines.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -202,6 +205,48 @@ Cursor InfoReport::endOfRecording() const {
   return end;
 }
 
+// A recording ends with its links closed: that is no gap.
+std::vector<LinkGap> InfoReport::gaps() const {
+  std::vector<LinkGap> all = linkGaps(m_notes.all());
+  std::erase_if(all, [](const LinkGap& gap) { return gap.isOpen() && gap.fault == LinkFault::None; });
+  return all;
+}
+
+std::string InfoReport::gapText(const LinkGap& gap) const {
+  std::string text = "link of " + std::string(m_frames.channelName(gap.channel.value)) + " down";
+  if (m_times == Times::Known) {
+    if (!gap.isOpen()) text += " for " + lengthText(gap.end - gap.begin);
+    text += " from " + lengthText(gap.begin - m_frames.timeAt(0)) + " on";
+  }
+  if (gap.isOpen()) text += ", to the end";
+  if (gap.fault == LinkFault::None) return text + ": closed";
+  return text + ": " +
+         printable(linkErrorText({.fault = gap.fault, .detail = gap.words.str()}).toStdString());
+}
+
+std::string InfoReport::gapJson(const LinkGap& gap) const {
+  const EventLines lines(m_frames, true);
+  const auto stampOf = [&](Instant time) {
+    const std::uint64_t frame = std::min(m_frames.firstAtOrAfter(time), m_frames.count() - 1);
+    return m_times == Times::Known ? lines.stampOf(time, gap.channel.value, frame) : kNoStamp;
+  };
+  JsonLine line;
+  line.add("channel", m_frames.channelName(gap.channel.value)).addTime("from", stampOf(gap.begin));
+  line.addTime("to", gap.isOpen() ? kNoStamp : stampOf(gap.end)).add("reason", kLinkFaultKeys[gap.fault]);
+  if (!gap.words.isEmpty()) line.add("words", gap.words.str());
+  return line.object();
+}
+
+template <typename Take>
+void InfoReport::eachStick(Take take) const {
+  for (std::size_t c = 0; c < m_state.channelCount(); ++c) {
+    const Channel channel{static_cast<std::uint8_t>(c)};
+    for (const Joystick& stick : m_state.channel(channel).joysticks.all()) {
+      if (stick.source != kNullAddress) take(channel, stick, m_frames.channelName(channel.value));
+    }
+  }
+}
+
 std::string_view InfoReport::labelOf(const Device& device) const {
   const auto label = m_labels.find(device.pin);
   return label == m_labels.end() ? std::string_view() : label->second;
@@ -220,6 +265,7 @@ void InfoReport::appendNotes(std::string& out) const {
   if (m_missedLines != 0)
     out +=
         "  " + counted(m_missedLines, "line", "lines") + " of the file that it was saved from not readable\n";
+  for (const LinkGap& gap : gaps()) out += "  " + gapText(gap) + "\n";
   if (m_marks != 0) out += "  " + counted(m_marks, "mark", "marks") + "\n";
 }
 
@@ -291,6 +337,9 @@ std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipp
                         m_times == Times::Known) +
              "\n";
     }
+    eachStick([&](Channel channel, const Joystick& stick, std::string_view name) {
+      out += "  " + stickText(m_state, channel, stick, name, m_times == Times::Known) + "\n";
+    });
   }
   return out;
 }
@@ -298,13 +347,14 @@ std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipp
 std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipped, LastLine lastLine) const {
   char span[40] = "null";
   if (m_times == Times::Known) std::snprintf(span, sizeof span, "%.6f", spanSeconds());
-  std::vector<std::string> adapters, ids, devices;
+  std::vector<std::string> adapters, linkGapList, ids, devices, sticks;
   for (const Adapter& at : m_adapters)
     adapters.push_back(JsonLine()
                            .add("channel", m_frames.channelName(at.channel))
                            .add("adapter", at.words)
                            .add("bit_rate", at.bitRate == 0 ? Value() : Value::integer(at.bitRate))
                            .object());
+  for (const LinkGap& gap : gaps()) linkGapList.push_back(gapJson(gap));
   JsonLine notKept;
   for (const Skipped reason : kAllOf<Skipped>) {
     if (!isUnreadable(reason) && skipped.count(reason) != 0)
@@ -322,7 +372,8 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
   JsonLine line;
   line.add("file", file).add("frames", m_frames.count()).addJson("span", span);
   line.add("of_further_channels", framesOfOthers());
-  line.add("delta_times", m_times == Times::Deltas).addList("adapters", adapters).add("added", m_added);
+  line.add("delta_times", m_times == Times::Deltas).addList("adapters", adapters);
+  line.addList("link_gaps", linkGapList).add("added", m_added);
   const std::vector<std::string> filters = m_notes.filters();
   line.add("filters", std::vector<std::string_view>(filters.begin(), filters.end()));
   line.add("last_line", kLastLineKeys[lastLine])
@@ -338,8 +389,12 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
         devices.push_back(deviceJson(m_state, device, m_frames.channelName(device.channel.value),
                                      labelOf(device), m_times == Times::Known));
     }
+    eachStick([&](Channel channel, const Joystick& stick, std::string_view name) {
+      sticks.push_back(stickJson(m_state, channel, stick, name, m_times == Times::Known));
+    });
     line.add("untracked_frames", m_state.untrackedFrames());
     line.add("untracked_devices", m_state.devices().untracked() != 0).addList("devices", devices);
+    line.addList("joysticks", sticks);
   }
   return line.text();
 }

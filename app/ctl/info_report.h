@@ -6,8 +6,10 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "log/frame_store.h"
+#include "log/link_gaps.h"
 #include "log/reading.h"
 #include "log/skipped.h"
 #include "state/state.h"
@@ -42,6 +44,12 @@ class InfoReport {
     friend auto operator<=>(const Adapter&, const Adapter&) = default;
   };
 
+  std::vector<LinkGap> gaps() const;
+  std::string gapText(const LinkGap& gap) const;
+  std::string gapJson(const LinkGap& gap) const;
+  // Calls `take` with the channel, the source and the channel's name of every joystick source.
+  template <typename Take>
+  void eachStick(Take take) const;
   std::string_view labelOf(const Device& device) const;
   void appendNotes(std::string& out) const;
   Frame frameOf(const Key& key) const;

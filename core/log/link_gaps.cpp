@@ -13,7 +13,9 @@ std::vector<LinkGap> linkGaps(const std::vector<Note>& notes) {
   };
   for (const Note& note : notes) {
     if (const auto* down = std::get_if<note::LinkDown>(&note.value)) {
-      if (openGap(down->channel) == gaps.end()) gaps.push_back({down->channel, note.time});
+      if (openGap(down->channel) == gaps.end())
+        gaps.push_back(
+            {.channel = down->channel, .begin = note.time, .fault = down->fault, .words = down->words});
     } else if (const auto* up = std::get_if<note::LinkUp>(&note.value)) {
       if (const auto gap = openGap(up->channel); gap != gaps.end()) gap->end = note.time;
     }

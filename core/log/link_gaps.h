@@ -12,7 +12,9 @@ namespace deckpipe {
 struct LinkGap {
   Channel channel;
   Instant begin;
-  Instant end = kNever;  // kNever: not up again in this log
+  Instant end = kNever;               // kNever: not up again in this log
+  LinkFault fault = LinkFault::None;  // why it went down; None: closed by us
+  NoteText words{};                   // the adapter's own; may be empty
 
   bool isOpen() const { return end == kNever; }
 };

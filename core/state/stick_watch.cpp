@@ -10,7 +10,8 @@ namespace {
 
 bool deflects(const StickAxis& axis) { return axis.tenths.value_or(0) != 0; }
 
-// Who goes before a source, of x and of y: the first one of higher priority that deflects the same axis. Null: none.
+}  // namespace
+
 std::array<Address, 2> whoGoesBefore(const Joysticks& all, const Joystick& stick) {
   std::array<Address, 2> first{kNullAddress, kNullAddress};
   if (!stick.isActive()) return first;
@@ -22,8 +23,6 @@ std::array<Address, 2> whoGoesBefore(const Joysticks& all, const Joystick& stick
   }
   return first;
 }
-
-}  // namespace
 
 bool StickWatch::look(const State& state, Channel channel, const Joystick& stick, bool isNews,
                       std::vector<Event>& out) {

@@ -4,11 +4,15 @@
 // Source: CAN Messaging manual, Appendix B (100 ms at most, input cleared after 200 ms, priority by address).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "state/event.h"
 
 namespace deckpipe {
+
+// Who goes before a source, of x and of y: the first one of higher priority that deflects the same axis. Null: none.
+std::array<Address, 2> whoGoesBefore(const Joysticks& all, const Joystick& stick);
 
 class StickWatch {
  public:

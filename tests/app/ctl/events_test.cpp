@@ -292,7 +292,7 @@ TEST(EventsOfTheTool, AreNeitherSilencesOfALogSavedThroughAFilterNorFramesThatWe
             QStringLiteral("filtered"));
 }
 
-TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDown) {
+TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDownAndWhenAndWhyItWas) {
   const QTemporaryDir folder;
   FrameStore frames;
   NoteStore notes;
@@ -302,7 +302,9 @@ TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDown) {
     ASSERT_TRUE(frames.append({&frame, 1}));
   };
   hear("FF83150206021A0B", 1000);
-  notes.append({.frame = 1, .time = {1'100'000'000}, .value = note::LinkDown{}});
+  notes.append({.frame = 1,
+                .time = {1'100'000'000},
+                .value = note::LinkDown{{}, LinkFault::Gone, "Network is down"}});
   notes.append({.frame = 1, .time = {9'000'000'000}, .value = note::LinkUp{}});
   hear("83C051", 9100);
   {
@@ -324,6 +326,13 @@ TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDown) {
                   .contains("was 1032AE100801035 before the link went down  can0  address 80"));
   EXPECT_TRUE(told({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json")})
                   .contains("\"pin\":null,\"former_pin\":\"1032AE100801035\""));
+  EXPECT_TRUE(told({QStringLiteral("info")})
+                  .contains("  link of can0 down for 7.9 s from 100 ms on: the adapter is gone (Network is "
+                            "down)\n"))
+      << told({QStringLiteral("info")}).toStdString();
+  const QByteArray json = told({QStringLiteral("info"), QStringLiteral("--json")});
+  EXPECT_TRUE(json.contains("\"link_gaps\":[{\"channel\":\"can0\",\"from\":")) << json.toStdString();
+  EXPECT_TRUE(json.contains("\"reason\":\"gone\",\"words\":\"Network is down\"}]")) << json.toStdString();
   EXPECT_TRUE(told({QStringLiteral("decode")}).contains("\"family\":\"presumed\""));
 }
 
