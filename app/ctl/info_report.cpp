@@ -130,12 +130,13 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
   std::string out;
   if (device.kind == Device::Kind::Pin) {
     out += device.pin.text();
-    const std::string_view type = deviceTypeName(device.pin.deviceType());
+    const std::string_view type = typeName(device);
     out += "  ";
     out += type.empty() ? std::string_view("type not known") : type;
     if (!label.empty()) out.append(", ").append(printable(label));
   } else {
     out += "no PIN         ";
+    if (const std::string_view type = typeName(device); !type.empty()) out.append("  ").append(type);
     if (const Pin former = formerPinOf(state, device); !former.isNull())
       out.append("  was ").append(former.text()).append(" before the link went down");
   }

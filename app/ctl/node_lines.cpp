@@ -10,6 +10,7 @@
 #include "protocol/decode.h"
 #include "protocol/device_types.h"
 #include "protocol/j1939.h"
+#include "state/device_type.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -124,7 +125,7 @@ std::string jsonLine(const Row& row, std::string_view channelName) {
 std::string textLine(const Row& row, Instant now) {
   char text[200];
   const Pin pin = row.pin();
-  const std::string_view type = pin.isNull() ? std::string_view() : deviceTypeName(pin.deviceType());
+  const std::string_view type = row.device != nullptr ? typeName(*row.device) : std::string_view();
   char place[16] = "--";
   if (row.node.value != 0) {
     std::snprintf(place, sizeof place, "node %02X", static_cast<unsigned>(row.node.value));
@@ -151,6 +152,19 @@ std::string nodeLines(const State& state, const NodeCounts& counts, Channel chan
     out += format == NodeFormat::Text ? textLine(row, state.cursor().time) : jsonLine(row, channelName);
   }
   return out;
+}
+
+std::string_view typeName(const Device& device) {
+  using From = DeviceType::From;
+  const DeviceType type = typeOf(device);
+  if (const auto digits = type.pinDigits()) return deviceTypeName(*digits);
+  switch (type.from) {
+    case From::Messages83:
+    case From::MonitorNode: return "monitor";
+    case From::Messages85: return "6039 CAN I/O module";
+    case From::GatewayNode: return "6051 CAN Gateway";
+    default: return {};
+  }
 }
 
 std::vector<std::string_view> causesOf(const Health& health) {

@@ -22,13 +22,6 @@ struct Row {
   Q_DECLARE_TR_FUNCTIONS(Row)
 };
 
-constexpr NodeId kGatewayNode{0x70};  // the gateway manual's default
-
-bool sendsMonitorStatus(const Device& d) {
-  return d.isKnownNow(MessageId::PositionLimitStatus) || d.isKnownNow(MessageId::DigitalOutputs) ||
-         d.isKnownNow(MessageId::RotationSoftLimits) || d.isKnownNow(MessageId::ElevationSoftLimits);
-}
-
 bool isJoystick(const State& state, Channel channel, Address address) {
   return state.channel(channel).joysticks.find(address) != nullptr;
 }
@@ -88,13 +81,6 @@ bool wasLeft(const State& state, Channel channel, Address address) {
 
 }  // namespace
 
-std::optional<unsigned> DeviceType::pinDigits() const {
-  if (from == From::Pin) return number;
-  if (const unsigned type = from == From::Part ? deviceTypeOfPart(number) : 0u; type != 0) return type;
-  if (from == From::Messages84) return soleSenderOf(MessageId::MiniDigitalOutputs);
-  return {};
-}
-
 DeviceKey keyOf(const Device& d) {
   switch (d.kind) {
     case Device::Kind::Pin: return DeviceKey::of(d.pin, d.channel);
@@ -118,33 +104,6 @@ const Device* findDevice(const State& state, const DeviceKey& key) {
     case DeviceKey::Kind::None: break;
   }
   return nullptr;
-}
-
-DeviceType typeOf(const Device& d) {
-  if (d.kind == Device::Kind::Pin) return {From::Pin, d.pin.deviceType()};
-  if (d.kind == Device::Kind::Node) {
-    if (d.part() != 0) return {From::Part, d.part()};
-    if (sendsMonitorStatus(d)) return {From::MonitorNode};
-    return {d.node == kGatewayNode ? From::GatewayNode : From::CanopenNode};
-  }
-  if (sendsMonitorStatus(d)) return {From::Messages83};
-  if (d.isKnownNow(MessageId::MiniDigitalOutputs)) return {From::Messages84};
-  if (d.isKnownNow(MessageId::DigitalInputs)) return {From::Messages85};
-  return {From::AkronMessages};
-}
-
-DeviceType typeOf(const State& state, Channel channel, Address address) {
-  const ChannelState& on = state.channel(channel);
-  if (address == on.ownAddress) return {From::Own};
-  if (on.book.isDrive(address)) return {From::Drive};
-  const Name name = on.book.lastHolder(address);
-  if (name.isNull()) return {From::NoName};
-  if (name.isAkron()) return {From::AkronName};
-  return {From::OtherName, name.manufacturerCode()};
-}
-
-bool isMonitor(const Device& d) {
-  return sendsMonitorStatus(d) || isOfUse(typeOf(d).pinDigits().value_or(0), DeviceUse::Monitor);
 }
 
 bool isControl(const DeviceRow& row) { return isOfUse(row.type.pinDigits().value_or(0), DeviceUse::Control); }

@@ -14,36 +14,11 @@
 #include "base/ids.h"
 #include "model/device_details.h"
 #include "model/device_labels.h"
+#include "state/device_type.h"
 
 namespace deckpipe {
 
 enum class DeviceGroup : std::uint8_t { Monitors, Controls, OtherAkron, CanopenNodes, OtherNodes };
-
-// What a device is, from the best that is known of it.
-struct DeviceType {
-  enum class From : std::uint8_t {
-    Pin,            // number: PIN digits 1-4
-    Part,           // number: part number of SDO 5000.01
-    Messages83,     // sends what only monitors send
-    Messages84,     // … only the 6033
-    Messages85,     // … only the 6039 CAN I/O module
-    AkronMessages,  // … only Akron devices
-    AkronName,      // has a NAME of Akron's, has not announced itself
-    OtherName,      // number: manufacturer code
-    Drive,          // a person said that a Copley drive is there
-    Own,            // the console itself
-    NoName,
-    GatewayNode,  // the 6051's default node number; nothing else known
-    MonitorNode,  // a CANopen node that sends a monitor's PDOs
-    CanopenNode,
-  };
-  From from = From::NoName;
-  std::uint32_t number = 0;
-
-  // As PIN digits 1-4, where that is known.
-  std::optional<unsigned> pinDigits() const;
-  friend bool operator==(const DeviceType&, const DeviceType&) = default;
-};
 
 struct DeviceRow {
   DeviceKey key;
@@ -68,9 +43,6 @@ DeviceKey keyOf(const Device& device);
 // Whoever the key means now: an address means the device that has it, and a PIN of before the link was down whoever is
 // where it was. Null where that is none.
 const Device* findDevice(const State& state, const DeviceKey& key);
-DeviceType typeOf(const Device& device);
-DeviceType typeOf(const State& state, Channel channel, Address address);
-bool isMonitor(const Device& device);
 // Operator station, joystick, wireless interface, switchbox: they send joystick messages.
 bool isControl(const DeviceRow& row);
 

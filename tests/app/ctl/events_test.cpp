@@ -302,9 +302,8 @@ TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDownAndWhenAndWhyItWas)
     ASSERT_TRUE(frames.append({&frame, 1}));
   };
   hear("FF83150206021A0B", 1000);
-  notes.append({.frame = 1,
-                .time = {1'100'000'000},
-                .value = note::LinkDown{{}, LinkFault::Gone, "Network is down"}});
+  notes.append(
+      {.frame = 1, .time = {1'100'000'000}, .value = note::LinkDown{{}, LinkFault::Gone, "Network is down"}});
   notes.append({.frame = 1, .time = {9'000'000'000}, .value = note::LinkUp{}});
   hear("83C051", 9100);
   {
@@ -322,8 +321,10 @@ TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDownAndWhenAndWhyItWas)
     EXPECT_TRUE(process.waitForFinished(60'000));
     return test::outcomeOf(process).out;
   };
-  EXPECT_TRUE(told({QStringLiteral("info"), QStringLiteral("--devices")})
-                  .contains("was 1032AE100801035 before the link went down  can0  address 80"));
+  EXPECT_TRUE(
+      told({QStringLiteral("info"), QStringLiteral("--devices")})
+          .contains(
+              "no PIN           monitor  was 1032AE100801035 before the link went down  can0  address 80"));
   EXPECT_TRUE(told({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json")})
                   .contains("\"pin\":null,\"former_pin\":\"1032AE100801035\""));
   EXPECT_TRUE(told({QStringLiteral("info")})

@@ -185,6 +185,7 @@ TEST_F(Live, LockedItListensAndSendsNothing) {
   const Outcome r = run("nodes --seconds 1 --format text");
   EXPECT_EQ(r.status, 0) << r.err.constData();
   EXPECT_GE(r.lines().size(), 3) << r.out.constData();
+  EXPECT_TRUE(r.out.contains("6039 CAN I/O module")) << "by what it sends\n" << r.out.constData();
   EXPECT_EQ(run("watch --seconds 1").status, 0);
   EXPECT_FALSE(anyFrom(0xF9));
   EXPECT_FALSE(anyFrom(0xFE));
