@@ -123,10 +123,8 @@ Severity sourceTone(const SourceStatus& source) {
 
 QString linkErrorWords(const LinkError& error) {
   const QString detail = QString::fromStdString(error.detail);
-  if (!detail.isEmpty() && (error.fault == LinkFault::None || error.fault == LinkFault::Other)) return detail;
-  const QString fault = error.bitRate != 0
-                            ? StatusText::tr("the interface runs at %1 kbit/s").arg(error.bitRate / 1000.0)
-                            : linkFaultText(error.fault);
+  if (error.bitRate == 0) return linkFaultText(error.fault, detail);
+  const QString fault = StatusText::tr("the interface runs at %1 kbit/s").arg(error.bitRate / 1000.0);
   return detail.isEmpty() ? fault : QStringLiteral("%1 (%2)").arg(fault, detail);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/part_state.h"
 #include "counts.h"
+#include "link_words.h"
 #include "output.h"
 #include "protocol/akron.h"
 #include "protocol/field.h"
@@ -214,6 +215,10 @@ std::string detailText(const NoteValue& value) {
       [&](const auto& n) {
         if constexpr (requires { n.text; }) say(n.text.str());
         if constexpr (requires { n.adapter; }) say(n.adapter.str());
+        if constexpr (requires { n.fault; }) {
+          if (n.fault != LinkFault::None)
+            say(linkErrorText({.fault = n.fault, .detail = n.words.str()}).toStdString());
+        }
         if constexpr (requires { n.request; }) say(requestWord(n.request));
         if constexpr (requires { n.rotation; }) {
           if (n.rotation.tenths) say("rotation " + tenthsText(*n.rotation.tenths));

@@ -208,7 +208,7 @@ void LiveBus::linkChanged(LinkState state, const std::string& reason) {
   }
   if (state != LinkState::Up && wasUp) {
     const LinkFault fault = state == LinkState::Closed ? LinkFault::None : m_link->status().fault;
-    write(note::LinkDown{m_settings.channel, fault, fault == LinkFault::Other ? reason : std::string()});
+    write(note::LinkDown{m_settings.channel, fault, state == LinkState::Closed ? std::string() : reason});
   }
   followHardware();
   m_services.linkChanged(bootTime(), m_state, state == LinkState::Up);

@@ -285,7 +285,7 @@ QString noteText(const LogDocument& log, const Note& note) {
           },
           [&](const note::LinkDown& n) {
             const QString text = EventText::tr("%1 down").arg(busOf(n));
-            const QString why = n.words.isEmpty() ? linkFaultText(n.fault) : toQString(n.words.str());
+            const QString why = linkFaultText(n.fault, toQString(n.words.str()));
             return why.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, why);
           },
           [&](const note::Dropped& n) {

@@ -63,6 +63,12 @@ QString linkFaultText(LinkFault fault) {
   return {};
 }
 
+QString linkFaultText(LinkFault fault, const QString& words) {
+  if (words.isEmpty()) return linkFaultText(fault);
+  if (fault == LinkFault::None || fault == LinkFault::Other) return words;
+  return QStringLiteral("%1 (%2)").arg(linkFaultText(fault), words);
+}
+
 QString refusalText(Refusal refusal) {
   switch (refusal) {
     case Refusal::None: return {};

@@ -20,6 +20,8 @@ QString requestEndText(Request request, RequestEnd end);
 QString refusalText(Refusal refusal);
 // "the interface is down"; empty for None.
 QString linkFaultText(LinkFault fault);
+// With the adapter's own words, where it has any: "the adapter is gone (Network is down)".
+QString linkFaultText(LinkFault fault, const QString& words);
 // "address F9", "claiming address F9", "no address free".
 QString claimText(const ClaimStatus& claim);
 // "file sent", "no ack".

@@ -331,6 +331,8 @@ TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDownAndWhenAndWhyItWas)
                   .contains("  link of can0 down for 7.9 s from 100 ms on: the adapter is gone (Network is "
                             "down)\n"))
       << told({QStringLiteral("info")}).toStdString();
+  EXPECT_TRUE(
+      told({QStringLiteral("events")}).contains("link down: the adapter is gone (Network is down)\n"));
   const QByteArray json = told({QStringLiteral("info"), QStringLiteral("--json")});
   EXPECT_TRUE(json.contains("\"link_gaps\":[{\"channel\":\"can0\",\"from\":")) << json.toStdString();
   EXPECT_TRUE(json.contains("\"reason\":\"gone\",\"words\":\"Network is down\"}]")) << json.toStdString();

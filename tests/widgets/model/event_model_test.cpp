@@ -148,7 +148,7 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
   EXPECT_EQ(sentences, (std::vector<std::string>{
                            "water on",
                            "can2 up: socketcan can0",
-                           "can2 down: Network is down",
+                           "can2 down: the adapter is gone (Network is down)",
                            "can2: 2147483647 frames lost",
                            "Transmit locked",
                            "Transmit unlocked",
