@@ -81,6 +81,13 @@ void addAngle(JsonLine& line, const char* number, const char* state, const Posit
   line.add(state, kPositionStateKeys[reading.state]);
 }
 
+// How long ago an answer came, and why it may not hold any more.
+void addAge(JsonLine& line, const char* age, const char* old, const State& state, const Device& device,
+            Instant at, bool hasTimes) {
+  line.add(age, hasTimes ? Value::decimal((state.cursor().time - at) / 100ms, 1) : Value());
+  line.add(old, ageKey(ageOfAnswer(state, device, at)));
+}
+
 // One device as a JSON object: what it is, and the last of each thing it said.
 std::string deviceJson(const State& state, const Device& device, std::string_view channel,
                        std::string_view label, bool hasTimes) {
@@ -112,15 +119,21 @@ std::string deviceJson(const State& state, const Device& device, std::string_vie
     line.add("faults", Value::names(faults.map & named, akron::kFaultBits));
     line.add("reserved_bits", Value::numbers(faults.map & ~named));
     line.add("pcode_error", faults.pcodeError ? Value::integer(*faults.pcodeError) : Value());
-    const Duration ago = state.cursor().time - device.faults().at;
-    line.add("faults_age", hasTimes ? Value::decimal(ago / 100ms, 1) : Value());
-    line.add("faults_old", ageKey(ageOfAnswer(state, device, device.faults().at)));
+    addAge(line, "faults_age", "faults_old", state, device, device.faults().at, hasTimes);
   }
-  if (device.firmware().isKnown()) line.add("system", Value::version(device.firmware().value().system));
-  if (device.pcode().isKnown())
-    line.add("style", device.pcode().value().style)
-        .add("pcode_version", Value::version(device.pcode().value().version));
-  if (device.config().isKnown()) line.add("config_type", device.config().value().type);
+  if (device.firmware().isKnown()) {
+    line.add("system", Value::version(device.firmware().value().system));
+    addAge(line, "system_age", "system_old", state, device, device.firmware().at, hasTimes);
+  }
+  if (device.pcode().isKnown()) {
+    line.add("style", device.pcode().value().style);
+    line.add("pcode_version", Value::version(device.pcode().value().version));
+    addAge(line, "pcode_age", "pcode_old", state, device, device.pcode().at, hasTimes);
+  }
+  if (device.config().isKnown()) {
+    line.add("config_type", device.config().value().type);
+    addAge(line, "config_age", "config_old", state, device, device.config().at, hasTimes);
+  }
   if (device.part() != 0) line.add("part_number", device.part());
   return line.object();
 }

@@ -297,14 +297,15 @@ TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDownAndWhenAndWhyItWas)
   FrameStore frames;
   NoteStore notes;
   frames.channel("can0");
-  const auto hear = [&](const char* data, std::int64_t ms) {
-    const Frame frame = test::frame("18EFFF80", data, 0, ms * 1'000'000);
+  const auto hear = [&](const char* data, std::int64_t ms, const char* id = "18EFFF80") {
+    const Frame frame = test::frame(id, data, 0, ms * 1'000'000);
     ASSERT_TRUE(frames.append({&frame, 1}));
   };
   hear("FF83150206021A0B", 1000);
+  hear("03010B02040206", 1000, "18EF0580");
   notes.append(
-      {.frame = 1, .time = {1'100'000'000}, .value = note::LinkDown{{}, LinkFault::Gone, "Network is down"}});
-  notes.append({.frame = 1, .time = {9'000'000'000}, .value = note::LinkUp{}});
+      {.frame = 2, .time = {1'100'000'000}, .value = note::LinkDown{{}, LinkFault::Gone, "Network is down"}});
+  notes.append({.frame = 2, .time = {9'000'000'000}, .value = note::LinkUp{}});
   hear("83C051", 9100);
   {
     JournalWriter writer(
@@ -327,6 +328,9 @@ TEST(InfoOfTheTool, SaysWhoWasAtAnAddressBeforeTheLinkWasDownAndWhenAndWhyItWas)
               "no PIN           monitor  was 1032AE100801035 before the link went down  can0  address 80"));
   EXPECT_TRUE(told({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json")})
                   .contains("\"pin\":null,\"former_pin\":\"1032AE100801035\""));
+  EXPECT_TRUE(told({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json")})
+                  .contains("\"system_age\":8.1,\"system_old\":\"gap\""))
+      << told({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json")}).toStdString();
   EXPECT_TRUE(told({QStringLiteral("info")})
                   .contains("  link of can0 down for 7.9 s from 100 ms on: the adapter is gone (Network is "
                             "down)\n"))
