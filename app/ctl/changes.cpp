@@ -2,6 +2,7 @@
 #include "changes.h"
 
 #include "base/overload.h"
+#include "bus/j1939.h"
 #include "event_lines.h"
 #include "protocol/lists.h"
 #include "report/decode_lines.h"
@@ -39,6 +40,7 @@ Changes::Changes(BusFollower& follower, Channel channel, std::string channelName
 
 void Changes::frameCame(const Frame& frame, const Classified& what) {
   compare();  // who speaks comes before what is said
+  stickCame(frame);
   if (!what.isDecoded() || !messageOf(what.message).isWatched) return;
   const Message& message = messageOf(what.message);
   if (message.period > 0ns) {
@@ -58,7 +60,12 @@ void Changes::frameCame(const Frame& frame, const Classified& what) {
 
 void Changes::noteCame(const Note& note) {
   // Behind a gap a value is compared with none of before.
-  if (std::holds_alternative<note::LinkUp>(note.value)) m_last.clear();
+  if (std::holds_alternative<note::LinkUp>(note.value)) {
+    m_last.clear();
+    m_sticks = {};
+  } else if (std::holds_alternative<note::LinkDown>(note.value)) {
+    for (StickWatch& stick : m_sticks) stick.linkChanged(note.time);
+  }
   if (!isWatched(note.value)) return;
   JsonLine line;
   line.add("event", noteKey(note.value)).addTime("t", wallTime(note.time)).add("channel", m_channelName);
@@ -67,7 +74,47 @@ void Changes::noteCame(const Note& note) {
   m_out += line.text();
 }
 
+// The events of `deckpipectl events`. One that sends already when the watch begins is told as one that begins.
+void Changes::stickCame(const Frame& frame) {
+  if (!frame.isExtended() || frame.isRemote() || frame.isError()) return;
+  const J1939Id id = J1939Id::of(frame.identifier());
+  if (id.pgn != pgn::kBasicJoystick) return;
+  const State& state = m_follower.state();
+  const auto sticks = state.channel(m_channel).joysticks.all();
+  std::vector<Event> found;
+  for (std::size_t i = 0; i < sticks.size(); ++i) {
+    if (sticks[i].source != id.source) continue;
+    if (sticks[i].basic.at == state.cursor().time) {
+      m_sticks[i].look(state, m_channel, sticks[i], true, found);
+    } else {
+      m_sticks[i].malformedCame(state, m_channel, sticks[i], found);
+    }
+  }
+  tell(found);
+}
+
+void Changes::compareSticks() {
+  const State& state = m_follower.state();
+  const auto sticks = state.channel(m_channel).joysticks.all();
+  std::vector<Event> found;
+  for (std::size_t i = 0; i < sticks.size(); ++i) m_sticks[i].timeCame(state, m_channel, sticks[i], found);
+  tell(found);
+}
+
+void Changes::tell(const std::vector<Event>& events) {
+  for (const Event& event : events) {
+    JsonLine line;
+    line.add("event", kEvents[event.kind].key).addTime("t", wallTime(event.time));
+    line.add("channel", m_channelName).add("address", event.address);
+    addEventFields(line, event);
+    if (event.since != kNotYet) line.addTime("since", wallTime(event.since));
+    if (event.folded > 0) line.add("folded", event.folded);
+    m_out += line.text();
+  }
+}
+
 void Changes::compare() {
+  compareSticks();
   const State& state = m_follower.state();
   const ChannelState& bus = state.channel(m_channel);
   const auto begin = [&](const char* event) {

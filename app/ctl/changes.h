@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Changes on a bus as lines of JSON, for `deckpipectl watch`: devices that come, move and go, addresses
-// claimed, values that differ from the last ones, what falls silent, what the link did.
+// claimed, values that differ from the last ones, what falls silent, joysticks that begin and end, what the link did.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bus_follower.h"
+#include "state/stick_watch.h"
 
 namespace deckpipe::ctl {
 
@@ -28,6 +29,9 @@ class Changes {
   void frameCame(const Frame& frame, const Classified& what);
   void noteCame(const Note& note);
   void compare();
+  void stickCame(const Frame& frame);
+  void compareSticks();
+  void tell(const std::vector<Event>& events);
   void compareDevice(const Device& device, Shown& shown);
 
   BusFollower& m_follower;
@@ -35,6 +39,7 @@ class Changes {
   std::string m_channelName;
   std::string& m_out;
   std::array<Shown, kMaxDevices> m_shown{};
+  std::array<StickWatch, Joysticks::kMax> m_sticks{};
   std::array<std::uint64_t, 256> m_names{};
   // Last payload of each identifier and message.
   std::map<std::pair<std::uint32_t, MessageId>, std::uint64_t> m_last;

@@ -106,42 +106,6 @@ std::string_view status2Key(std::int64_t status) { return kStatus2Keys[static_ca
 
 const char* sideOf(const Event& event) { return event.isPlus ? "plus" : "minus"; }
 
-void addDetail(JsonLine& line, const Event& event) {
-  const EventDetail detail = kEvents[event.kind].detail;
-  if (event.axis != 0) line.add("axis", event.axis);
-  switch (detail) {
-    case EventDetail::None: break;
-    case EventDetail::Flag: line.add("was", event.was != 0).add("now", event.now != 0); break;
-    case EventDetail::Address: line.add("was", event.was).add("now", event.now); break;
-    case EventDetail::Percent:
-      line.add("was", event.was).add("now", event.now).add("bit_rate", event.bitRate);
-      line.add("rate_assumed", event.isRateAssumed);
-      break;
-    case EventDetail::Name:
-      for (const auto& [key, name] : {std::pair("was", event.was), std::pair("now", event.now)})
-        name == 0 ? line.add(key, Value()) : line.addHex(key, static_cast<std::uint64_t>(name), 16);
-      break;
-    case EventDetail::Fault: line.add("fault", faultKey(event.now)); break;
-    case EventDetail::Code: {
-      const std::int64_t code = event.now != 0 ? event.now : event.was;
-      code == 0 ? line.add("code", Value()) : line.add("code", code);
-      if (event.kind == EventKind::ErrorCode || event.kind == EventKind::ErrorCodeCleared)
-        line.add("was", event.was).add("now", event.now);
-      break;
-    }
-    case EventDetail::Stop:
-      line.add("side", sideOf(event)).add("was", status2Key(event.was)).add("now", status2Key(event.now));
-      break;
-    case EventDetail::Degrees:
-      line.add("side", sideOf(event));
-      line.addJson("was", tenthsText(event.was)).addJson("now", tenthsText(event.now));
-      break;
-    case EventDetail::Length: line.add("ms", event.now / 1'000'000); break;
-    case EventDetail::Source: line.add("by", event.now); break;
-    case EventDetail::Frames: line.add("frames", event.now); break;
-  }
-}
-
 std::string detailText(const Event& event) {
   std::string text;
   const auto change = [&](const std::string& was, const std::string& now) {
@@ -334,7 +298,7 @@ std::string EventLines::json(const Event& event) const {
   if (event.address != kNullAddress) line.add("address", event.address);
   if (event.node.value != 0) line.add("node", event.node.value);
   line.add("weight", eventWeightKey(facts.weight));
-  addDetail(line, event);
+  addEventFields(line, event);
   if (!event.other.isNull()) line.add("other_pin", event.other);
   if (event.since != kNotYet)
     line.addTime("since", stampOf(event.since, event.channel.value, m_frames.firstAtOrAfter(event.since)));
@@ -352,6 +316,42 @@ std::string EventLines::json(const Note& note) const {
   line.add("weight", eventWeightKey(noteWeight(note.value)));
   addNoteFields(line, note.value);
   return line.text();
+}
+
+void addEventFields(JsonLine& line, const Event& event) {
+  const EventDetail detail = kEvents[event.kind].detail;
+  if (event.axis != 0) line.add("axis", event.axis);
+  switch (detail) {
+    case EventDetail::None: break;
+    case EventDetail::Flag: line.add("was", event.was != 0).add("now", event.now != 0); break;
+    case EventDetail::Address: line.add("was", event.was).add("now", event.now); break;
+    case EventDetail::Percent:
+      line.add("was", event.was).add("now", event.now).add("bit_rate", event.bitRate);
+      line.add("rate_assumed", event.isRateAssumed);
+      break;
+    case EventDetail::Name:
+      for (const auto& [key, name] : {std::pair("was", event.was), std::pair("now", event.now)})
+        name == 0 ? line.add(key, Value()) : line.addHex(key, static_cast<std::uint64_t>(name), 16);
+      break;
+    case EventDetail::Fault: line.add("fault", faultKey(event.now)); break;
+    case EventDetail::Code: {
+      const std::int64_t code = event.now != 0 ? event.now : event.was;
+      code == 0 ? line.add("code", Value()) : line.add("code", code);
+      if (event.kind == EventKind::ErrorCode || event.kind == EventKind::ErrorCodeCleared)
+        line.add("was", event.was).add("now", event.now);
+      break;
+    }
+    case EventDetail::Stop:
+      line.add("side", sideOf(event)).add("was", status2Key(event.was)).add("now", status2Key(event.now));
+      break;
+    case EventDetail::Degrees:
+      line.add("side", sideOf(event));
+      line.addJson("was", tenthsText(event.was)).addJson("now", tenthsText(event.now));
+      break;
+    case EventDetail::Length: line.add("ms", event.now / 1'000'000); break;
+    case EventDetail::Source: line.add("by", event.now); break;
+    case EventDetail::Frames: line.add("frames", event.now); break;
+  }
 }
 
 void addNoteFields(JsonLine& line, const NoteValue& value) {

@@ -34,6 +34,8 @@ class EventLines {
   bool m_asJson;
 };
 
+// Adds what changed: the fields of an event beside its time and whom it is about.
+void addEventFields(JsonLine& line, const Event& event);
 // Adds the fields of a note beside its time, its channel and whom it is about.
 void addNoteFields(JsonLine& line, const NoteValue& value);
 

@@ -13,7 +13,10 @@ ExitStatus watchCommand(const QStringList& given) {
 event: device_appeared, device_left, restarted, address_changed, address_lost (pin, address or node;
 device_type, type_name; previous), pin_former (former_pin: said before the link was down, and not
 since), claimed, claim_lost (address, name), stale, fresh (message),
-link_up, link_down (reason), dropped (frames), still_waits (frames), own_address, locked, unlocked;
+joystick_began, joystick_ended (since), joystick_timed_out, joystick_back, joystick_gap (ms),
+joystick_outranked (axis, by), joystick_outranked_over (axis), malformed, malformed_over: of a source
+of joystick messages (address), as 'deckpipectl events' has them, folded: changes left out before it,
+link_up, link_down (reason, words), dropped (frames), still_waits (frames), own_address, locked, unlocked;
 value: pin and what 'deckpipectl decode' writes of a frame that differs from the last of its kind, or
 is an answer.
 An interface of Linux that goes down is waited for. Another adapter that is gone ends it with status

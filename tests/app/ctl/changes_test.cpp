@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "support/frames.h"
@@ -78,6 +79,42 @@ TEST_F(WatchedBus, TellsWhatIsStaleOnceThoughThePinIsFormerBehindAGap) {
   const std::vector<std::string> lines = stale();
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].starts_with("pin_former")) << lines[0];
+}
+
+TEST_F(WatchedBus, TellsWhenAJoystickBeginsTimesOutIsOutrankedAndEnds) {
+  const auto sticks = [this] {
+    std::vector<std::string> lines = told();
+    std::erase_if(lines, [](const std::string& line) { return !line.starts_with("joystick_"); });
+    for (std::string& line : lines) line.resize(std::min(line.find(",\"since\""), line.size()));
+    return lines;
+  };
+  using Lines = std::vector<std::string>;
+  constexpr char kDeflected[] = "107D046400100000";
+  hear("0CFDD634", kDeflected);
+  EXPECT_EQ(sticks(), Lines{R"(joystick_began ,"address":52)"});
+  pass(20ms).hear("0CFDD633", kDeflected).pass(20ms).hear("0CFDD634", kDeflected);
+  EXPECT_EQ(sticks(),
+            (Lines{R"(joystick_began ,"address":51)", R"(joystick_outranked ,"address":52,"axis":1,"by":51)",
+                   R"(joystick_outranked ,"address":52,"axis":2,"by":51)"}));
+  pass(50ms).hear("0CFDD634", kDeflected).pass(50ms).hear("0CFDD634", kDeflected).pass(90ms);
+  EXPECT_EQ(sticks(), (Lines{R"(joystick_outranked_over ,"address":52,"axis":1)",
+                             R"(joystick_outranked_over ,"address":52,"axis":2)",
+                             R"(joystick_timed_out ,"address":51)"}));
+  pass(3s);
+  EXPECT_EQ(sticks(), (Lines{R"(joystick_timed_out ,"address":52)", R"(joystick_ended ,"address":52)",
+                             R"(joystick_ended ,"address":51)"}));
+}
+
+TEST_F(WatchedBus, TellsThatAJoystickBeginsAnewBehindAGapAndNothingOfTheGapItself) {
+  constexpr char kCentred[] = "0100010000000000";
+  hear("0CFDD633", kCentred);
+  told();
+  note(note::LinkDown{}).pass(5s);
+  EXPECT_EQ(told().size(), 1u);
+  note(note::LinkUp{}).pass(5s).hear("0CFDD633", kCentred);
+  const std::vector<std::string> lines = told();
+  EXPECT_EQ(std::ranges::count(lines, R"(joystick_began ,"address":51)"), 1);
+  EXPECT_EQ(std::ranges::count_if(lines, [](const auto& line) { return line.starts_with("joystick_"); }), 1);
 }
 
 }  // namespace
