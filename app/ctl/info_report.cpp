@@ -57,9 +57,9 @@ Pin formerPinOf(const State& state, const Device& device) {
   return isAddress ? state.channel(device.channel).book.formerPin(device.address) : Pin();
 }
 
-// The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93 s ago, silent
-// since".
-std::string faultsText(const State& state, const Device& device, bool hasTimes) {
+// The device's last answer about faults, how long ago it came, and why it is old: "no faults, asked 93 s ago, restarted
+// since". That it is silent its health says.
+std::string faultsText(const State& state, const Device& device, const Health& health, bool hasTimes) {
   if (!device.faults().isKnown()) return {};
   const FaultStatus faults = device.faults().value();
   std::string out;
@@ -71,8 +71,9 @@ std::string faultsText(const State& state, const Device& device, bool hasTimes) 
   if (hasTimes) {
     out += ", asked " + lengthText(state.cursor().time - device.faults().at) + " ago";
   }
-  const std::string_view why = ageWord(ageOfAnswer(state, device, device.faults().at));
-  if (!why.empty()) out.append(", ").append(why);
+  const AnswerAge age = ageOfAnswer(state, device, device.faults().at);
+  const bool isSaid = age == AnswerAge::BeforeSilence && health.has(HealthCause::Silent);
+  if (const std::string_view why = ageWord(age); !why.empty() && !isSaid) out.append(", ").append(why);
   return out;
 }
 
@@ -172,8 +173,10 @@ std::string deviceText(const State& state, const Device& device, std::string_vie
     if (isStale(state, device, MessageId::PositionLimitStatus))
       out += hasTimes ? " (" + lengthText(state.cursor().time - device.position().at) + " old)" : " (old)";
   }
-  if (const std::string faults = faultsText(state, device, hasTimes); !faults.empty()) out += ", " + faults;
-  return out.append(", ").append(healthOf(state, device).key());
+  const Health health = healthOf(state, device);
+  if (const std::string faults = faultsText(state, device, health, hasTimes); !faults.empty())
+    out += ", " + faults;
+  return out.append(", ").append(health.key());
 }
 
 }  // namespace

@@ -148,11 +148,15 @@ QString agoOf(Instant at, Instant now) {
 
 bool hasCode(const Health& health) { return health.faults.errorCode != 0; }
 
-// "No faults, asked 93 s ago, silent since"
+// "No faults, asked 93 s ago, restarted since". That it is silent a cause of its own says.
 QString oldAnswerText(const Health& health, Instant now) {
-  QString text = HealthWords::tr("%1, asked %2, %3", "what an old answer said, its age, why it is old")
-                     .arg(faultSummary(health.oldFaults.map, health.oldFaults.errorCode),
-                          agoOf(health.answered, now), answerAgeText(health.answer));
+  const bool isSaid = health.answer == AnswerAge::BeforeSilence && health.has(HealthCause::Silent);
+  const QString said = faultSummary(health.oldFaults.map, health.oldFaults.errorCode);
+  const QString ago = agoOf(health.answered, now);
+  QString text = isSaid
+                     ? HealthWords::tr("%1, asked %2", "what an old answer said, its age").arg(said, ago)
+                     : HealthWords::tr("%1, asked %2, %3", "what an old answer said, its age, why it is old")
+                           .arg(said, ago, answerAgeText(health.answer));
   return text.replace(0, 1, text.at(0).toUpper());
 }
 
@@ -214,7 +218,11 @@ QString healthWord(const Health& health) {
 
 QStringList healthWords(const Health& health) {
   QStringList words;
-  eachCause(health, [&](HealthCause cause) { words << wordOf(cause, health); });
+  // Beside any other cause it goes without saying that one is heard.
+  const bool isHeardAlone = health.worst() == HealthCause::CannotBeAsked;
+  eachCause(health, [&](HealthCause cause) {
+    if (cause != HealthCause::CannotBeAsked || isHeardAlone) words << wordOf(cause, health);
+  });
   words.removeDuplicates();  // an error code stands for two causes
   if (words.isEmpty()) words << healthWord(HealthCause::Count);
   return words;

@@ -79,8 +79,7 @@ TEST(AnswerOfALog, IsSaidWithItsAgeAndWhyItIsOld) {
   process.closeWriteChannel();
   EXPECT_TRUE(process.waitForFinished(60'000));
   const QString out = QString::fromUtf8(deckpipe::test::outcomeOf(process).out);
-  EXPECT_TRUE(out.contains(QStringLiteral("no faults, asked 93 s ago, silent since, silent\n")))
-      << out.toStdString();
+  EXPECT_TRUE(out.contains(QStringLiteral("no faults, asked 93 s ago, silent\n"))) << out.toStdString();
 }
 
 TEST(AnswerOfALog, HasAKeyForWhyItIsOld) {

@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "old answer", "Internal fuse, asked 2.0 s ago, restarted since."},
         HealthCase{"NoAnswer", [](Heard& b) { b.monitor().hear("18EF80F9", "02").pass(2s).statuses(); },
                    "no answer", "Asked for its faults 2.0 s ago, and no answer came."},
-        HealthCase{"Idle", [](Heard& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle, heard",
+        HealthCase{"Idle", [](Heard& b) { b.hear("18EEFF21", kHigherForeignName).pass(1h); }, "idle",
                    "Last heard 1 h 00 min ago; no periodic message is expected of it."},
         HealthCase{"TwoAtOneAddress",
                    [](Heard& b) {
@@ -159,6 +159,15 @@ INSTANTIATE_TEST_SUITE_P(
                    "two at one address",
                    "Two devices at one address: both send from 80 hex, or the log holds its frames twice."}),
     [](const auto& row) { return std::string(row.param.name); });
+
+TEST(HealthSentences, SayOfASilentDeviceOnceThatItIsSilent) {
+  Heard bus;
+  bus.monitor().faults().pass(93s);
+  const State& state = bus.state();
+  EXPECT_EQ(healthSentences(deviceRows(state).front().health, state.cursor().time),
+            (QStringList{QStringLiteral("Its periodic messages stopped 93 s ago."),
+                         QStringLiteral("No faults, asked 93 s ago.")}));
+}
 
 TEST_F(DeviceTable, TellsEveryReasonWithoutAMouse) {
   m_bus.monitor("01FFF4FFF4000000").hear("18EFFF80", "834051");
