@@ -18,7 +18,8 @@ namespace {
 
 constexpr EnumTable<EventKind, const char*> kMeanings{{
     {EventKind::Appeared,
-     "a device is heard for the first time, 3 s or more after the channel's first frame"},
+     "a device is heard for the first time, 3 s or more after the channel's first frame, or behind a "
+     "gap of the link by a new PIN"},
     {EventKind::Silent, "its periodic messages are missing for 3 s or three of its periods (since)"},
     {EventKind::Back, "they come again, after so long (ms)"},
     {EventKind::Restarted, "it announced itself unasked, or a node booted"},

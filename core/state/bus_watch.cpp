@@ -54,7 +54,22 @@ void BusWatch::linkChanged(const State& state) {
   }
 }
 
-void BusWatch::linkCameBack() {
+void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
+  m_isBehindGap = true;
+  for (KnownPin& known : m_knownPins) known.isBack = false;
+  for (const DeviceWatch& device : devices) {
+    if (!device.isUsed() || device.channel() != m_channel) continue;
+    if (device.pin().isNull()) {
+      m_wasSomebodyNameless = m_wasSomebodyNameless || device.address() != kNullAddress;
+      continue;
+    }
+    const auto known = std::ranges::find(m_knownPins, device.pin(), &KnownPin::pin);
+    if (known != m_knownPins.end()) {
+      known->address = device.address();
+    } else if (m_knownPins.size() < kMaxNames) {
+      m_knownPins.push_back({device.pin(), device.address()});
+    }
+  }
   m_first = kNotYet;
   m_secondEnd = m_sharedDue = m_contestsDue = kNever;
   m_holders = m_formerHolders = {};
@@ -65,6 +80,27 @@ void BusWatch::linkCameBack() {
   m_nodeSince = neverHeard<128>();
   m_sticks = {};
   m_sticksDue = kNever;
+}
+
+// One that had no PIN before may be the one that says its PIN now.
+void BusWatch::pinCame(const State& state, const Device& device, std::vector<Event>& out) {
+  if (!m_isBehindGap || device.pin.isNull()) return;
+  Event event = eventAt(state, m_channel, EventKind::Appeared, device.address);
+  event.pin = device.pin;
+  const auto known = std::ranges::find(m_knownPins, device.pin, &KnownPin::pin);
+  if (known == m_knownPins.end()) {
+    if (m_knownPins.size() >= kMaxNames) return;
+    m_knownPins.push_back({device.pin, device.address, true});
+    if (!m_wasSomebodyNameless) out.push_back(event);
+    return;
+  }
+  const Address before = known->address;
+  if (std::exchange(known->isBack, true)) return;
+  if (before == kNullAddress || device.address == kNullAddress || before == device.address) return;
+  event.kind = EventKind::MovedAddress;
+  event.was = before.value;
+  event.now = device.address.value;
+  out.push_back(event);
 }
 
 Address BusWatch::formerAddress(Address address, Instant now) const {

@@ -36,8 +36,11 @@ class BusWatch {
   }
   // The link went up or down, and nothing is known any more of its controller.
   void linkChanged(const State& state);
-  // It is up again: whoever is heard now is compared with nobody of before.
-  void linkCameBack();
+  // It is up again: whoever is heard now is compared with nobody of before but by its PIN. `devices`: of before.
+  void linkCameBack(std::span<const DeviceWatch> devices);
+  // A device is known by its PIN. Behind a gap that tells, the first time, that it was not known before, or that it had
+  // another address then.
+  void pinCame(const State& state, const Device& device, std::vector<Event>& out);
   void errorCame(const State& state, std::vector<Event>& out);
   // A NAME was sent, or a contest for an address decided. Comes before DeviceWatch::lookAtIdentity().
   void lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out);
@@ -81,6 +84,8 @@ class BusWatch {
   // Which address the NAME at this one held before; null: none.
   Address formerAddress(Address address, Instant now) const;
   bool isShared(Address a) const { return m_shared[a.value]; }
+  // Who is new on this channel its PIN tells.
+  bool isBehindGap() const { return m_isBehindGap; }
 
  private:
   template <std::size_t N>
@@ -109,6 +114,13 @@ class BusWatch {
   std::array<Instant, 256> m_strangerSince = neverHeard<256>();
   std::array<Instant, 128> m_nodeSince = neverHeard<128>();
   std::array<StickWatch, Joysticks::kMax> m_sticks;
+  struct KnownPin {
+    Pin pin;
+    Address address;      // the last one; null: none
+    bool isBack = false;  // heard since the last gap
+  };
+  std::vector<KnownPin> m_knownPins;                          // once there was a gap
+  bool m_isBehindGap = false, m_wasSomebodyNameless = false;  // before the gap, an Akron device without a PIN
 
   Instant m_secondEnd = kNever;                     // of the second whose load is counted
   std::uint64_t m_bits = 0;                         // of the channel when it began

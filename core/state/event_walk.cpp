@@ -123,6 +123,7 @@ void EventWalk::apply(const Note& note) {
       std::holds_alternative<note::LinkUp>(note.value) || std::holds_alternative<note::LinkDown>(note.value);
   if (!isLink || channel->value >= kMaxChannels) return;
   const bool isBack = wasDown && m_state->channel(*channel).link == ChannelLink::Up;
+  if (isBack) m_buses[channel->value].linkCameBack(m_devices);
   for (std::size_t i = 0; i < m_used; ++i) {
     DeviceWatch& watch = m_devices[i];
     if (!watch.isUsed() || watch.channel() != channel) continue;
@@ -130,7 +131,6 @@ void EventWalk::apply(const Note& note) {
            : watch.linkChanged(cursor().time);
   }
   m_nodes[channel->value].linkChanged(cursor().time);
-  if (isBack) m_buses[channel->value].linkCameBack();
   m_buses[channel->value].linkChanged(*m_state);
   plan();
 }
@@ -214,7 +214,9 @@ void EventWalk::look(const Device& device, MessageId id, const Payload& data, Bu
     m_used = std::max(m_used, place + 1);
     watch.begin(device, now);
     const Instant since = bus.heardSince(device, now);
-    if (bus.isSettled(since)) {
+    if (bus.isBehindGap() && !device.pin.isNull()) {
+      bus.pinCame(*m_state, device, m_found);
+    } else if (bus.isSettled(since)) {
       Event event = watch.appeared(*m_state, bus.formerAddress(device.address, now));
       if (since < now) event.since = since;
       m_found.push_back(event);
@@ -242,6 +244,7 @@ void EventWalk::lookAtIdentities(Channel channel, BusWatch& bus) {
     } else if (watch.channel() == channel) {
       const std::size_t found = m_found.size();
       watch.lookAtIdentity(*m_state, devices[i], m_found);
+      bus.pinCame(*m_state, devices[i], m_found);
       for (Event& event : std::span(m_found).subspan(found)) {
         const Device* taker = m_state->devices().byAddress(channel, event.address);
         if (event.kind == EventKind::AddressLost && taker != nullptr) bus.nameParties(event, taker->pin);

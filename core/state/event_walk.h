@@ -5,7 +5,8 @@
 //   1. The events of a log are the same however often, and at which cursors, a walk through it stops.
 //   2. They come in the order of their times.
 //   3. The first value heard of anything is no change, but for faults, errors, and what keeps a device from moving.
-//      Whoever is heard within kSettling of its channel's first frame was there before the log began.
+//      Whoever is heard within kSettling of its channel's first frame was there before the log began. Behind a gap of
+//      the link its PIN tells: one that was not known before has appeared, another one may have moved.
 //   4. What changes faster than a person reads is told at the pace of EventSlot.
 //   5. Of a log that was saved through a filter nothing is told that rests on a silence (EventBasis).
 //

@@ -112,10 +112,29 @@ const std::vector<EventCase> kCases{
        s.monitor().gap().goOn(5s).asksForNames().hear("18EEFF80", Story::kNameOfB);
        s.hear("18EFFF80", Story::kAnnouncesB).goOn(5s);
      },
-     {}},
+     {"51.000 appeared 1032AE100801036"}},
     {"AnotherDeviceBehindAGapThatOnlyAnnouncesItself",
      [](Story& s) { s.monitor().gap().goOn(5s).hear("18EFFF80", Story::kAnnouncesB).goOn(5s); },
-     {}},
+     {"51.000 appeared 1032AE100801036"}},
+    {"ADeviceThatHadNoPinBeforeAGap",
+     [](Story& s) { s.goOn(5s).gap().goOn(5s).hear("18EFFF80", Story::kAnnouncesB).goOn(5s); },
+     {"51.000 restarted 1032AE100801036"}},
+    {"ADeviceThatIsBackLongAfterAGap",
+     [](Story& s) {
+       s.monitor().gap().hear("18FEF100", "FFFFFFFFFFFFFFFF").pass(5s);
+       s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
+     },
+     {"51.000 restarted" MONITOR}},
+    {"ADeviceThatMovedBetweenTwoGaps",
+     [](Story& s) {
+       const auto heardAt81 = [&s] {
+         s.gap().asksForNames().hear("18EEFF81", Story::kNameOfA).hear("18EFFF81", Story::kAnnouncesA);
+       };
+       s.monitor();
+       heardAt81();
+       heardAt81();
+     },
+     {"46.000 moved_address" MONITOR " 128>129"}},
     {"OtherStatesBehindAGap",
      [](Story& s) { s.monitor().gap().goOn(5s, "0123283284401041", "830051"); },
      {"46.000 disabled 80"}},
@@ -131,7 +150,8 @@ const std::vector<EventCase> kCases{
        s.gap().asksForNames().hear("18EEFF80", Story::kNameOfB).hear("18EFFF80", Story::kAnnouncesB);
        s.hear("18EEFF81", Story::kNameOfA).hear("18EFFF81", Story::kAnnouncesA).goOn(2s);
      },
-     {"6.000 appeared 1032AE100801036"}},
+     {"6.000 appeared 1032AE100801036", "46.100 moved_address 1032AE100801036 129>128",
+      "46.100 moved_address 1032AE100801035 128>129"}},
     {"ADeviceThatStartsLongAfterAGap",
      [](Story& s) {
        s.monitor().gap().goOn(5s).hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA);
