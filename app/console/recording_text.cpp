@@ -7,6 +7,7 @@
 
 #include "log/link_gaps.h"
 #include "model/field_text.h"
+#include "state/advance.h"
 #include "status_text.h"
 #include "text/plural.h"
 #include "text/time_text.h"
@@ -74,9 +75,9 @@ QString recordingFaultText(const JournalStatus& recording) {
 StatusFact recordingFact(const Snapshot& snapshot) {
   const LogView& view = snapshot.view;
   const SourceStatus& source = snapshot.source;
-  // The time of a live log goes on; without a link its recording ends with the last frame.
+  // The time of a live log goes on, also without a link.
   const bool isStill = source.kind == From::Link && source.progress != Progress::Running;
-  const Instant end = isStill ? view.document->frames.lastTime() : view.end;
+  const Instant end = isStill ? endOf(view.document->frames, view.document->notes).time : view.end;
   const QString length = elapsedText(view.frameCount == 0 ? Duration(0) : end - view.begin);
   const QString shortLength = length.left(length.size() - 4);
   if (source.kind == From::File) {

@@ -315,7 +315,7 @@ std::uint64_t InfoReport::framesOfOthers() const {
 
 double InfoReport::spanSeconds() const {
   if (m_frames.count() == 0) return 0;
-  return std::chrono::duration<double>(m_frames.lastTime() - m_frames.timeAt(0)).count();
+  return std::chrono::duration<double>(endOf(m_frames, m_notes).time - m_frames.timeAt(0)).count();
 }
 
 std::string InfoReport::text(const std::string& file, const SkippedPlaces& skipped) const {

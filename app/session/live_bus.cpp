@@ -228,6 +228,8 @@ void LiveBus::publish() {
   followHardware();
   if (bootTime() >= m_nextLeftOut) noteLeftOut();
   m_state.timeCame(bootTime() - kBehind);
+  if (m_linkState == LinkState::Up && !m_storeFull)
+    m_document->notes.append({.time = m_state.cursor().time, .value = note::RanUntil{}});
   auto state = std::make_shared<const State>(m_state);
   auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));
   const std::lock_guard lock(m_board->m_lock);

@@ -20,6 +20,7 @@ LogSaving::LogSaving(std::shared_ptr<const LogDocument> document, const QString&
                      std::shared_ptr<KnownSidecars> sidecars)
     : m_document(std::move(document)),
       m_notes(m_document->notes.count()),
+      m_ranUntil(m_document->notes.ranUntil()),
       m_path(path),
       m_format(formatToWrite(path.toStdString())),
       m_part(std::move(part)),
@@ -76,7 +77,8 @@ QString LogSaving::writeSidecar(const std::string& text) {
 bool LogSaving::writeFrames(WholeFile& file, LogWriter& writer, const std::stop_token& stop) {
   std::string text;
   text.reserve(kBlock + 256);
-  const PartWriter::Span span{m_part.begin, m_part.end, m_isToEnd, bool(m_part.passes), m_part.filter};
+  const PartWriter::Span span{m_part.begin,        m_part.end,    m_isToEnd,
+                              bool(m_part.passes), m_part.filter, m_ranUntil};
   PartWriter part(*m_document, span, m_part.labels, writer, text);
   const std::uint64_t first = m_part.passes ? 0 : m_part.begin;
   for (std::uint64_t i = first; i < m_part.end; ++i) {

@@ -76,6 +76,7 @@ class LogSaving : public QObject {
 
   std::shared_ptr<const LogDocument> m_document;
   const std::size_t m_notes;
+  const Instant m_ranUntil;  // before the frames are counted: those that came until then are among them
   QString m_path;
   const LogFormat& m_format;
   SavedPart m_part;

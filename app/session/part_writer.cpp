@@ -108,6 +108,8 @@ void PartWriter::end() {
     if (isOfPart && !isNotedAnew(note.value)) write(note.value, note.time);
   }
   if (m_span.begin == 0 && m_span.isToEnd && !m_span.isFiltered) noteLeftOut();
+  if (m_span.isToEnd && end > 0 && m_span.ranUntil > m_log.frames.timeAt(end - 1))
+    write(note::RanUntil{}, m_span.ranUntil);
   m_writer.end(m_out);
 }
 

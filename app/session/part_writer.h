@@ -27,10 +27,11 @@ class PartWriter {
  public:
   struct Span {
     std::uint64_t begin = 0;
-    std::uint64_t end = 0;    // not beyond the frames there are
-    bool isToEnd = false;     // what is noted behind its last frame belongs to it
-    bool isFiltered = false;  // not every frame of it is written
-    NoteText filter{};        // as the person wrote it, if it is
+    std::uint64_t end = 0;       // not beyond the frames there are
+    bool isToEnd = false;        // what is noted behind its last frame belongs to it
+    bool isFiltered = false;     // not every frame of it is written
+    NoteText filter{};           // as the person wrote it, if it is
+    Instant ranUntil = kNotYet;  // NoteStore::ranUntil(); told of a part to the end
   };
   // What is written is appended to `out`.
   PartWriter(const LogDocument& log, const Span& span, const LabelsByPin& labels, LogWriter& writer,

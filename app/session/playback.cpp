@@ -80,7 +80,7 @@ bool Playback::play(Instant now) {
   if (m_frames == nullptr || m_isPlaying || (m_isAtEnd && m_grows && !isLooping())) return false;
   if (isLooping() && (m_cursor.time < m_loop->begin || m_cursor.time >= playedEnd())) {
     m_cursor = cursorAt(*m_frames, m_loop->begin);
-  } else if (m_cursor.frames >= m_end.frames && !m_grows) {
+  } else if (m_cursor.frames >= m_end.frames && m_cursor.time >= m_end.time && !m_grows) {
     m_cursor = {0, m_begin};
   }
   m_isAtEnd = false;

@@ -70,15 +70,16 @@ void takeNames(Recording& recording, const FrameStore& frames, const NoteStore& 
   }
 }
 
-// The log time of a frame of the end, by the clock of its channel as the beginning or the end tells it.
-std::optional<Instant> timeOf(const JournalTail& tail, const FrameStore& begin) {
+// When the log ends. The log time of its last frame is by the clock of that channel as the beginning or the end tells
+// it.
+std::optional<Instant> endOf(const JournalTail& tail, const FrameStore& begin) {
   if (!tail.last) return {};
   const Frame last = tail.last.value_or(Frame{});
   std::int64_t offset = tail.offset.value_or(0);
   const auto* offsets = begin.offsets(last.channel);
   if (!tail.offset && offsets != nullptr && offsets->size() > 0)
     offset = (*offsets)[offsets->size() - 1].offset;
-  return Instant{saturatedPlus(last.stamp, offset)};
+  return endAfter(Instant{saturatedPlus(last.stamp, offset)}, tail.noted);
 }
 
 }  // namespace
@@ -121,7 +122,7 @@ Recording readRecording(const QString& path, std::uint64_t readWhole) {
       tail ? tail->isEnded && tail->cutBytes == 0 && !tail->isDamaged && read.damage.places == 0
            : !read.isOpenEnded && read.isWhole();
   if (frames.count() == 0) return recording;
-  const auto last = tail ? timeOf(*tail, frames) : std::optional(frames.lastTime());
+  const auto last = tail ? endOf(*tail, frames) : std::optional(endOf(frames, notes).time);
   if (last && *last >= frames.timeAt(0)) recording.length = *last - frames.timeAt(0);
   takeNames(recording, frames, notes);
   return recording;

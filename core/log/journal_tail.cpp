@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "log/journal_blocks.h"
+#include "log/note_codec.h"
 
 namespace deckpipe {
 std::optional<JournalTail> readJournalTail(const LogBytes& bytes, std::uint64_t atMost) {
@@ -20,6 +21,7 @@ std::optional<JournalTail> readJournalTail(const LogBytes& bytes, std::uint64_t 
 
   std::optional<JournalTail> tail;
   std::array<std::optional<std::int64_t>, 256> offsets;
+  std::vector<Note> notes;
   bool isEnded = false;
   for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
     const JournalBlockHead head = journalBlockHead(block);
@@ -43,12 +45,21 @@ std::optional<JournalTail> readJournalTail(const LogBytes& bytes, std::uint64_t 
         break;
       }
       case JournalBlock::End: isEnded = true; break;
-      case JournalBlock::Channel:
-      case JournalBlock::Notes: break;
+      case JournalBlock::Notes:
+        for (auto rest = content; !rest.empty();) {
+          const auto note = takeNote(rest);
+          if (!note) break;
+          if (const auto* known = std::get_if<Note>(&note.value())) notes.push_back(*known);
+        }
+        break;
+      case JournalBlock::Channel: break;
     }
   }
   if (!tail) return {};
   if (tail->last) tail->offset = offsets[tail->last->channel];
+  for (const Note& note : notes) {
+    if (note.frame <= tail->frames) tail->noted = std::max(tail->noted, note.time);
+  }
   tail->isEnded = isEnded;
   tail->cutBytes = blocks.cutBytes();
   tail->isDamaged = blocks.damage().places > 0;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/time.h"
 #include "bus/frame.h"
 #include "log/log_bytes.h"
 
@@ -14,6 +15,7 @@ struct JournalTail {
   std::uint64_t frames = 0;              // of the whole journal
   std::optional<Frame> last{};           // the last frame of the tail that has a stamp
   std::optional<std::int64_t> offset{};  // to the stamps of its channel, if one was set within the tail
+  Instant noted = kNotYet;               // the latest of its notes, note::RanUntil among them
   bool isEnded = false;                  // the recording was ended on purpose
   std::uint64_t cutBytes = 0;            // at its end, that are not whole
   bool isDamaged = false;                // some of its bytes, with whole blocks before them

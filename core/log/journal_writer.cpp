@@ -9,7 +9,7 @@ namespace deckpipe {
 void JournalWriter::timeCame(Instant now) {
   if (m_isEnded || (m_fault && now < m_retryAt)) return;
   const bool hadFile = m_file != nullptr;
-  m_fault = write();
+  m_fault = write(kRanStep);
   if (!hadFile && m_file != nullptr) {
     m_madeAt = now;
     m_isAnew = bool(m_givenUp);
@@ -31,7 +31,7 @@ void JournalWriter::end() {
 }
 
 void JournalWriter::tryEnd() {
-  m_fault = write();
+  m_fault = write(1ns);
   if (!m_fault && m_file != nullptr) m_fault = writeEnd();
   m_isEnded = !m_fault;
 }
@@ -54,12 +54,14 @@ JournalStatus JournalWriter::status() const {
           m_givenUp};
 }
 
-JournalFault JournalWriter::write() {
+JournalFault JournalWriter::write(Duration silence) {
   if (m_file == nullptr) {
     if (m_frames.count() == 0) return {};
     if (JournalFault fault = create()) return fault;
   }
-  // Notes first: the frame of each note that is taken here is below the count that is asked for after it, or
+  // First: all that came before this time is written before it is told.
+  const Instant ranUntil = m_notes.ranUntil();
+  // Then notes: the frame of each note that is taken here is below the count that is asked for after it, or
   // is the next one.
   const std::vector<Note> newNotes = m_notes.appendedAfter(m_written.notes);
   const std::uint64_t count = m_frames.count();
@@ -74,6 +76,18 @@ JournalFault JournalWriter::write() {
     if (JournalFault fault = m_file->append(m_written.bytes, m_buffer)) return fault;
     m_written = place;
   }
+  const Instant told =
+      std::max({m_frames.timeAt(m_written.frames - 1), m_notes.lastTime(), m_written.ranUntil});
+  return ranUntil - told < silence ? JournalFault{} : writeRanUntil(ranUntil);
+}
+
+JournalFault JournalWriter::writeRanUntil(Instant time) {
+  const Note note{.frame = m_written.frames, .time = time, .value = note::RanUntil{}};
+  m_buffer.clear();
+  appendNoteBlocks(m_buffer, {&note, 1});
+  if (JournalFault fault = m_file->append(m_written.bytes, m_buffer)) return fault;
+  m_written.bytes += m_buffer.size();
+  m_written.ranUntil = time;
   return {};
 }
 

@@ -7,7 +7,9 @@
 // 2. What was written is on the disk within a second, if timeCame() comes every 250 ms.
 // 3. A fault loses nothing: the log is in memory, and what the disk did not take is written again kRetry
 //    later, from the last block that is known to be whole. status() says so meanwhile.
-// 4. The file is looked at each second. If it was removed, or another program wrote into it, all of the log is
+// 4. While the log goes on and nothing comes (NoteStore::ranUntil()), the file is told so each kRanStep: what ends without
+//    an end ends less than a second before it was cut.
+// 5. The file is looked at each second. If it was removed, or another program wrote into it, all of the log is
 //    written to a new file: at the next call, or, if the file had been made for that reason, kRetry after it was made if
 //    that is later.
 #pragma once
@@ -43,6 +45,7 @@ class JournalWriter {
  public:
   static constexpr Duration kSync = 750ms;
   static constexpr Duration kRetry = 10s;
+  static constexpr Duration kRanStep = 500ms;
 
   using MakeFile = std::function<MadeJournalFile()>;
   // `begin` of the head is asked for when the file is made.
@@ -66,10 +69,13 @@ class JournalWriter {
     std::uint64_t frames = 0;
     std::size_t notes = 0;
     std::size_t channels = 0;
+    Instant ranUntil = kNotYet;
     std::array<std::size_t, 256> offsets{};
   };
 
-  JournalFault write();
+  // All that is new; of a silence at the end only what is as long as `silence`.
+  JournalFault write(Duration silence);
+  JournalFault writeRanUntil(Instant time);
   JournalFault writeEnd();
   JournalFault create();
   // Appends to m_buffer what is new of the first `count` frames, of frames a block at most, and of `notes`

@@ -47,7 +47,8 @@ Severity noteWeight(const NoteValue& value) {
                              [](const note::LeftOut&) { return Severity::Warning; },
                              [](const note::Label&) { return Severity::Plain; },
                              [](const note::Added&) { return Severity::Plain; },
-                             [](const note::Filtered&) { return Severity::Warning; }},
+                             [](const note::Filtered&) { return Severity::Warning; },
+                             [](const note::RanUntil&) { return Severity::Plain; }},
                     value);
 }
 

@@ -177,6 +177,11 @@ struct Filtered {
   NoteText text;
   friend bool operator==(const Filtered&, const Filtered&) = default;
 };
+// The log ran until this time, also where nothing came at its end. It is no event: the store of notes keeps the latest
+// time alone (NoteStore::ranUntil()).
+struct RanUntil {
+  friend bool operator==(const RanUntil&, const RanUntil&) = default;
+};
 // Something happened to the data pipe of a device.
 struct Pipe {
   Channel channel;
@@ -194,10 +199,11 @@ inline constexpr note::OwnAddress::How kLastOf<note::OwnAddress::How> = note::Ow
 template <>
 inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::RecorderLost;
 
-using NoteValue = std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked,
-                               note::Unlocked, note::DriveSaid, note::OwnAddress, note::Asked,
-                               note::RequestEnded, note::RequestWaits, note::StillWaits, note::Pipe,
-                               note::LeftOut, note::Label, note::Added, note::Filtered, note::AnglesBefore>;
+using NoteValue =
+    std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
+                 note::DriveSaid, note::OwnAddress, note::Asked, note::RequestEnded, note::RequestWaits,
+                 note::StillWaits, note::Pipe, note::LeftOut, note::Label, note::Added, note::Filtered,
+                 note::AnglesBefore, note::RanUntil>;
 
 struct Note {
   std::uint64_t frame = 0;  // stands before this frame; the store's count where it is the last thing so far
@@ -218,7 +224,9 @@ inline std::uint64_t framesMissed(const NoteValue& value) {
 }
 
 // Whether it tells of something that happened. Added frames are marked one by one where they stand.
-inline bool isEvent(const NoteValue& value) { return !std::holds_alternative<note::Added>(value); }
+inline bool isEvent(const NoteValue& value) {
+  return !std::holds_alternative<note::Added>(value) && !std::holds_alternative<note::RanUntil>(value);
+}
 
 // How much a note wants attention.
 Severity noteWeight(const NoteValue& value);

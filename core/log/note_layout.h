@@ -123,6 +123,8 @@ inline constexpr auto kLayout<note::AnglesBefore> =
            field("address", &note::AnglesBefore::address), field("pin", &note::AnglesBefore::pin),
            field("ask", &note::AnglesBefore::request), field("rotation", &note::AnglesBefore::rotation),
            field("elevation", &note::AnglesBefore::elevation));
+template <>
+inline constexpr auto kLayout<note::RanUntil> = layout(19, "ran_until");
 
 namespace checks {
 

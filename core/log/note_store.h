@@ -17,12 +17,15 @@ namespace deckpipe {
 
 class NoteStore {
  public:
-  // Behind the notes of the same place; earlier places are allowed (marks in a replay).
+  // Behind the notes of the same place; earlier places are allowed (marks in a replay). Of note::RanUntil the time alone
+  // is kept.
   void append(Note note);
   std::size_t count() const;
   // The notes that stand before a frame in [from, to), in order.
   std::vector<Note> between(std::uint64_t from, std::uint64_t to) const;
   std::vector<Note> all() const;
+  // Until when the log says that it ran; kNotYet if it does not say so. endOf() (state/advance.h) tells when it ends.
+  Instant ranUntil() const;
   // Of the last note in order; kNotYet if there is none.
   Instant lastTime() const;
   // All that framesMissed() says of them.
@@ -40,6 +43,7 @@ class NoteStore {
   // Frame and time of each note, and its index in m_notes. A file may hold a million notes in any order: to put one at
   // its place costs log n. Notes of equal places keep the order in which they came.
   std::multimap<std::pair<std::uint64_t, Instant>, std::size_t> m_places;
+  Instant m_ranUntil = kNotYet;
 };
 
 }  // namespace deckpipe

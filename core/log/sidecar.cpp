@@ -182,7 +182,10 @@ std::string SidecarMaker::textOf(const FrameStore& frames, const NoteStore& note
     sidecar.first = lineOf(frames[0], sidecar.channels[frames[0].channel]);
     maker.m_last = frames[sidecar.frames - 1];
   }
-  for (const Note& note : notes.all()) {
+  std::vector<Note> all = notes.all();
+  if (const Instant ranUntil = notes.ranUntil(); ranUntil > frames.lastTime())
+    all.push_back({.frame = sidecar.frames, .time = ranUntil, .value = note::RanUntil{}});
+  for (const Note& note : all) {
     const std::uint64_t before = note.frame > 0 ? note.frame - 1 : 0;
     const Instant since = before < sidecar.frames ? frames.timeAt(before) : Instant{};
     sidecar.notes.push_back({note.frame, note.time - since, note.value});

@@ -63,7 +63,8 @@ std::optional<NoteSubject> subjectOf(const NoteValue& value) {
                [](const note::RequestWaits&) { return About(); },
                [](const note::StillWaits&) { return About(); }, [](const note::Pipe&) { return About(); },
                [](const note::LeftOut&) { return About(); }, [](const note::Label&) { return About(); },
-               [](const note::Added&) { return About(); }, [](const note::Filtered&) { return About(); }},
+               [](const note::Added&) { return About(); }, [](const note::Filtered&) { return About(); },
+               [](const note::RanUntil&) { return About(); }},
       value);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arbitrary bytes as a journal: as they are, and as blocks whose CRCs are right, so that every content is
 // reached. No crash; and what was read, written down again, is read as the same.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -27,6 +28,7 @@ struct Reading {
     return readJournal(BytesInMemory({reinterpret_cast<const char*>(bytes.data()), bytes.size()}),
                        {frames, skipped, &notes}, {});
   }
+  Instant end() const { return std::max({frames.lastTime(), notes.lastTime(), notes.ranUntil()}); }
 };
 
 class MemoryFile final : public JournalFile {
@@ -84,6 +86,7 @@ void readAndWriteAgain(const JournalBytes& bytes) {
     demand(again.frames.timeAt(i) == read.frames.timeAt(i));
   }
   demand(again.notes.all() == read.notes.all());
+  demand(again.end() == read.end());
   demand(again.frames.channelCount() == read.frames.channelCount());
 }
 

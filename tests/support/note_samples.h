@@ -59,6 +59,8 @@ inline const note::Filtered kSample<note::Filtered>{"pgn=EF00 and sa=80"};
 template <>
 inline const note::AnglesBefore kSample<note::AnglesBefore>{kNotedChannel,  kNotedAddress,    kNotedPin,
                                                             Request::Reset, {.tenths = -473}, {.tenths = {}}};
+template <>
+inline const note::RanUntil kSample<note::RanUntil>{};
 
 template <typename... Kinds>
 std::vector<NoteValue> samplesOf(const std::variant<Kinds...>*) {

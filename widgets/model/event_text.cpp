@@ -320,6 +320,7 @@ QString noteText(const LogDocument& log, const Note& note) {
                 .arg(toQString(n.pin.text()), toQString(n.text.str()));
           },
           [](const note::Added&) { return QString(); },  // it is no event
+          [](const note::RanUntil&) { return QString(); },
           [](const note::Filtered& n) {
             return EventText::tr("Saved through the filter “%1”: what did not pass it is missing")
                 .arg(toQString(n.text.str()));

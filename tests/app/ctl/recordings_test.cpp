@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <memory>
 
@@ -66,6 +68,20 @@ TEST_F(RecordingsOfTheTool, AreReadByInfoAndDecodeWhileTheyGrowAndAfterAKill) {
   EXPECT_EQ(r.status, 0);
   EXPECT_TRUE(r.err.isEmpty()) << r.err.constData();
   EXPECT_TRUE(r.lines()[2].contains(R"("family":"copley")")) << r.lines()[2].constData();
+}
+
+TEST_F(RecordingsOfTheTool, TellOfAMonitorThatFellSilentBeforeTheyWereKilled) {
+  record();
+  m_notes.append({.time = {32'000'000'000}, .value = note::RanUntil{}});
+  m_writer->timeCame({});
+  const QJsonObject info =
+      run({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json"), m_path})
+          .objects()[0];
+  EXPECT_EQ(info[QLatin1String("span")].toDouble(), 31.0);
+  EXPECT_EQ(info[QLatin1String("devices")].toArray()[0][QLatin1String("health")], QStringLiteral("silent"));
+  const QByteArray events = run({QStringLiteral("events"), m_path}).out;
+  EXPECT_TRUE(events.contains("silent")) << events.constData();
+  EXPECT_FALSE(events.contains("ran until")) << events.constData();
 }
 
 TEST_F(RecordingsOfTheTool, AreNotListedOfWhatIsNoFolder) {

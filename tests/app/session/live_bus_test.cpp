@@ -186,6 +186,18 @@ TEST_F(EndOfALiveBus, IsWrittenDownWhenItIsStopped) {
   EXPECT_EQ(live->latest().link.state, LinkState::Closed);
 }
 
+TEST_F(EndOfALiveBus, RunsOnWhileItsLinkIsUpAndNothingComes) {
+  const auto goesOn = [&] {
+    return QTest::qWaitFor([&, before = log->notes.ranUntil()] { return log->notes.ranUntil() > before; },
+                           kPatience);
+  };
+  EXPECT_TRUE(goesOn());
+  EXPECT_TRUE(goesOn());
+  EXPECT_EQ(noted(), (std::vector<std::string_view>{"link_up"}));
+  live->stop();
+  EXPECT_LT(log->notes.ranUntil(), log->notes.lastTime()) << "until the link went down";
+}
+
 TEST_F(EndOfALiveBus, NamesItsAdapterInWords) {
   const auto up = std::get<note::LinkUp>(log->notes.all().front().value);
   EXPECT_EQ(up.adapter.str(), "virtualcan " + bus.interfaceName(0).toStdString()) << "it has no bit rate";

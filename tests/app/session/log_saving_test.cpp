@@ -13,6 +13,7 @@
 #include "log/candump.h"
 #include "log/journal_file.h"
 #include "protocol/typed.h"
+#include "state/health.h"
 #include "support/file_size_limit.h"
 #include "support/frames.h"
 #include "support/logs.h"
@@ -168,6 +169,46 @@ TEST_F(SavedPartTest, MarksLabelsAndDrivesComeBackWithTheLog) {
   EXPECT_EQ(notes, log->notes.all());
   EXPECT_EQ(read->notes.between(1, 2).at(0).value, NoteValue(note::Label{monitor, "front bumper"}));
   for (std::uint64_t i = 0; i < 6; ++i) EXPECT_EQ(line(*read, i), line(*log, i));
+}
+
+TEST_F(SavedPartTest, ThatALogRanOnBehindItsLastFrameComesBackWithWhatReachesTheEnd) {
+  const Instant ranUntil = log->frames.lastTime() + 30s;
+  log->notes.append({.time = ranUntil, .value = note::RanUntil{}});
+  const auto endOfSaved = [&](SavedPart part) {
+    EXPECT_EQ(save(std::move(part)).outcome, LogSaving::Outcome::Saved);
+    const auto read = reopened();
+    return endOf(read->frames, read->notes).time;
+  };
+  for (const char* name : {"part.log", "part.deckpipe"}) {
+    SCOPED_TRACE(name);
+    path = dir.filePath(QString::fromLatin1(name));
+    EXPECT_EQ(endOfSaved({}), ranUntil);
+    EXPECT_TRUE(reopened()->notes.all().empty());
+    EXPECT_EQ(endOfSaved({.begin = 3}), ranUntil);
+    EXPECT_EQ(endOfSaved({.passes = [](std::uint64_t frame) { return frame < 4; }}), ranUntil);
+    EXPECT_EQ(endOfSaved({.begin = 1, .end = 5}), log->frames.timeAt(4)) << "a selection before the end";
+  }
+  log = reopened();
+  EXPECT_EQ(log->notes.ranUntil(), kNotYet);
+  EXPECT_EQ(endOfSaved({}), log->frames.lastTime()) << "a log that does not say so";
+}
+
+TEST_F(SavedPartTest, AMonitorThatFellSilentBeforeTheEndIsSilentInTheCopyToo) {
+  log->notes.append({.frame = 0, .time = {99'000'000'000}, .value = note::LinkUp{{0}}});
+  log->notes.append({.time = log->frames.lastTime() + 30s, .value = note::RanUntil{}});
+  for (const char* name : {"part.log", "part.deckpipe"}) {
+    SCOPED_TRACE(name);
+    path = dir.filePath(QString::fromLatin1(name));
+    save();
+    const auto read = reopened();
+    const auto isSilentAt = [&](Cursor cursor) {
+      State state;
+      advance(state, read->frames, read->notes, cursor);
+      return healthOf(state, *state.devices().byPin(monitor)).has(HealthCause::Silent);
+    };
+    EXPECT_FALSE(isSilentAt(cursorAfter(read->frames, 6)));
+    EXPECT_TRUE(isSilentAt(endOf(read->frames, read->notes)));
+  }
 }
 
 TEST_F(SavedPartTest, ASelectionBeginsWithWhoHeldWhichAddressThen) {

@@ -112,6 +112,14 @@ TEST_F(PlaybackTest, StartsOverFromTheEndOfALogThatDoesNotGrow) {
   EXPECT_EQ(playback.cursor(), (Cursor{1, at(10.5)})) << "since the first one";
 }
 
+TEST_F(PlaybackTest, PlaysOnFromWithinASilenceAtTheEnd) {
+  playback.reach({5, at(44)}, false);
+  playback.seek(at(20));
+  ASSERT_TRUE(playback.play(at(0)));
+  timeCame(at(1));
+  EXPECT_EQ(playback.cursor(), (Cursor{5, at(21)}));
+}
+
 TEST_F(PlaybackTest, GoesOnByItselfAtTheEndOfALogThatGrows) {
   playback.reach({5, at(14.3)}, true);
   EXPECT_FALSE(playback.play(at(0)));

@@ -17,6 +17,8 @@
 #include "log/log_format.h"
 #include "session/recordings.h"
 #include "session/session.h"
+#include "state/advance.h"
+#include "state/health.h"
 #include "support/journals.h"
 #include "support/patience.h"
 
@@ -79,6 +81,29 @@ TEST_F(InAFolder, ARecordingBeginsWithItsFirstFrameAndCanBeReadWhileItGrows) {
   EXPECT_TRUE(ended.isUnsaved());
   EXPECT_FALSE(ended.isGrowing);
   EXPECT_LE(qAbs(ended.begin.secsTo(QDateTime::currentDateTime())), 3'600);
+}
+
+// As a kill would leave it: it is read while it is being written.
+TEST_F(InAFolder, ASilenceAtTheEndOfAKilledRecordingIsReadBack) {
+  const auto log = std::make_shared<LogDocument>();
+  log->notes.append({.value = note::LinkUp{{0}}});
+  ASSERT_TRUE(append(*log, kAnnouncement));
+  ASSERT_TRUE(append(*log, kPosition));
+  log->notes.append({.time = log->frames.lastTime() + 30s, .value = note::RanUntil{}});
+  const Recorder recorder(log, recordingIn(folder), false);
+  ASSERT_TRUE(waitFor([&] { return recorder.status().frames == 2; }));
+  const QString path = QString::fromStdString(recorder.status().path);
+  test::Recording read;
+  read.result = openLog(path.toStdString(), read.target());
+  ASSERT_TRUE(read.result);
+  State state;
+  advance(state, read.frames, read.notes, endOf(read.frames, read.notes));
+  const Device* monitor = state.devices().byPin(*Pin::parse("1032AE100801035"));
+  ASSERT_NE(monitor, nullptr);
+  const Health health = healthOf(state, *monitor);
+  EXPECT_TRUE(health.has(HealthCause::Silent));
+  EXPECT_EQ(health.since, log->frames.timeAt(1));
+  EXPECT_EQ(readRecording(path).length, Duration{30s});
 }
 
 TEST_F(InAFolder, ARecordingWhoseFolderIsRemovedIsWrittenAnew) {
@@ -262,6 +287,7 @@ TEST_F(InAFolder, ALargeOneIsOnlyGlancedAtAndItsNumbersAreRight) {
     ASSERT_TRUE(log->frames.append({&frame, 1}));
     if (i % 20 == 0) writer.timeCame(Instant{} + i * 100ms);
   }
+  log->notes.append({.time = log->frames.lastTime() + 30s, .value = note::RanUntil{}});
   writer.end();
   const QString path = QString::fromStdString(writer.status().path);
   Recording whole = readRecording(path);
@@ -272,7 +298,7 @@ TEST_F(InAFolder, ALargeOneIsOnlyGlancedAtAndItsNumbersAreRight) {
   whole.isGlanced = true;
   EXPECT_EQ(glanced, whole);
   EXPECT_EQ(glanced.frames, 2'000u);
-  EXPECT_EQ(glanced.length, Duration(1'999 * 100ms));
+  EXPECT_EQ(glanced.length, Duration(1'999 * 100ms + 30s));
 }
 
 TEST(RecordingLimits, NeverDeleteWhatWasNotSavedAndTheOldestFirst) {

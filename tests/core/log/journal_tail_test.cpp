@@ -18,6 +18,8 @@ struct JournalTailTest : testing::Test {
     JournalWriter writer(written.frames, written.notes, disk.maker(), test::someHead);
     for (int i = 0; i < 6; ++i) {
       written.fill();
+      if (i % 2 == 1)
+        written.notes.append({.time = written.frames.lastTime() + 700ms, .value = note::RanUntil{}});
       writer.timeCame(Instant{} + i * 250ms);
     }
     writer.end();
@@ -47,6 +49,7 @@ TEST_F(JournalTailTest, OfOneThatWasCutAnywhereTellsWhatReadingItWould) {
     EXPECT_EQ(tail->frames, read.frames.count()) << size;
     EXPECT_EQ(tail->cutBytes, read.result.value().cutBytes) << size;
     EXPECT_EQ(tail->isEnded, !read.result.value().isOpenEnded) << size;
+    EXPECT_EQ(tail->noted, std::max(read.notes.lastTime(), read.notes.ranUntil())) << size;
   }
 }
 

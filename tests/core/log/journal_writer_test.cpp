@@ -64,6 +64,31 @@ TEST_F(JournalWriterTest, WritesNothingWhereNothingIsNew) {
   EXPECT_EQ(disk.appends, appends);
 }
 
+TEST_F(JournalWriterTest, OfASilenceLosesLessThanASecondWhereverItIsCut) {
+  log.fill();
+  const Instant last = log.notes.lastTime();
+  std::size_t before = 0;
+  for (Duration silence = 0s; silence <= 30s; silence += 250ms) {
+    log.notes.append({.time = last + silence, .value = note::RanUntil{}});
+    writer.timeCame(last + silence);
+    if (silence == 0s) before = disk.bytes.size();
+    Recording read;
+    read.read(disk.bytes);
+    ASSERT_TRUE(read.result);
+    EXPECT_EQ(told(read.frames), told(log.frames));
+    EXPECT_EQ(read.notes.all(), log.notes.all());
+    EXPECT_LE(std::max(read.notes.ranUntil(), last), last + silence);
+    EXPECT_LT(last + silence - std::max(read.notes.ranUntil(), last), 750ms) << silence.count();
+  }
+  EXPECT_LT(disk.bytes.size() - before, 60u * 64) << "a few bytes each half second";
+  log.notes.append({.time = last + 30'100ms, .value = note::RanUntil{}});
+  writer.end();
+  Recording read;
+  read.read(disk.bytes);
+  EXPECT_EQ(read.notes.ranUntil(), last + 30'100ms) << "at the end all of it is written";
+  EXPECT_FALSE(read.result.value().isOpenEnded);
+}
+
 TEST_F(JournalWriterTest, SyncsAtLeastEachSecond) {
   std::uint64_t lastSynced = 0;
   std::int64_t lastSync = 0;

@@ -68,6 +68,7 @@ TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
       {"added", "10 0900000000000000"},
       {"filtered", "11 1270676e3d4546303020616e642073613d3830"},
       {"angles_before", "12 0281" + std::string(kPinHex) + "0627fe0080"},
+      {"ran_until", "13 "},
   };
   for (const NoteValue& value : test::noteSamples()) {
     const auto found = expected.find(noteKey(value));

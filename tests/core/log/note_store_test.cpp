@@ -72,10 +72,23 @@ TEST(NoteStore, TellsTheFiltersAsTheyWereAppended) {
   EXPECT_EQ(notes.filters(), (std::vector<std::string>{"sa=80", "not t=3"}));
 }
 
+TEST(NoteStore, KeepsUntilWhenTheLogRanAndNoNoteOfIt) {
+  NoteStore notes;
+  EXPECT_EQ(notes.ranUntil(), kNotYet);
+  notes.append(mark(3, "a"));
+  for (const std::int64_t at : {500, 900, 700})
+    notes.append({.frame = 3, .time = {at}, .value = note::RanUntil{}});
+  EXPECT_EQ(notes.ranUntil(), Instant{900}) << "it never goes back";
+  EXPECT_EQ(texts(notes.all()), std::vector<std::string>{"a"});
+  EXPECT_EQ(notes.count(), 1u);
+  EXPECT_TRUE(notes.appendedAfter(1).empty()) << "nothing new for who writes the notes down";
+}
+
 TEST(NoteStore, KeepsEveryFieldOfEveryKind) {
   NoteStore notes;
   std::vector<Note> expected;
   for (const NoteValue& value : test::noteSamples()) {
+    if (std::holds_alternative<note::RanUntil>(value)) continue;
     expected.push_back({7, {123}, value});
     notes.append(expected.back());
   }

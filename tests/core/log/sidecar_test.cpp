@@ -108,6 +108,7 @@ TEST_F(SidecarTest, BringsBackEveryNoteAtItsPlace) {
   }
   EXPECT_EQ(read.notes.all(), expected);
   EXPECT_EQ(read.frames.channelCount(), 2u);
+  EXPECT_EQ(read.notes.ranUntil(), kNotYet) << "the samples alone hold it";
   EXPECT_NE(files.sidecar.find("mark text=\"water on\""), std::string::npos) << "a person can read it";
 }
 

@@ -105,6 +105,22 @@ TEST_F(AnyLog, StandsAtTheCursorItWasTakenTo) {
   EXPECT_EQ(state.cursor(), to);
 }
 
+TEST(EndOfALog, IsItsLastFrameItsLastNoteOrUntilWhenItRan) {
+  FrameStore frames;
+  NoteStore notes;
+  const auto end = [&] { return endOf(frames, notes); };
+  notes.append({.time = {5}, .value = note::RanUntil{}});
+  EXPECT_EQ(end().frames, 0u);
+  ASSERT_TRUE(frames.append(std::vector<Frame>{test::frame("123", "", 0, 10)}));
+  EXPECT_EQ(end(), (Cursor{1, {10}})) << "it ran no longer";
+  notes.append({.frame = 1, .time = {20}, .value = note::Mark{}});
+  EXPECT_EQ(end(), (Cursor{1, {20}}));
+  notes.append({.time = Instant{10} + 30s, .value = note::RanUntil{}});
+  EXPECT_EQ(end(), (Cursor{1, Instant{10} + 30s}));
+  notes.append({.time = Instant{10} + 1'000h, .value = note::RanUntil{}});
+  EXPECT_EQ(end(), (Cursor{1, Instant{10} + kMaxBehind}));
+}
+
 TEST(CursorAtATime, CountsEveryFrameUpToAndAtIt) {
   FrameStore frames;
   const std::vector<Frame> batch{test::frame("123", "", 0, 10), test::frame("123", "", 0, 20),
