@@ -16,9 +16,7 @@ constexpr Duration kSilence = 3s;
 // When the link of a live log came up last.
 Instant upSince(const LogDocument& log) {
   Instant since = kNotYet;
-  for (const Note& note : log.notes.all()) {
-    if (std::holds_alternative<note::LinkUp>(note.value)) since = note.time;
-  }
+  for (const Note& note : log.notes.of<note::LinkUp>()) since = note.time;
   return since;
 }
 

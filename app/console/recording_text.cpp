@@ -31,7 +31,7 @@ struct LinkOutages {
 LinkOutages outagesOf(const Snapshot& snapshot) {
   const SourceStatus& source = snapshot.source;
   LinkOutages outages{.isDown = source.kind == From::Link && source.progress == Progress::Lost};
-  for (const LinkGap& gap : linkGaps(snapshot.view.document->notes.all())) {
+  for (const LinkGap& gap : linkGaps(snapshot.view.document->notes.of<note::LinkUp, note::LinkDown>())) {
     if (gap.isOpen()) {
       outages.isDown = source.kind == From::Link;
     } else {
@@ -127,7 +127,7 @@ MissingFrames missingFrames(const LogDocument& log) {
   std::uint64_t lost = 0;
   std::map<Why, std::uint64_t> leftOut{{Why::CanFd, skipped.count(Skipped::CanFd)},
                                        {Why::CanXl, skipped.count(Skipped::CanXl)}};
-  for (const Note& note : log.notes.all()) {
+  for (const Note& note : log.notes.of<note::Dropped, note::LeftOut>()) {
     if (const auto* dropped = std::get_if<note::Dropped>(&note.value)) lost += dropped->count;
     if (const auto* noted = std::get_if<note::LeftOut>(&note.value)) leftOut[noted->why] += noted->count;
   }

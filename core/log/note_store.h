@@ -24,6 +24,17 @@ class NoteStore {
   // The notes that stand before a frame in [from, to), in order.
   std::vector<Note> between(std::uint64_t from, std::uint64_t to) const;
   std::vector<Note> all() const;
+  // Those of some kinds alone, in order.
+  template <typename... Kinds>
+  std::vector<Note> of() const {
+    const std::lock_guard lock(m_lock);
+    std::vector<Note> notes;
+    for (const auto& place : m_places) {
+      const Note& note = m_notes[place.second];
+      if ((std::holds_alternative<Kinds>(note.value) || ...)) notes.push_back(note);
+    }
+    return notes;
+  }
   // Until when the log says that it ran; kNotYet if it does not say so. endOf() (state/advance.h) tells when it ends.
   Instant ranUntil() const;
   // Of the last note in order; kNotYet if there is none.

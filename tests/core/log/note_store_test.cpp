@@ -84,6 +84,19 @@ TEST(NoteStore, KeepsUntilWhenTheLogRanAndNoNoteOfIt) {
   EXPECT_TRUE(notes.appendedAfter(1).empty()) << "nothing new for who writes the notes down";
 }
 
+TEST(NoteStore, TellsThoseOfSomeKindsInOrder) {
+  NoteStore notes;
+  notes.append(mark(7, "late"));
+  notes.append({.frame = 5, .value = note::LinkUp{}});
+  notes.append({.frame = 4, .value = note::Dropped{{}, 3}});
+  notes.append(mark(2, "early"));
+  EXPECT_EQ(texts(notes.of<note::Mark>()), (std::vector<std::string>{"early", "late"}));
+  const auto both = notes.of<note::LinkUp, note::Dropped>();
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(noteKey(both[0].value), "dropped");
+  EXPECT_EQ(noteKey(both[1].value), "link_up");
+}
+
 TEST(NoteStore, KeepsEveryFieldOfEveryKind) {
   NoteStore notes;
   std::vector<Note> expected;
