@@ -76,6 +76,13 @@
             <numerusform>%1: the recorder lost frames at %Ln places, as it says</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: the recording that this log was saved from was damaged in %Ln places</source>
+        <translation>
+            <numerusform>%1: the recording that this log was saved from was damaged in %Ln place</numerusform>
+            <numerusform>%1: the recording that this log was saved from was damaged in %Ln places</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>
@@ -306,6 +313,13 @@ still go out, unless the interface was taken down.</numerusform>
         <translation>
             <numerusform>what stood in %Ln line of the file that it was saved from, which could not be read</numerusform>
             <numerusform>what stood in %Ln lines of the file that it was saved from, which could not be read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>what stood at %Ln damaged places of the recording that it was saved from</source>
+        <translation>
+            <numerusform>what stood at %Ln damaged place of the recording that it was saved from</numerusform>
+            <numerusform>what stood at %Ln damaged places of the recording that it was saved from</numerusform>
         </translation>
     </message>
 </context>

@@ -132,7 +132,7 @@ MissingFrames missingFrames(const LogDocument& log) {
     if (const auto* noted = std::get_if<note::LeftOut>(&note.value)) leftOut[noted->why] += noted->count;
   }
   const std::uint64_t places = skipped.count(Skipped::RecorderDropped) + leftOut[Why::RecorderLost];
-  const std::uint64_t lines = leftOut[Why::Unreadable];
+  const std::uint64_t lines = leftOut[Why::Unreadable], damaged = leftOut[Why::Damaged];
   QStringList kinds;
   const auto add = [&kinds](std::uint64_t count, QString (*text)(int)) {
     if (count > 0) kinds += text(forPlural(count));
@@ -153,10 +153,15 @@ MissingFrames missingFrames(const LogDocument& log) {
     return StatusText::tr(
         "what stood in %Ln lines of the file that it was saved from, which could not be read", nullptr, n);
   });
+  add(damaged, [](int n) {
+    return StatusText::tr("what stood at %Ln damaged places of the recording that it was saved from", nullptr,
+                          n);
+  });
   if (kinds.isEmpty()) return {};
-  return {
-      places + lines > 0 ? 0 : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] + leftOut[Why::NotClassic],
-      StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
+  return {places + lines + damaged > 0
+              ? 0
+              : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] + leftOut[Why::NotClassic],
+          StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
 }
 
 StatusFact completenessFact(const Snapshot& snapshot) {

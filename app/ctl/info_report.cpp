@@ -203,6 +203,7 @@ void InfoReport::takeNotes(Times times) {
     if (const auto* leftOut = std::get_if<note::LeftOut>(&note.value)) {
       if (leftOut->why == note::LeftOut::Why::Unreadable) m_missedLines += leftOut->count;
       if (leftOut->why == note::LeftOut::Why::RecorderLost) m_missedPlaces += leftOut->count;
+      if (leftOut->why == note::LeftOut::Why::Damaged) m_damagedPlaces += leftOut->count;
     }
     if (std::holds_alternative<note::Mark>(note.value)) ++m_marks;
     if (const auto* added = std::get_if<note::Added>(&note.value)) m_added += added->count;
@@ -279,6 +280,9 @@ void InfoReport::appendNotes(std::string& out) const {
   if (m_missed != 0) out += "  " + framesThat(m_missed, "came and is", "came and are") + " not in it\n";
   if (m_missedPlaces != 0)
     out += "  the recorder lost frames at " + counted(m_missedPlaces, "place", "places") + "\n";
+  if (m_damagedPlaces != 0)
+    out += "  " + counted(m_damagedPlaces, "damaged place", "damaged places") +
+           " of the recording that it was saved from\n";
   if (m_missedLines != 0)
     out +=
         "  " + counted(m_missedLines, "line", "lines") + " of the file that it was saved from not readable\n";
@@ -397,6 +401,7 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
       .add("missed", m_missed)
       .add("missed_lines", m_missedLines)
       .add("missed_places", m_missedPlaces)
+      .add("damaged_places", m_damagedPlaces)
       .add("marks", m_marks)
       .add("time_jumps", m_timeJumps);
   line.add("unreadable", skipped.unreadable()).addJson("not_kept", notKept.object()).addList("ids", ids);

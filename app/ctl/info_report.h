@@ -68,7 +68,8 @@ class InfoReport {
   // What the notes say of the log as a whole.
   std::set<Adapter> m_adapters;
   std::map<Pin, std::string> m_labels;
-  std::uint64_t m_marks = 0, m_added = 0, m_missed = 0, m_missedLines = 0, m_missedPlaces = 0;
+  std::uint64_t m_marks = 0, m_added = 0, m_missed = 0, m_missedLines = 0, m_missedPlaces = 0,
+                m_damagedPlaces = 0;
   State m_state;
 };
 

@@ -140,6 +140,7 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
         std::to_string(damage.firstAt) + "; " + counted(damage.bytes, "byte", "bytes") +
         " could not be read");
   if (damage.frames > 0) say("at least " + framesThat(damage.frames, "is missing", "are missing"));
+  if (damage.frames == 0 && damage.isOpen) say("how many frames are missing is not known");
   if (const auto text = textOf(summary.lastLine); !text.empty()) say(std::string(text));
   if (summary.cutBytes == 1) say("the last byte is not whole and was left out");
   if (summary.cutBytes > 1)
@@ -163,12 +164,13 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
 
 bool LogInput::sayMissed() const {
   using Why = note::LeftOut::Why;
-  std::uint64_t lost = 0, leftOut = 0, lines = 0, places = 0;
+  std::uint64_t lost = 0, leftOut = 0, lines = 0, places = 0, damaged = 0;
   for (const Note& note : notes.all()) {
     (std::holds_alternative<note::Dropped>(note.value) ? lost : leftOut) += framesMissed(note.value);
     const auto* noted = std::get_if<note::LeftOut>(&note.value);
     if (noted != nullptr && noted->why == Why::Unreadable) lines += noted->count;
     if (noted != nullptr && noted->why == Why::RecorderLost) places += noted->count;
+    if (noted != nullptr && noted->why == Why::Damaged) damaged += noted->count;
   }
   if (lost > 0)
     std::fprintf(stderr, "%s: %s lost while it was recorded\n", name().c_str(),
@@ -181,7 +183,10 @@ bool LogInput::sayMissed() const {
   if (lines > 0)
     complain(name(), counted(lines, "line", "lines") +
                          " of the file that it was saved from could not be read and are not in it");
-  return leftOut + lines > 0;
+  if (damaged > 0)
+    complain(name(), "the recording that it was saved from was damaged in " +
+                         counted(damaged, "place", "places") + ": what stood there is not in it");
+  return leftOut + lines + damaged > 0;
 }
 
 bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }

@@ -124,7 +124,8 @@ void PartWriter::noteLeftOut() {
   for (const auto& [why, leftOut] : {std::pair(Why::CanFd, skipped.count(Skipped::CanFd)),
                                      std::pair(Why::CanXl, skipped.count(Skipped::CanXl)),
                                      std::pair(Why::Unreadable, skipped.unreadable()),
-                                     std::pair(Why::RecorderLost, skipped.count(Skipped::RecorderDropped))}) {
+                                     std::pair(Why::RecorderLost, skipped.count(Skipped::RecorderDropped)),
+                                     std::pair(Why::Damaged, m_span.damaged)}) {
     if (leftOut > 0) write(note::LeftOut{{m_channels.begin()->first}, why, leftOut}, time);
   }
 }

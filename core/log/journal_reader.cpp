@@ -39,8 +39,13 @@ class JournalContent {
     m_isGap = true;
     m_unsure.set();
   }
-  // What came of it, but for damage.
-  ReadSummary ended() {
+  // What came of it, but for damage: so many bytes.
+  ReadSummary ended(std::uint64_t damagedBytes) {
+    // A note that stands behind frames which are lost tells how many they were, if so many bytes can hold them.
+    const std::uint64_t known = m_notes.empty() ? m_next : std::prev(m_notes.end())->first;
+    const bool isTold = known > m_next && known - m_next <= damagedBytes / sizeof(Frame);
+    if (m_isGap && isTold) lose(known);
+    m_summary.damage.isOpen = m_isGap && !isTold;
     // Their frames are lost; they are not.
     if (m_isGap) m_next = std::numeric_limits<std::uint64_t>::max();
     appendNotes();
@@ -276,10 +281,11 @@ class JournalStream final : public StreamReader {
     }
   }
   ReadSummary summary() {
-    ReadSummary read = m_content.ended();
-    const std::uint64_t frames = read.damage.frames;
+    ReadSummary read = m_content.ended(m_blocks.damage().bytes);
+    const Damage missing = read.damage;
     read.damage = m_blocks.damage();
-    read.damage.frames = frames;
+    read.damage.frames = missing.frames;
+    read.damage.isOpen = missing.isOpen;
     read.cutBytes = m_blocks.cutBytes();
     return read;
   }

@@ -78,7 +78,8 @@ struct Damage {
   std::uint64_t places = 0;
   std::uint64_t bytes = 0;
   std::uint64_t firstAt = 0;  // byte of the file, from 0
-  std::uint64_t frames = 0;   // missing at least: the frames behind a damaged place tell how many
+  std::uint64_t frames = 0;   // missing at least: what stands behind a damaged place tells how many
+  bool isOpen = false;        // nothing behind the last damaged place tells how many are missing there
 
   friend bool operator==(const Damage&, const Damage&) = default;
 };

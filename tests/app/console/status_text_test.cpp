@@ -118,6 +118,8 @@ TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
     EXPECT_TRUE(says(notice(snapshot), words)) << notice(snapshot);
   EXPECT_FALSE(says(notice(snapshot), "Everything before")) << notice(snapshot);
   EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
+  snapshot.source.read.damage = {.places = 1, .bytes = 100, .isOpen = true};
+  EXPECT_TRUE(says(notice(snapshot), "How many frames are missing is not known")) << notice(snapshot);
   snapshot.source.read = {.newerParts = 2};
   EXPECT_TRUE(says(notice(snapshot), "newer version")) << notice(snapshot);
 }

@@ -365,6 +365,17 @@ TEST_F(SavedPartTest, ThatItsFileHadUnreadableLinesAndPlacesWhereTheRecorderLost
   }
 }
 
+TEST_F(SavedPartTest, ThatItsRecordingWasDamagedIsNoted) {
+  save({.begin = 3, .end = 5, .damaged = 2});
+  EXPECT_EQ(told(*reopened()), std::vector<std::string>{"0 added"}) << "nobody knows whether it was there";
+  for (const char* name : {"part.log", "part.deckpipe"}) {
+    path = dir.filePath(QString::fromLatin1(name));
+    save({.damaged = 2});
+    EXPECT_EQ(told(*reopened()), std::vector<std::string>{"6 left_out"});
+    EXPECT_EQ(reopened()->notes.missedFrames(), 0u);
+  }
+}
+
 TEST_F(SavedPartTest, WhoLeftItsAddressIsNotAddedThere) {
   log = test::logOfText(
       "(100.000000) can0 18EFFF80#FF83150206021A0B\n"

@@ -207,9 +207,17 @@ TEST(Journal, LosesNothingButTheBlockOfAByteThatIsWrong) {
       lost = (head.length - sizeof first) / sizeof(Frame);
     }
     const ReadSummary& summary = read.result.value();
-    // Nothing behind the last frames tells how many they were.
-    const std::uint64_t missed = first + lost < all.size() ? lost : 0;
-    EXPECT_EQ(summary.damage, (Damage{1, kJournalBlockHead + head.length, block, missed})) << what;
+    // Of the last frames a note behind them tells how many they were.
+    const bool isFollowed = std::ranges::any_of(blocks, [&](std::size_t other) {
+      const auto type = static_cast<JournalBlock>(journalBlockHead(std::span(good).subspan(other)).type);
+      return other > block && type == JournalBlock::Frames;
+    });
+    const std::uint64_t noted = written.notes.all().back().frame;
+    const bool isTold = !isFollowed && type == JournalBlock::Frames && noted > first;
+    const std::uint64_t missed = isFollowed ? lost : isTold ? noted - first : 0;
+    EXPECT_EQ(summary.damage,
+              (Damage{1, kJournalBlockHead + head.length, block, missed, !isFollowed && !isTold}))
+        << what;
     EXPECT_EQ(summary.cutBytes, 0u) << what;
     EXPECT_FALSE(summary.isOpenEnded) << what;
     EXPECT_FALSE(summary.isWhole()) << what;
