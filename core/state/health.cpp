@@ -14,14 +14,14 @@ namespace {
 constexpr Duration kLostWithin = 10s;
 
 // What the manual says of the device's type; null where it names none, or where the type is not known.
-const DeviceTypeFacts* typeOf(const Device& d) {
+const DeviceTypeFacts* typeFactsOf(const Device& d) {
   const bool isNode = d.kind == Device::Kind::Node;
   return deviceTypeOf(isNode ? deviceTypeOfPart(d.part()) : d.pin.deviceType());
 }
 
 // Whether the announced type sends no such status: then another device sent it.
 bool isForeign(const Device& d, MessageId id) {
-  const DeviceTypeFacts* type = d.kind == Device::Kind::Pin ? typeOf(d) : nullptr;
+  const DeviceTypeFacts* type = d.kind == Device::Kind::Pin ? typeFactsOf(d) : nullptr;
   return type != nullptr && messageOf(id).family == Family::Akron && isOwnPeriodicReport(messageOf(id)) &&
          !type->sends().has(id);
 }
@@ -92,7 +92,7 @@ EnumSet<MessageId> repeats(const Subject& s) {
   for (const MessageId id : kOwnPeriodicReports) {
     if (messageOf(id).family == Family::Akron && d.report(id).isKnown() && !s.isAnothers(id)) heard.add(id);
   }
-  if (const DeviceTypeFacts* type = typeOf(d); type != nullptr) return type->repeats;
+  if (const DeviceTypeFacts* type = typeFactsOf(d); type != nullptr) return type->repeats;
   return heard.isEmpty() ? heard : repeatedBySenderOf(heard);
 }
 
