@@ -77,10 +77,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: the recording that this log was saved from was damaged in %Ln places</source>
+        <source>%1: the file that this log was saved from was not whole at %Ln places</source>
         <translation>
-            <numerusform>%1: the recording that this log was saved from was damaged in %Ln place</numerusform>
-            <numerusform>%1: the recording that this log was saved from was damaged in %Ln places</numerusform>
+            <numerusform>%1: the file that this log was saved from was not whole at %Ln place</numerusform>
+            <numerusform>%1: the file that this log was saved from was not whole at %Ln places</numerusform>
         </translation>
     </message>
 </context>
@@ -316,10 +316,10 @@ still go out, unless the interface was taken down.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>what stood at %Ln damaged places of the recording that it was saved from</source>
+        <source>perhaps what stood at %Ln places of the file that it was saved from, which was not whole</source>
         <translation>
-            <numerusform>what stood at %Ln damaged place of the recording that it was saved from</numerusform>
-            <numerusform>what stood at %Ln damaged places of the recording that it was saved from</numerusform>
+            <numerusform>perhaps what stood at %Ln place of the file that it was saved from, which was not whole</numerusform>
+            <numerusform>perhaps what stood at %Ln places of the file that it was saved from, which was not whole</numerusform>
         </translation>
     </message>
 </context>

@@ -145,7 +145,7 @@ Notice damageNotice(const ReadSummary& read) {
   if (read.damage.frames == 0 && read.damage.isOpen)
     said += NoticeText::tr("How many frames are missing is not known.");
   if (read.cutBytes > 0) said += cutText(read.cutBytes);
-  said += NoticeText::tr("Everything else is here; times across a damaged place are not to be trusted.");
+  said += NoticeText::tr("What is whole was read; times across a damaged place are not to be trusted.");
   return {Severity::Warning, said.join(QLatin1Char(' '))};
 }
 
@@ -163,7 +163,7 @@ QString lastLineText(LastLine line) {
 
 Notice cutNotice(const ReadSummary& read) {
   return {Severity::Warning,
-          cutText(read.cutBytes) + QLatin1Char(' ') + NoticeText::tr("Everything before them is here.")};
+          cutText(read.cutBytes) + QLatin1Char(' ') + NoticeText::tr("What stands before them was read.")};
 }
 
 Notice emptyNotice(const Snapshot& snapshot) {

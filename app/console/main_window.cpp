@@ -324,8 +324,7 @@ void MainWindow::save(const std::shared_ptr<const LogDocument>& document, const 
       QFileInfo(path).dir() == QDir(recordings))
     return m_saveBar->refuse(
         tr("%1 cannot be saved: it would be one of the recordings; choose another folder").arg(path));
-  const ReadSummary& read = m_snapshot.source.read;
-  if (document == m_snapshot.view.document) part.damaged = read.damage.places + (read.cutBytes > 0 ? 1 : 0);
+  if (document == m_snapshot.view.document) part.missing = m_snapshot.source.read.missing();
   m_saveBar->save(document, path, std::move(part));
 }
 

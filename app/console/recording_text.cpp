@@ -132,7 +132,7 @@ MissingFrames missingFrames(const LogDocument& log) {
     if (const auto* noted = std::get_if<note::LeftOut>(&note.value)) leftOut[noted->why] += noted->count;
   }
   const std::uint64_t places = skipped.count(Skipped::RecorderDropped) + leftOut[Why::RecorderLost];
-  const std::uint64_t lines = leftOut[Why::Unreadable], damaged = leftOut[Why::Damaged];
+  const std::uint64_t lines = leftOut[Why::Unreadable], notWhole = leftOut[Why::NotWhole];
   QStringList kinds;
   const auto add = [&kinds](std::uint64_t count, QString (*text)(int)) {
     if (count > 0) kinds += text(forPlural(count));
@@ -153,12 +153,13 @@ MissingFrames missingFrames(const LogDocument& log) {
     return StatusText::tr(
         "what stood in %Ln lines of the file that it was saved from, which could not be read", nullptr, n);
   });
-  add(damaged, [](int n) {
-    return StatusText::tr("what stood at %Ln damaged places of the recording that it was saved from", nullptr,
-                          n);
+  add(notWhole, [](int n) {
+    return StatusText::tr(
+        "perhaps what stood at %Ln places of the file that it was saved from, which was not whole", nullptr,
+        n);
   });
   if (kinds.isEmpty()) return {};
-  return {places + lines + damaged > 0
+  return {places + lines + notWhole > 0
               ? 0
               : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] + leftOut[Why::NotClassic],
           StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};

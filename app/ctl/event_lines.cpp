@@ -165,7 +165,7 @@ template <typename Kind>
 std::string_view countedIn(const Kind& n) {
   if constexpr (requires { n.why; }) {
     if (n.why == Kind::Why::Unreadable) return "lines";
-    if (n.why == Kind::Why::RecorderLost || n.why == Kind::Why::Damaged) return "places";
+    if (n.why == Kind::Why::RecorderLost || n.why == Kind::Why::NotWhole) return "places";
   }
   return "frames";
 }

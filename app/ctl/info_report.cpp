@@ -203,7 +203,7 @@ void InfoReport::takeNotes(Times times) {
     if (const auto* leftOut = std::get_if<note::LeftOut>(&note.value)) {
       if (leftOut->why == note::LeftOut::Why::Unreadable) m_missedLines += leftOut->count;
       if (leftOut->why == note::LeftOut::Why::RecorderLost) m_missedPlaces += leftOut->count;
-      if (leftOut->why == note::LeftOut::Why::Damaged) m_damagedPlaces += leftOut->count;
+      if (leftOut->why == note::LeftOut::Why::NotWhole) m_placesNotWhole += leftOut->count;
     }
     if (std::holds_alternative<note::Mark>(note.value)) ++m_marks;
     if (const auto* added = std::get_if<note::Added>(&note.value)) m_added += added->count;
@@ -216,9 +216,9 @@ void InfoReport::takeNotes(Times times) {
 // A recording ends with its links closed. The report judges devices as they were before that, not as unknown since.
 Cursor InfoReport::endOfRecording() const {
   Cursor end = endOf(m_frames, m_notes);
-  for (const Note& note : m_notes.between(m_frames.count(), m_frames.count() + 1)) {
-    const auto* down = std::get_if<note::LinkDown>(&note.value);
-    if (down != nullptr && down->fault == LinkFault::None) end.time = std::min(end.time, note.time - 1ns);
+  for (const LinkGap& gap : linkGaps(m_notes.all())) {
+    if (gap.isOpen() && gap.fault == LinkFault::None && gap.begin >= m_frames.lastTime())
+      end.time = std::min(end.time, gap.begin - 1ns);
   }
   return end;
 }
@@ -234,7 +234,8 @@ std::string InfoReport::gapText(const LinkGap& gap) const {
   std::string text = "link of " + std::string(m_frames.channelName(gap.channel.value)) + " down";
   if (m_times == Times::Known) {
     if (!gap.isOpen()) text += " for " + lengthText(gap.end - gap.begin);
-    text += " from " + lengthText(gap.begin - m_frames.timeAt(0)) + " on";
+    const Instant first = m_frames.timeAt(0);
+    text += gap.begin < first ? " before the first frame" : " from " + lengthText(gap.begin - first) + " on";
   }
   if (gap.isOpen()) text += ", to the end";
   if (gap.fault == LinkFault::None) return text + ": closed";
@@ -280,9 +281,9 @@ void InfoReport::appendNotes(std::string& out) const {
   if (m_missed != 0) out += "  " + framesThat(m_missed, "came and is", "came and are") + " not in it\n";
   if (m_missedPlaces != 0)
     out += "  the recorder lost frames at " + counted(m_missedPlaces, "place", "places") + "\n";
-  if (m_damagedPlaces != 0)
-    out += "  " + counted(m_damagedPlaces, "damaged place", "damaged places") +
-           " of the recording that it was saved from\n";
+  if (m_placesNotWhole != 0)
+    out += "  the file that it was saved from was not whole at " +
+           counted(m_placesNotWhole, "place", "places") + "\n";
   if (m_missedLines != 0)
     out +=
         "  " + counted(m_missedLines, "line", "lines") + " of the file that it was saved from not readable\n";
@@ -401,7 +402,7 @@ std::string InfoReport::json(const std::string& file, const SkippedPlaces& skipp
       .add("missed", m_missed)
       .add("missed_lines", m_missedLines)
       .add("missed_places", m_missedPlaces)
-      .add("damaged_places", m_damagedPlaces)
+      .add("places_not_whole", m_placesNotWhole)
       .add("marks", m_marks)
       .add("time_jumps", m_timeJumps);
   line.add("unreadable", skipped.unreadable()).addJson("not_kept", notKept.object()).addList("ids", ids);

@@ -69,7 +69,7 @@ class InfoReport {
   std::set<Adapter> m_adapters;
   std::map<Pin, std::string> m_labels;
   std::uint64_t m_marks = 0, m_added = 0, m_missed = 0, m_missedLines = 0, m_missedPlaces = 0,
-                m_damagedPlaces = 0;
+                m_placesNotWhole = 0;
   State m_state;
 };
 

@@ -164,13 +164,13 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
 
 bool LogInput::sayMissed() const {
   using Why = note::LeftOut::Why;
-  std::uint64_t lost = 0, leftOut = 0, lines = 0, places = 0, damaged = 0;
+  std::uint64_t lost = 0, leftOut = 0, lines = 0, places = 0, notWhole = 0;
   for (const Note& note : notes.all()) {
     (std::holds_alternative<note::Dropped>(note.value) ? lost : leftOut) += framesMissed(note.value);
     const auto* noted = std::get_if<note::LeftOut>(&note.value);
     if (noted != nullptr && noted->why == Why::Unreadable) lines += noted->count;
     if (noted != nullptr && noted->why == Why::RecorderLost) places += noted->count;
-    if (noted != nullptr && noted->why == Why::Damaged) damaged += noted->count;
+    if (noted != nullptr && noted->why == Why::NotWhole) notWhole += noted->count;
   }
   if (lost > 0)
     std::fprintf(stderr, "%s: %s lost while it was recorded\n", name().c_str(),
@@ -183,10 +183,10 @@ bool LogInput::sayMissed() const {
   if (lines > 0)
     complain(name(), counted(lines, "line", "lines") +
                          " of the file that it was saved from could not be read and are not in it");
-  if (damaged > 0)
-    complain(name(), "the recording that it was saved from was damaged in " +
-                         counted(damaged, "place", "places") + ": what stood there is not in it");
-  return leftOut + lines + damaged > 0;
+  if (notWhole > 0)
+    complain(name(), "the file that it was saved from was not whole at " +
+                         counted(notWhole, "place", "places") + ": what stood there is not in it");
+  return leftOut + lines + notWhole > 0;
 }
 
 bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }

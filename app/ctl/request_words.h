@@ -54,7 +54,7 @@ constexpr std::string_view leftOutWord(note::LeftOut::Why why) {
     case Why::CanXl: return "can_xl";
     case Why::Unreadable: return "unreadable";
     case Why::RecorderLost: return "recorder_lost";
-    case Why::Damaged: return "damaged";
+    case Why::NotWhole: return "not_whole";
   }
   return {};
 }

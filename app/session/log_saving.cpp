@@ -78,7 +78,7 @@ bool LogSaving::writeFrames(WholeFile& file, LogWriter& writer, const std::stop_
   std::string text;
   text.reserve(kBlock + 256);
   const PartWriter::Span span{m_part.begin,  m_part.end, m_isToEnd,     bool(m_part.passes),
-                              m_part.filter, m_ranUntil, m_part.damaged};
+                              m_part.filter, m_ranUntil, m_part.missing};
   PartWriter part(*m_document, span, m_part.labels, writer, text);
   const std::uint64_t first = m_part.passes ? 0 : m_part.begin;
   for (std::uint64_t i = first; i < m_part.end; ++i) {

@@ -32,7 +32,7 @@ struct SavedPart {
   std::function<bool(std::uint64_t frame)> passes{};
   std::string filter{};  // that test as the person wrote it
   LabelsByPin labels{};
-  std::uint64_t damaged = 0;  // places of the file that the log was read from; a copy of all of it says so
+  std::uint64_t missing = 0;  // ReadSummary::missing() of the file that the log was read from
 };
 
 class LogSaving : public QObject {

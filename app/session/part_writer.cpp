@@ -108,6 +108,9 @@ void PartWriter::end() {
     if (isOfPart && !isNotedAnew(note.value)) write(note.value, note.time);
   }
   if (m_span.begin == 0 && m_span.isToEnd && !m_span.isFiltered) noteLeftOut();
+  if (m_span.missing > 0 && end > 0 && !m_channels.empty())
+    write(note::LeftOut{{m_channels.begin()->first}, note::LeftOut::Why::NotWhole, m_span.missing},
+          m_log.frames.timeAt(end - 1));
   if (m_span.isToEnd && end > 0 && m_span.ranUntil > m_log.frames.timeAt(end - 1))
     write(note::RanUntil{}, m_span.ranUntil);
   m_writer.end(m_out);
@@ -124,8 +127,7 @@ void PartWriter::noteLeftOut() {
   for (const auto& [why, leftOut] : {std::pair(Why::CanFd, skipped.count(Skipped::CanFd)),
                                      std::pair(Why::CanXl, skipped.count(Skipped::CanXl)),
                                      std::pair(Why::Unreadable, skipped.unreadable()),
-                                     std::pair(Why::RecorderLost, skipped.count(Skipped::RecorderDropped)),
-                                     std::pair(Why::Damaged, m_span.damaged)}) {
+                                     std::pair(Why::RecorderLost, skipped.count(Skipped::RecorderDropped))}) {
     if (leftOut > 0) write(note::LeftOut{{m_channels.begin()->first}, why, leftOut}, time);
   }
 }

@@ -32,7 +32,7 @@ class PartWriter {
     bool isFiltered = false;     // not every frame of it is written
     NoteText filter{};           // as the person wrote it, if it is
     Instant ranUntil = kNotYet;  // NoteStore::ranUntil(); told of a part to the end
-    std::uint64_t damaged = 0;   // places of the log's own file; told of the whole log
+    std::uint64_t missing = 0;   // ReadSummary::missing() of the log's own file
   };
   // What is written is appended to `out`.
   PartWriter(const LogDocument& log, const Span& span, const LabelsByPin& labels, LogWriter& writer,

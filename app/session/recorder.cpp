@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "session/clocks.h"
 
@@ -26,12 +27,29 @@ JournalHead recordingHead(bool isSimulated) {
   return {.isSimulated = isSimulated, .begin = QDateTime::currentMSecsSinceEpoch() * 1'000'000};
 }
 
+namespace {
+
+// How many notes hold all that happened: those that only tell how a link was left follow in no copy of it.
+std::size_t notesToSave(const NoteStore& notes) {
+  std::vector<Note> all = notes.appendedAfter(0);
+  const auto tellsLeaving = [](const Note& note) {
+    return std::holds_alternative<note::LinkDown>(note.value) ||
+           std::holds_alternative<note::OwnAddress>(note.value) ||
+           std::holds_alternative<note::Locked>(note.value);
+  };
+  while (!all.empty() && tellsLeaving(all.back())) all.pop_back();
+  return all.size();
+}
+
+}  // namespace
+
 struct Recorder::Work {
   std::mutex lock;
   std::condition_variable changed;
   JournalStatus status;
   Instant busySince = kNotYet;  // kNotYet: waits for the next round
-  std::uint64_t saved = 0;
+  std::uint64_t savedFrames = 0;
+  std::size_t savedNotes = 0, notes = 0;  // elsewhere; of those there are, all that a copy must hold
   bool isEnding = false;
   bool isGivenUp = false;    // after the first fault at the end nothing is tried again
   bool hasTriedEnd = false;  // at least once
@@ -43,9 +61,11 @@ struct Recorder::Work {
     while (oneRound(*writer)) {
     }
     writer.reset();  // closes the file
+    const std::size_t toSave = notesToSave(document.notes);
     for (bool isMarked = false;; isMarked = true) {
       {
         const std::lock_guard guard(lock);
+        notes = toSave;
         if (isMarked || !isAllSaved()) {
           hasEnded = true;
           return changed.notify_all();
@@ -55,7 +75,9 @@ struct Recorder::Work {
     }
   }
 
-  bool isAllSaved() const { return !status.path.empty() && !status.fault && saved >= status.frames; }
+  bool isAllSaved() const {
+    return !status.path.empty() && !status.fault && savedFrames >= status.frames && savedNotes >= notes;
+  }
 
   // False once nothing is left to write, or is given up.
   bool oneRound(JournalWriter& writer) {
@@ -130,10 +152,11 @@ bool Recorder::hasEnded() const {
   return m_work->hasEnded;
 }
 
-void Recorder::setSaved(std::uint64_t frames) {
+void Recorder::setSaved(std::uint64_t frames, std::size_t notes) {
   {
     const std::lock_guard guard(m_work->lock);
-    m_work->saved = std::max(m_work->saved, frames);
+    m_work->savedFrames = std::max(m_work->savedFrames, frames);
+    m_work->savedNotes = std::max(m_work->savedNotes, notes);
     if (!m_work->hasEnded) return;
   }
   std::thread([work = m_work] { work->markIfSaved(); }).detach();

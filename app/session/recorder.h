@@ -37,9 +37,9 @@ class Recorder {
   // log is kept in memory, and that is tried again.
   void end();
   bool hasEnded() const;
-  // The first so many frames were saved elsewhere. A recording is marked as saved once it has ended without
-  // another frame.
-  void setSaved(std::uint64_t frames);
+  // The first so many frames and notes were saved elsewhere. A recording is marked as saved once it has ended without
+  // another frame or note, but for those of leaving its link.
+  void setSaved(std::uint64_t frames, std::size_t notes);
 
  private:
   struct Work;

@@ -35,10 +35,11 @@ bool Recorders::holdUnwritten() const {
   return isUnwritten(m_open) || std::ranges::any_of(m_earlier, isUnwritten);
 }
 
-bool Recorders::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames) {
+bool Recorders::setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames,
+                         std::size_t notes) {
   const auto take = [&](const auto& recorder) {
     if (!recorder || !recorder->isOf(document)) return false;
-    recorder->setSaved(frames);
+    recorder->setSaved(frames, notes);
     return true;
   };
   return take(m_open) || std::ranges::any_of(m_earlier, take);

@@ -27,7 +27,7 @@ class Recorders {
   // A faulty disk did not take all of a recording.
   bool holdUnwritten() const;
   // The first so many frames of a log were saved elsewhere. False where the log has no recorder.
-  bool setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames);
+  bool setSaved(const std::shared_ptr<const LogDocument>& document, std::uint64_t frames, std::size_t notes);
 
  private:
   std::unique_ptr<Recorder> m_open;

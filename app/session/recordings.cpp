@@ -73,13 +73,13 @@ void takeNames(Recording& recording, const FrameStore& frames, const NoteStore& 
 // When the log ends. The log time of its last frame is by the clock of that channel as the beginning or the end tells
 // it.
 std::optional<Instant> endOf(const JournalTail& tail, const FrameStore& begin) {
-  if (!tail.last) return {};
+  if (!tail.last) return tail.ranUntil == kNotYet ? std::nullopt : std::optional(tail.ranUntil);
   const Frame last = tail.last.value_or(Frame{});
   std::int64_t offset = tail.offset.value_or(0);
   const auto* offsets = begin.offsets(last.channel);
   if (!tail.offset && offsets != nullptr && offsets->size() > 0)
     offset = (*offsets)[offsets->size() - 1].offset;
-  return endAfter(Instant{saturatedPlus(last.stamp, offset)}, tail.noted);
+  return endAfter(Instant{saturatedPlus(last.stamp, offset)}, tail.ranUntil, tail.noted);
 }
 
 }  // namespace

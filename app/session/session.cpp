@@ -157,7 +157,7 @@ void Session::setSaved(const std::shared_ptr<const LogDocument>& document, std::
     if (isRead()) m_marks.forget();
     Q_EMIT changed();
   }
-  if (m_recorders.setSaved(document, frames)) return;
+  if (m_recorders.setSaved(document, frames, notes)) return;
   // A recording of earlier that is open as a file.
   const SourceStatus& source = m_snapshot.source;
   const ReadSummary& read = source.read;

@@ -6,6 +6,7 @@
 #include <bitset>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,14 +38,15 @@ class JournalContent {
   // Here blocks of any kind may be missing.
   void setGap() {
     m_isGap = true;
+    m_noted.reset();
     m_unsure.set();
   }
   // What came of it, but for damage: so many bytes.
   ReadSummary ended(std::uint64_t damagedBytes) {
-    // A note that stands behind frames which are lost tells how many they were, if so many bytes can hold them.
-    const std::uint64_t known = m_notes.empty() ? m_next : std::prev(m_notes.end())->first;
-    const bool isTold = known > m_next && known - m_next <= damagedBytes / sizeof(Frame);
-    if (m_isGap && isTold) lose(known);
+    // A note behind the gap tells how many frames are lost there, if so many bytes can hold them.
+    const std::uint64_t noted = m_noted.value_or(0);
+    const bool isTold = m_noted && noted >= m_next && noted - m_next <= damagedBytes / sizeof(Frame);
+    if (m_isGap && isTold && noted > m_next) lose(noted);
     m_summary.damage.isOpen = m_isGap && !isTold;
     // Their frames are lost; they are not.
     if (m_isGap) m_next = std::numeric_limits<std::uint64_t>::max();
@@ -109,6 +111,7 @@ class JournalContent {
     m_summary.newerParts += newer;
     for (Note& note : notes) {
       const std::uint64_t frame = note.frame;
+      m_noted = std::max(m_noted.value_or(0), frame);
       m_notes.emplace(frame, std::move(note));
     }
     appendNotes();
@@ -231,6 +234,7 @@ class JournalContent {
   std::uint64_t m_next = 0;  // frame of the recording
   std::vector<Lost> m_lost;
   bool m_isGap = false;                        // blocks are missing since the last frames
+  std::optional<std::uint64_t> m_noted;        // behind them: the last place of a note
   std::bitset<256> m_unsure;                   // channels whose clock may have been in a block that is lost
   std::int64_t m_knownTime = 0;                // log time of a frame that is lost
   std::array<std::int64_t, 256> m_offsetOf{};  // in force on each channel

@@ -55,10 +55,17 @@ std::optional<JournalTail> readJournalTail(const LogBytes& bytes, std::uint64_t 
       case JournalBlock::Channel: break;
     }
   }
+  // A long silence leaves notes alone.
+  if (!tail && !notes.empty()) {
+    tail.emplace();
+    tail->frames = std::ranges::max(notes, {}, &Note::frame).frame;
+  }
   if (!tail) return {};
   if (tail->last) tail->offset = offsets[tail->last->channel];
   for (const Note& note : notes) {
-    if (note.frame <= tail->frames) tail->noted = std::max(tail->noted, note.time);
+    if (note.frame > tail->frames) continue;
+    Instant& at = std::holds_alternative<note::RanUntil>(note.value) ? tail->ranUntil : tail->noted;
+    at = std::max(at, note.time);
   }
   tail->isEnded = isEnded;
   tail->cutBytes = blocks.cutBytes();

@@ -15,7 +15,8 @@ struct JournalTail {
   std::uint64_t frames = 0;              // of the whole journal
   std::optional<Frame> last{};           // the last frame of the tail that has a stamp
   std::optional<std::int64_t> offset{};  // to the stamps of its channel, if one was set within the tail
-  Instant noted = kNotYet;               // the latest of its notes, note::RanUntil among them
+  Instant ranUntil = kNotYet;            // of the latest note::RanUntil
+  Instant noted = kNotYet;               // of the latest other note
   bool isEnded = false;                  // the recording was ended on purpose
   std::uint64_t cutBytes = 0;            // at its end, that are not whole
   bool isDamaged = false;                // some of its bytes, with whole blocks before them

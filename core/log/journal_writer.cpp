@@ -9,7 +9,7 @@ namespace deckpipe {
 void JournalWriter::timeCame(Instant now) {
   if (m_isEnded || (m_fault && now < m_retryAt)) return;
   const bool hadFile = m_file != nullptr;
-  m_fault = write(kRanStep);
+  m_fault = write(now >= m_syncAt);
   if (!hadFile && m_file != nullptr) {
     m_madeAt = now;
     m_isAnew = bool(m_givenUp);
@@ -31,7 +31,7 @@ void JournalWriter::end() {
 }
 
 void JournalWriter::tryEnd() {
-  m_fault = write(1ns);
+  m_fault = write(true);
   if (!m_fault && m_file != nullptr) m_fault = writeEnd();
   m_isEnded = !m_fault;
 }
@@ -54,7 +54,7 @@ JournalStatus JournalWriter::status() const {
           m_givenUp};
 }
 
-JournalFault JournalWriter::write(Duration silence) {
+JournalFault JournalWriter::write(bool tellsSilence) {
   if (m_file == nullptr) {
     if (m_frames.count() == 0) return {};
     if (JournalFault fault = create()) return fault;
@@ -78,7 +78,7 @@ JournalFault JournalWriter::write(Duration silence) {
   }
   const Instant told =
       std::max({m_frames.timeAt(m_written.frames - 1), m_notes.lastTime(), m_written.ranUntil});
-  return ranUntil - told < silence ? JournalFault{} : writeRanUntil(ranUntil);
+  return tellsSilence && ranUntil > told ? writeRanUntil(ranUntil) : JournalFault{};
 }
 
 JournalFault JournalWriter::writeRanUntil(Instant time) {

@@ -7,8 +7,8 @@
 // 2. What was written is on the disk within a second, if timeCame() comes every 250 ms.
 // 3. A fault loses nothing: the log is in memory, and what the disk did not take is written again kRetry
 //    later, from the last block that is known to be whole. status() says so meanwhile.
-// 4. While the log goes on and nothing comes (NoteStore::ranUntil()), the file is told so each kRanStep: what ends without
-//    an end ends less than a second before it was cut.
+// 4. While the log goes on and nothing comes (NoteStore::ranUntil()), the file is told so before each sync: what ends
+//    without an end ends within a second of where it was cut.
 // 5. The file is looked at each second. If it was removed, or another program wrote into it, all of the log is
 //    written to a new file: at the next call, or, if the file had been made for that reason, kRetry after it was made if
 //    that is later.
@@ -43,9 +43,8 @@ struct JournalStatus {
 
 class JournalWriter {
  public:
-  static constexpr Duration kSync = 750ms;
+  static constexpr Duration kSync = 500ms;
   static constexpr Duration kRetry = 10s;
-  static constexpr Duration kRanStep = 500ms;
 
   using MakeFile = std::function<MadeJournalFile()>;
   // `begin` of the head is asked for when the file is made.
@@ -73,8 +72,8 @@ class JournalWriter {
     std::array<std::size_t, 256> offsets{};
   };
 
-  // All that is new; of a silence at the end only what is as long as `silence`.
-  JournalFault write(Duration silence);
+  // All that is new; with `tellsSilence` also how long nothing has come since.
+  JournalFault write(bool tellsSilence);
   JournalFault writeRanUntil(Instant time);
   JournalFault writeEnd();
   JournalFault create();

@@ -152,7 +152,7 @@ struct LeftOut {
     CanXl = 3,
     Unreadable = 4,    // lines of which nobody knows what they were
     RecorderLost = 5,  // places where the recorder says that it lost frames, and not how many
-    Damaged = 6,       // places of the recording that the log was saved from, where blocks were not whole
+    NotWhole = 6,      // places of the file that the log was saved from; any of them may lie in a part of it
   };
   static constexpr bool countsFrames(Why why) { return why < Why::Unreadable; }
   Channel channel;
@@ -198,7 +198,7 @@ struct Pipe {
 template <>
 inline constexpr note::OwnAddress::How kLastOf<note::OwnAddress::How> = note::OwnAddress::How::Disputed;
 template <>
-inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::Damaged;
+inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::NotWhole;
 
 using NoteValue =
     std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,

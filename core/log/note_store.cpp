@@ -7,11 +7,11 @@
 namespace deckpipe {
 
 void NoteStore::append(Note note) {
-  const std::lock_guard lock(m_lock);
   if (std::holds_alternative<note::RanUntil>(note.value)) {
-    m_ranUntil = std::max(m_ranUntil, note.time);
+    m_ranUntil.store(std::max(ranUntil(), note.time).ns, std::memory_order_release);
     return;
   }
+  const std::lock_guard lock(m_lock);
   m_places.emplace(std::pair(note.frame, note.time), m_notes.size());
   if (const auto* filtered = std::get_if<note::Filtered>(&note.value))
     m_filters.push_back(filtered->text.str());
@@ -38,11 +38,6 @@ std::vector<Note> NoteStore::all() const {
   notes.reserve(m_places.size());
   for (const auto& place : m_places) notes.push_back(m_notes[place.second]);
   return notes;
-}
-
-Instant NoteStore::ranUntil() const {
-  const std::lock_guard lock(m_lock);
-  return m_ranUntil;
 }
 
 Instant NoteStore::lastTime() const {

@@ -4,6 +4,7 @@
 // at a time, readers on any thread; notes are few, so a lock is all it takes.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -36,7 +37,7 @@ class NoteStore {
     return notes;
   }
   // Until when the log says that it ran; kNotYet if it does not say so. endOf() (state/advance.h) tells when it ends.
-  Instant ranUntil() const;
+  Instant ranUntil() const { return {m_ranUntil.load(std::memory_order_acquire)}; }
   // Of the last note in order; kNotYet if there is none.
   Instant lastTime() const;
   // All that framesMissed() says of them.
@@ -54,7 +55,7 @@ class NoteStore {
   // Frame and time of each note, and its index in m_notes. A file may hold a million notes in any order: to put one at
   // its place costs log n. Notes of equal places keep the order in which they came.
   std::multimap<std::pair<std::uint64_t, Instant>, std::size_t> m_places;
-  Instant m_ranUntil = kNotYet;
+  std::atomic<std::int64_t> m_ranUntil{kNotYet.ns};  // told with every picture of a live log: no lock for it
 };
 
 }  // namespace deckpipe

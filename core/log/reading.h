@@ -116,11 +116,15 @@ struct ReadSummary {
   bool goesOn = false;         // it was being written when it was opened
   Damage damage{};
 
-  // Nothing was left out or lost. One that still goes on is whole as well.
-  bool isWhole() const {
-    return lastLine != LastLine::LeftOut && cutBytes == 0 && newerParts == 0 && damage.places == 0 &&
-           !sidecarFault && (!isOpenEnded || goesOn);
+  // Places at which something was left out or lost. The end of a recording that still goes on is none.
+  std::uint64_t missing() const {
+    std::uint64_t places = damage.places + newerParts;
+    for (const bool is :
+         {lastLine == LastLine::LeftOut, cutBytes > 0, sidecarFault.has_value(), isOpenEnded && !goesOn})
+      places += is ? 1 : 0;
+    return places;
   }
+  bool isWhole() const { return missing() == 0; }
 
   friend bool operator==(const ReadSummary&, const ReadSummary&) = default;
 };

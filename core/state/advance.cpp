@@ -13,7 +13,7 @@ Cursor cursorAfter(const FrameStore& frames, std::uint64_t count) {
 
 Cursor endOf(const FrameStore& frames, const NoteStore& notes) {
   Cursor end = cursorAfter(frames, frames.count());
-  if (end.frames > 0) end.time = endAfter(end.time, std::max(notes.lastTime(), notes.ranUntil()));
+  if (end.frames > 0) end.time = endAfter(end.time, notes.ranUntil(), notes.lastTime());
   return end;
 }
 

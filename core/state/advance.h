@@ -47,11 +47,12 @@ void advance(State& state, const FrameStore& frames, const NoteStore& notes, Cur
 
 // The cursor that stands behind the first `frames` frames, at the time of the last of them.
 Cursor cursorAfter(const FrameStore& frames, std::uint64_t count);
-// The end of a log at rest: behind its last frame, at the time of its last note, or until which it says that it ran, if
-// that is later. What claims to stand more than kMaxBehind after the last frame does not stretch the log.
+// The end of a log at rest: behind its last frame, at the time until which it says that it ran, or of its last note, if
+// that is later. A note that claims to stand later than all that stretches the log by no more than kMaxBehind.
 inline constexpr Duration kMaxBehind = std::chrono::hours(24);
-constexpr Instant endAfter(Instant lastFrame, Instant lastNoted) {
-  return std::max(lastFrame, std::min(lastNoted, lastFrame + kMaxBehind));
+constexpr Instant endAfter(Instant lastFrame, Instant ranUntil, Instant lastNoted) {
+  const Instant end = std::max(lastFrame, ranUntil);
+  return std::max(end, std::min(lastNoted, end + kMaxBehind));
 }
 Cursor endOf(const FrameStore& frames, const NoteStore& notes);
 // The cursor at a time: every frame up to and at it has happened.

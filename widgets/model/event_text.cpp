@@ -257,9 +257,9 @@ QString leftOutText(const note::LeftOut& n) {
     case Why::RecorderLost:
       return EventText::tr("%1: the recorder lost frames at %Ln places, as it says", nullptr,
                            forPlural(n.count));
-    case Why::Damaged:
-      return EventText::tr("%1: the recording that this log was saved from was damaged in %Ln places",
-                           nullptr, forPlural(n.count));
+    case Why::NotWhole:
+      return EventText::tr("%1: the file that this log was saved from was not whole at %Ln places", nullptr,
+                           forPlural(n.count));
   }
   return {};
 }

@@ -116,7 +116,7 @@ TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
   snapshot.source.read.damage = {.places = 2, .bytes = 1'000, .firstAt = 4'711, .frames = 33};
   for (const char* words : {"damaged in 2 places", "byte 4711", "1000 bytes", "33 frames", "last 37 bytes"})
     EXPECT_TRUE(says(notice(snapshot), words)) << notice(snapshot);
-  EXPECT_FALSE(says(notice(snapshot), "Everything before")) << notice(snapshot);
+  EXPECT_FALSE(says(notice(snapshot), "before them")) << notice(snapshot);
   EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
   snapshot.source.read.damage = {.places = 1, .bytes = 100, .isOpen = true};
   EXPECT_TRUE(says(notice(snapshot), "How many frames are missing is not known")) << notice(snapshot);
@@ -125,7 +125,7 @@ TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
 }
 
 TEST(FileNotice, SaysAllThatIsMissingOfAFileOneLineEachTheWorstFirst) {
-  Snapshot snapshot = file("(1.5) can0 123#11\nrubbish\n(2.5) can0 123##011\n(1.1) can0 123#11\n");
+  Snapshot snapshot = file("(91.5) can0 123#11\nrubbish\n(92.5) can0 123##011\n(1.1) can0 123#11\n");
   snapshot.source.unreadable = 1;
   snapshot.source.read = {
       .sidecarFault = SidecarFault{.kind = SidecarFault::Kind::Cut, .path = "truck.log.notes"},

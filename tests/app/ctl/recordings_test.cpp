@@ -73,7 +73,7 @@ TEST_F(RecordingsOfTheTool, AreReadByInfoAndDecodeWhileTheyGrowAndAfterAKill) {
 TEST_F(RecordingsOfTheTool, TellOfAMonitorThatFellSilentBeforeTheyWereKilled) {
   record();
   m_notes.append({.time = {32'000'000'000}, .value = note::RanUntil{}});
-  m_writer->timeCame({});
+  m_writer->timeCame({1'000'000'000});
   const QJsonObject info =
       run({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json"), m_path})
           .objects()[0];
@@ -82,6 +82,23 @@ TEST_F(RecordingsOfTheTool, TellOfAMonitorThatFellSilentBeforeTheyWereKilled) {
   const QByteArray events = run({QStringLiteral("events"), m_path}).out;
   EXPECT_TRUE(events.contains("silent")) << events.constData();
   EXPECT_FALSE(events.contains("ran until")) << events.constData();
+}
+
+TEST_F(RecordingsOfTheTool, JudgeDevicesAtTheirEndAndNotWhereALinkWasClosedBefore) {
+  record();
+  auto health = [&, now = Instant{}]() mutable {
+    m_writer->timeCame(now = {now.ns + 1'000'000'000});
+    return run({QStringLiteral("info"), QStringLiteral("--devices"), QStringLiteral("--json"), m_path})
+        .objects()[0][QLatin1String("devices")]
+        .toArray()[0][QLatin1String("health")]
+        .toString();
+  };
+  const QString before = health();
+  m_notes.append({.frame = 3, .time = {1'100'000'000}, .value = note::LinkDown{}});
+  EXPECT_EQ(health(), before);
+  m_notes.append({.frame = 3, .time = {2'000'000'000}, .value = note::LinkUp{}});
+  m_notes.append({.time = {3'600'000'000'000}, .value = note::RanUntil{}});
+  EXPECT_NE(health(), before) << "nothing was heard of it for an hour";
 }
 
 TEST_F(RecordingsOfTheTool, AreNotListedOfWhatIsNoFolder) {
@@ -123,6 +140,7 @@ TEST_F(RecordingsOfTheTool, SayWhatTheirNotesSayOfThem) {
   m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, note::LeftOut::Why::CanFd, 7}});
   using Why = note::LeftOut::Why;
   m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, Why::Unreadable, 2}});
+  m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, Why::NotWhole, 3}});
   m_notes.append({.frame = 3, .time = {}, .value = note::LeftOut{{}, Why::RecorderLost, 1}});
   m_writer->end();
   const Outcome text = run({QStringLiteral("info"), QStringLiteral("--devices"), m_path});
@@ -130,6 +148,7 @@ TEST_F(RecordingsOfTheTool, SayWhatTheirNotesSayOfThem) {
   EXPECT_TRUE(text.err.contains("7 frames came that it cannot hold")) << text.err.constData();
   EXPECT_TRUE(text.err.contains("2 lines of the file that it was saved from")) << text.err.constData();
   EXPECT_TRUE(text.err.contains("the recorder lost frames at 1 place,")) << text.err.constData();
+  EXPECT_TRUE(text.err.contains("was not whole at 3 places")) << text.err.constData();
   EXPECT_TRUE(text.out.contains("can0 was socketcan can0, 250 kbit/s")) << text.out.constData();
   EXPECT_TRUE(text.out.contains("front bumper"));
   const QJsonObject json =
@@ -138,10 +157,12 @@ TEST_F(RecordingsOfTheTool, SayWhatTheirNotesSayOfThem) {
   EXPECT_EQ(json[QStringLiteral("missed")].toInt(), 7);
   EXPECT_EQ(json[QStringLiteral("missed_lines")].toInt(), 2);
   EXPECT_EQ(json[QStringLiteral("missed_places")].toInt(), 1);
+  EXPECT_EQ(json[QStringLiteral("places_not_whole")].toInt(), 3);
   const QList<QJsonObject> events =
       run({QStringLiteral("events"), QStringLiteral("--json"), m_path}).objects();
-  ASSERT_GE(events.size(), 2);
-  EXPECT_EQ(events[events.size() - 2][QStringLiteral("lines")].toInt(), 2);
+  ASSERT_GE(events.size(), 3);
+  EXPECT_EQ(events[events.size() - 3][QStringLiteral("lines")].toInt(), 2);
+  EXPECT_EQ(events[events.size() - 2][QStringLiteral("places")].toInt(), 3);
   EXPECT_EQ(events.back()[QStringLiteral("reason")].toString(), QStringLiteral("recorder_lost"));
   EXPECT_EQ(events.back()[QStringLiteral("places")].toInt(), 1);
   EXPECT_EQ(json[QStringLiteral("devices")].toArray()[0].toObject()[QStringLiteral("label")].toString(),

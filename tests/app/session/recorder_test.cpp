@@ -48,7 +48,7 @@ struct InAFolder : testing::Test {
     const auto log = std::make_shared<LogDocument>();
     for (int i = 0; i < count; ++i) EXPECT_TRUE(append(*log, i == 0 ? kAnnouncement : kPosition));
     Recorder recorder(log, recordingIn(folder), isSimulated);
-    if (isSaved) recorder.setSaved(static_cast<std::uint64_t>(count));
+    if (isSaved) recorder.setSaved(static_cast<std::uint64_t>(count), log->notes.count());
     recorder.end();
     EXPECT_TRUE(waitFor([&] { return recorder.hasEnded(); }));
     return QString::fromStdString(recorder.status().path);
@@ -134,18 +134,23 @@ TEST_F(InAFolder, ARecordingIsSavedOnlyWhenAllOfItWas) {
     const char* name;
     std::uint64_t savedBefore, savedAfter;  // frames, before it ended and after; of three
     bool isSaved;
+    std::size_t notes = 1;  // that were saved; of one, and one of leaving the link
   };
-  for (const Row& row : {Row{"none", 0, 0, false}, Row{"not the last", 2, 0, false}, Row{"all", 3, 0, true},
-                         Row{"all, once it had ended", 0, 3, true}, Row{"part, once", 0, 2, false}}) {
+  for (const Row& row :
+       {Row{"none", 0, 0, false}, Row{"not the last", 2, 0, false}, Row{"all", 3, 0, true},
+        Row{"all, once it had ended", 0, 3, true}, Row{"part, once", 0, 2, false},
+        Row{"not the mark", 3, 0, false, 0}, Row{"not the mark, once it had ended", 0, 3, false, 0}}) {
     SCOPED_TRACE(row.name);
     const auto log = std::make_shared<LogDocument>();
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(append(*log, kPosition));
+    log->notes.append({.frame = 3, .value = note::Mark{"spray"}});
+    log->notes.append({.frame = 3, .value = note::LinkDown{}});
     Recorder recorder(log, recordingIn(folder), false);
-    if (row.savedBefore > 0) recorder.setSaved(row.savedBefore);
+    if (row.savedBefore > 0) recorder.setSaved(row.savedBefore, row.notes);
     recorder.end();
     ASSERT_TRUE(waitFor([&] { return recorder.hasEnded(); }));
     const QString path = QString::fromStdString(recorder.status().path);
-    if (row.savedAfter > 0) recorder.setSaved(row.savedAfter);
+    if (row.savedAfter > 0) recorder.setSaved(row.savedAfter, row.notes);
     if (row.isSaved) {
       EXPECT_TRUE(waitFor([&] { return readRecording(path).isSaved; }));
     } else {

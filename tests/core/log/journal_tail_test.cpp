@@ -49,8 +49,25 @@ TEST_F(JournalTailTest, OfOneThatWasCutAnywhereTellsWhatReadingItWould) {
     EXPECT_EQ(tail->frames, read.frames.count()) << size;
     EXPECT_EQ(tail->cutBytes, read.result.value().cutBytes) << size;
     EXPECT_EQ(tail->isEnded, !read.result.value().isOpenEnded) << size;
-    EXPECT_EQ(tail->noted, std::max(read.notes.lastTime(), read.notes.ranUntil())) << size;
+    EXPECT_EQ(std::max(tail->noted, tail->ranUntil), std::max(read.notes.lastTime(), read.notes.ranUntil()))
+        << size;
   }
+}
+
+TEST_F(JournalTailTest, TellsTheNumberOfAllFramesBehindALongSilence) {
+  test::Recording silent;
+  test::FakeDisk file;
+  JournalWriter writer(silent.frames, silent.notes, file.maker(), test::someHead);
+  silent.fill();
+  for (int second = 0; second < 200; ++second) {
+    silent.notes.append({.time = silent.frames.lastTime() + second * 1s, .value = note::RanUntil{}});
+    writer.timeCame(Instant{} + second * 1s);
+  }
+  const auto tail = readJournalTail(bytesOf(file.bytes), 1'000);
+  ASSERT_TRUE(tail);
+  EXPECT_FALSE(tail->last);
+  EXPECT_EQ(tail->frames, silent.frames.count());
+  EXPECT_EQ(tail->ranUntil, silent.notes.ranUntil());
 }
 
 TEST_F(JournalTailTest, TellsNothingWhereNoFrameIsFound) {

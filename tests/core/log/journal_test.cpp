@@ -212,9 +212,14 @@ TEST(Journal, LosesNothingButTheBlockOfAByteThatIsWrong) {
       const auto type = static_cast<JournalBlock>(journalBlockHead(std::span(good).subspan(other)).type);
       return other > block && type == JournalBlock::Frames;
     });
-    const std::uint64_t noted = written.notes.all().back().frame;
-    const bool isTold = !isFollowed && type == JournalBlock::Frames && noted > first;
-    const std::uint64_t missed = isFollowed ? lost : isTold ? noted - first : 0;
+    const bool isNoted = std::ranges::any_of(blocks, [&](std::size_t other) {
+      const auto type = static_cast<JournalBlock>(journalBlockHead(std::span(good).subspan(other)).type);
+      return other > block && type == JournalBlock::Notes;
+    });
+    const bool isTold = !isFollowed && isNoted;
+    const std::uint64_t missed = isFollowed ? lost
+                                 : isTold   ? written.notes.all().back().frame - (all.size() - lost)
+                                            : 0;
     EXPECT_EQ(summary.damage,
               (Damage{1, kJournalBlockHead + head.length, block, missed, !isFollowed && !isTold}))
         << what;

@@ -118,7 +118,9 @@ TEST(EndOfALog, IsItsLastFrameItsLastNoteOrUntilWhenItRan) {
   notes.append({.time = Instant{10} + 30s, .value = note::RanUntil{}});
   EXPECT_EQ(end(), (Cursor{1, Instant{10} + 30s}));
   notes.append({.time = Instant{10} + 1'000h, .value = note::RanUntil{}});
-  EXPECT_EQ(end(), (Cursor{1, Instant{10} + kMaxBehind}));
+  EXPECT_EQ(end(), (Cursor{1, Instant{10} + 1'000h})) << "a truck may be off for weeks";
+  notes.append({.frame = 1, .time = Instant{10} + 2'000h, .value = note::Mark{}});
+  EXPECT_EQ(end(), (Cursor{1, Instant{10} + 1'000h + kMaxBehind})) << "a note that cannot be";
 }
 
 TEST(CursorAtATime, CountsEveryFrameUpToAndAtIt) {

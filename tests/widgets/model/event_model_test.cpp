@@ -164,6 +164,7 @@ TEST(NoteText, SaysEachInASentenceOfItsOwn) {
                            "",
                            "Saved through the filter “pgn=EF00 and sa=80”: what did not pass it is missing",
                            "Reset: before it the device stood at rotation -47.3°",
+                           "",
                            "The console holds address F9",
                            "The console lost its address to a lower NAME",
                            "The console cannot claim any address",
