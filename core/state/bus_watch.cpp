@@ -57,10 +57,11 @@ void BusWatch::linkChanged(const State& state) {
 void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
   m_isBehindGap = true;
   for (KnownPin& known : m_knownPins) known.isBack = false;
+  m_wereNameless.reset();
   for (const DeviceWatch& device : devices) {
     if (!device.isUsed() || device.channel() != m_channel) continue;
     if (device.pin().isNull()) {
-      m_wasSomebodyNameless = m_wasSomebodyNameless || device.address() != kNullAddress;
+      if (device.address() != kNullAddress) m_wereNameless.set(device.address().value);
       continue;
     }
     const auto known = std::ranges::find(m_knownPins, device.pin(), &KnownPin::pin);
@@ -70,6 +71,7 @@ void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
       m_knownPins.push_back({device.pin(), device.address()});
     }
   }
+  for (const KnownPin& known : m_knownPins) m_wereNameless.reset(known.address.value);
   m_first = kNotYet;
   m_secondEnd = m_sharedDue = m_contestsDue = kNever;
   m_holders = m_formerHolders = {};
@@ -82,8 +84,8 @@ void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
   m_sticksDue = kNever;
 }
 
-// One that had no PIN before may be the one that says its PIN now.
-void BusWatch::pinCame(const State& state, const Device& device, std::vector<Event>& out) {
+// One that had no PIN before may be the one that says its PIN now: at its address, or at any one if it was there at once.
+void BusWatch::pinCame(const State& state, const Device& device, Instant since, std::vector<Event>& out) {
   if (!m_isBehindGap || device.pin.isNull()) return;
   Event event = eventAt(state, m_channel, EventKind::Appeared, device.address);
   event.pin = device.pin;
@@ -91,7 +93,8 @@ void BusWatch::pinCame(const State& state, const Device& device, std::vector<Eve
   if (known == m_knownPins.end()) {
     if (m_knownPins.size() >= kMaxNames) return;
     m_knownPins.push_back({device.pin, device.address, true});
-    if (!m_wasSomebodyNameless) out.push_back(event);
+    const bool isNew = m_wereNameless.none() || (since != kNotYet && isSettled(since));
+    if (isNew && !m_wereNameless[device.address.value]) out.push_back(event);
     return;
   }
   const Address before = known->address;

@@ -38,9 +38,9 @@ class BusWatch {
   void linkChanged(const State& state);
   // It is up again: whoever is heard now is compared with nobody of before but by its PIN. `devices`: of before.
   void linkCameBack(std::span<const DeviceWatch> devices);
-  // A device is known by its PIN. Behind a gap that tells, the first time, that it was not known before, or that it had
-  // another address then.
-  void pinCame(const State& state, const Device& device, std::vector<Event>& out);
+  // A device is known by its PIN, and is heard since then; kNotYet: since before its channel had settled. Behind a gap
+  // that tells, the first time, that it was not known before, or that it had another address then.
+  void pinCame(const State& state, const Device& device, Instant since, std::vector<Event>& out);
   void errorCame(const State& state, std::vector<Event>& out);
   // A NAME was sent, or a contest for an address decided. Comes before DeviceWatch::lookAtIdentity().
   void lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out);
@@ -119,8 +119,9 @@ class BusWatch {
     Address address;      // the last one; null: none
     bool isBack = false;  // heard since the last gap
   };
-  std::vector<KnownPin> m_knownPins;                          // once there was a gap
-  bool m_isBehindGap = false, m_wasSomebodyNameless = false;  // before the gap, an Akron device without a PIN
+  std::vector<KnownPin> m_knownPins;  // once there was a gap
+  bool m_isBehindGap = false;
+  std::bitset<256> m_wereNameless;  // addresses of Akron devices before the gap that no known PIN had
 
   Instant m_secondEnd = kNever;                     // of the second whose load is counted
   std::uint64_t m_bits = 0;                         // of the channel when it began

@@ -43,6 +43,9 @@ class DeviceWatch {
 
   // Of one behind a gap that has not said who it is: since when it is heard. kNotYet otherwise.
   Instant nobodySince() const { return m_pin.isNull() ? m_heardFrom : kNotYet; }
+  // Of one that is at its address since before a gap: since when it is heard behind it, `now` at the latest. kNotYet of
+  // others.
+  Instant heardFrom(Instant now) const { return m_isUnheard ? now : m_heardFrom; }
   // Nothing changes before then unless a frame comes.
   Instant due() const { return std::min({m_silenceDue, m_permissiveDue, m_retry}); }
   const Pin& pin() const { return m_pin; }

@@ -119,6 +119,22 @@ const std::vector<EventCase> kCases{
     {"ADeviceThatHadNoPinBeforeAGap",
      [](Story& s) { s.goOn(5s).gap().goOn(5s).hear("18EFFF80", Story::kAnnouncesB).goOn(5s); },
      {"51.000 restarted 1032AE100801036"}},
+    {"ANewDeviceLongAfterAGapBeforeWhichAnotherOneHadNoPin",
+     [](Story& s) { s.goOn(5s).gap().goOn(60s).hear("18EFFF82", Story::kAnnouncesB); },
+     {"106.000 appeared 1032AE100801036"}},
+    {"ADeviceAtOnceBehindAGapBeforeWhichAnotherOneHadNoPin",
+     [](Story& s) { s.goOn(5s).gap().hear("18EFFF82", Story::kAnnouncesB).pass(1s); },
+     {}},
+    {"ADeviceThatSaysItsPinLateBehindAGapBeforeWhichAnotherOneHadNoPin",
+     [](Story& s) {
+       s.goOn(5s).gap().hear("18EFFF82", Story::kPosition).goOn(2s).hear("18EFFF82", Story::kAnnouncesB);
+     },
+     {"48.000 restarted 1032AE100801036"}},
+    {"ANewDeviceBehindASecondGapWithoutAnAnnouncementSinceTheFirst",
+     [](Story& s) {
+       s.monitor().gap().goOn(5s).gap().goOn(1s).hear("18EFFF82", Story::kAnnouncesB).goOn(1s);
+     },
+     {"92.000 appeared 1032AE100801036"}},
     {"ADeviceThatIsBackLongAfterAGap",
      [](Story& s) {
        s.monitor().gap().hear("18FEF100", "FFFFFFFFFFFFFFFF").pass(5s);
