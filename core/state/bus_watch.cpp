@@ -64,14 +64,17 @@ void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
       if (device.address() != kNullAddress) m_wereNameless.set(device.address().value);
       continue;
     }
+    const KnownPin now{device.pin(), device.lastAddress(), false, device.address() == kNullAddress};
     const auto known = std::ranges::find(m_knownPins, device.pin(), &KnownPin::pin);
     if (known != m_knownPins.end()) {
-      known->address = device.address();
+      *known = now;
     } else if (m_knownPins.size() < kMaxNames) {
-      m_knownPins.push_back({device.pin(), device.address()});
+      m_knownPins.push_back(now);
     }
   }
-  for (const KnownPin& known : m_knownPins) m_wereNameless.reset(known.address.value);
+  for (const KnownPin& known : m_knownPins) {
+    if (!known.hasLost) m_wereNameless.reset(known.address.value);
+  }
   m_first = kNotYet;
   m_secondEnd = m_sharedDue = m_contestsDue = kNever;
   m_holders = m_formerHolders = {};
@@ -86,7 +89,7 @@ void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
 
 // One that had no PIN before may be the one that says its PIN now: at its address, or at any one if it was there at once.
 void BusWatch::pinCame(const State& state, const Device& device, Instant since, std::vector<Event>& out) {
-  if (!m_isBehindGap || device.pin.isNull()) return;
+  if (!m_isBehindGap || device.pin.isNull() || device.address == kNullAddress) return;
   Event event = eventAt(state, m_channel, EventKind::Appeared, device.address);
   event.pin = device.pin;
   const auto known = std::ranges::find(m_knownPins, device.pin, &KnownPin::pin);
@@ -99,7 +102,7 @@ void BusWatch::pinCame(const State& state, const Device& device, Instant since, 
   }
   const Address before = known->address;
   if (std::exchange(known->isBack, true)) return;
-  if (before == kNullAddress || device.address == kNullAddress || before == device.address) return;
+  if (before == kNullAddress || before == device.address) return;
   event.kind = EventKind::MovedAddress;
   event.was = before.value;
   event.now = device.address.value;

@@ -116,8 +116,9 @@ class BusWatch {
   std::array<StickWatch, Joysticks::kMax> m_sticks;
   struct KnownPin {
     Pin pin;
-    Address address;      // the last one; null: none
-    bool isBack = false;  // heard since the last gap
+    Address address;       // the last one that it had before the last gap; null: none
+    bool isBack = false;   // it has an address since then
+    bool hasLost = false;  // the address, to another device
   };
   std::vector<KnownPin> m_knownPins;  // once there was a gap
   bool m_isBehindGap = false;

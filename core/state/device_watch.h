@@ -52,6 +52,8 @@ class DeviceWatch {
   Channel channel() const { return m_channel; }
   // Null while it has none.
   Address address() const { return m_hasAddress ? m_address : kNullAddress; }
+  // The last one that it had; null: none.
+  Address lastAddress() const { return m_address; }
 
  private:
   static constexpr std::array<std::uint64_t, kReports.size()> noneCompared() {

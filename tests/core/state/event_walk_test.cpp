@@ -151,6 +151,18 @@ const std::vector<EventCase> kCases{
        heardAt81();
      },
      {"46.000 moved_address" MONITOR " 128>129"}},
+    {"ADeviceThatLostItsAddressBeforeAGap",
+     [](Story& s) {
+       s.monitor().hear("18EEFF80", Story::kLowerName).pass(1s).gap().asksForNames();
+       s.hear("18EEFF81", Story::kNameOfA).hear("18EFFF81", Story::kAnnouncesA);
+     },
+     {"6.000 address_lost" MONITOR " to another", "47.000 moved_address" MONITOR " 128>129"}},
+    {"ADeviceThatTookAnAddressBeforeAGapAndSaysItsPinBehindIt",
+     [](Story& s) {
+       s.monitor().hear("18EEFF80", "0A1AC22800420090").goOn(1s).gap().goOn(5s);
+       s.hear("18EFFF80", "FF83150206021A0A").goOn(1s);
+     },
+     {"6.000 address_lost" MONITOR " to another", "6.000 appeared 80", "52.000 restarted 1032AE100801034"}},
     {"OtherStatesBehindAGap",
      [](Story& s) { s.monitor().gap().goOn(5s, "0123283284401041", "830051"); },
      {"46.000 disabled 80"}},
