@@ -88,7 +88,8 @@ void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
 }
 
 // One that had no PIN before may be the one that says its PIN now: at its address, or at any one if it was there at once.
-void BusWatch::pinCame(const State& state, const Device& device, Instant since, std::vector<Event>& out) {
+void BusWatch::pinCame(const State& state, const Device& device, Instant since, EventKind toldAs,
+                       std::vector<Event>& out) {
   if (!m_isBehindGap || device.pin.isNull() || device.address == kNullAddress) return;
   Event event = eventAt(state, m_channel, EventKind::Appeared, device.address);
   event.pin = device.pin;
@@ -97,12 +98,12 @@ void BusWatch::pinCame(const State& state, const Device& device, Instant since, 
     if (m_knownPins.size() >= kMaxNames) return;
     m_knownPins.push_back({device.pin, device.address, true});
     const bool isNew = m_wereNameless.none() || (since != kNotYet && isSettled(since));
-    if (isNew && !m_wereNameless[device.address.value]) out.push_back(event);
+    if (isNew && toldAs == EventKind::Count && !m_wereNameless[device.address.value]) out.push_back(event);
     return;
   }
   const Address before = known->address;
   if (std::exchange(known->isBack, true)) return;
-  if (before == kNullAddress || before == device.address) return;
+  if (before == kNullAddress || before == device.address || toldAs == EventKind::MovedAddress) return;
   event.kind = EventKind::MovedAddress;
   event.was = before.value;
   event.now = device.address.value;

@@ -39,8 +39,10 @@ class BusWatch {
   // It is up again: whoever is heard now is compared with nobody of before but by its PIN. `devices`: of before.
   void linkCameBack(std::span<const DeviceWatch> devices);
   // A device is known by its PIN, and is heard since then; kNotYet: since before its channel had settled. Behind a gap
-  // that tells, the first time, that it was not known before, or that it had another address then.
-  void pinCame(const State& state, const Device& device, Instant since, std::vector<Event>& out);
+  // that tells, the first time, that it was not known before, or that it had another address then. `toldAs`: see
+  // DeviceWatch.
+  void pinCame(const State& state, const Device& device, Instant since, EventKind toldAs,
+               std::vector<Event>& out);
   void errorCame(const State& state, std::vector<Event>& out);
   // A NAME was sent, or a contest for an address decided. Comes before DeviceWatch::lookAtIdentity().
   void lookAtHolders(const State& state, std::span<DeviceWatch> devices, std::vector<Event>& out);

@@ -87,11 +87,11 @@ Event DeviceWatch::eventOf(const State& state) const {
   return event;
 }
 
-Event DeviceWatch::appeared(const State& state, Address former) const {
+Event DeviceWatch::appeared(const State& state, Address former) {
   Event event = eventOf(state);
-  event.kind = EventKind::Appeared;
+  event.kind = m_toldAs = EventKind::Appeared;
   if (former == kNullAddress || m_kind != Device::Kind::Address) return event;
-  event.kind = EventKind::MovedAddress;
+  event.kind = m_toldAs = EventKind::MovedAddress;
   event.was = former.value;
   event.now = m_address.value;
   return event;

@@ -19,7 +19,9 @@ class DeviceWatch {
   void begin(const Device& device, Instant now);
 
   // That it is heard for the first time; `former`: it was at that address, without a PIN, before.
-  Event appeared(const State& state, Address former) const;
+  Event appeared(const State& state, Address former);
+  // By which event that was told; Count: it was not.
+  EventKind toldAs() const { return m_toldAs; }
 
   // A frame came from the device, or one to it that it reports. `id`: what it is if the state took it; Count if nothing
   // of it is told.
@@ -102,6 +104,7 @@ class DeviceWatch {
   NodeId m_node;
   Pin m_pin;
   bool m_hasAddress = false;
+  EventKind m_toldAs = EventKind::Count;
   Instant m_linkChanged = kNotYet;
   Instant m_comparedFrom = kNotYet;  // what came before is not compared
   bool m_isUnheard = false;          // since then

@@ -215,7 +215,7 @@ void EventWalk::look(const Device& device, MessageId id, const Payload& data, Bu
     watch.begin(device, now);
     const Instant since = bus.heardSince(device, now);
     if (bus.isBehindGap() && !device.pin.isNull()) {
-      bus.pinCame(*m_state, device, since, m_found);
+      bus.pinCame(*m_state, device, since, watch.toldAs(), m_found);
     } else if (bus.isSettled(since)) {
       Event event = watch.appeared(*m_state, bus.formerAddress(device.address, now));
       if (since < now) event.since = since;
@@ -244,7 +244,7 @@ void EventWalk::lookAtIdentities(Channel channel, BusWatch& bus) {
     } else if (watch.channel() == channel) {
       const std::size_t found = m_found.size();
       watch.lookAtIdentity(*m_state, devices[i], m_found);
-      bus.pinCame(*m_state, devices[i], watch.heardFrom(cursor().time), m_found);
+      bus.pinCame(*m_state, devices[i], watch.heardFrom(cursor().time), watch.toldAs(), m_found);
       for (Event& event : std::span(m_found).subspan(found)) {
         const Device* taker = m_state->devices().byAddress(channel, event.address);
         if (event.kind == EventKind::AddressLost && taker != nullptr) bus.nameParties(event, taker->pin);

@@ -163,6 +163,21 @@ const std::vector<EventCase> kCases{
        s.hear("18EFFF80", "FF83150206021A0A").goOn(1s);
      },
      {"6.000 address_lost" MONITOR " to another", "6.000 appeared 80", "52.000 restarted 1032AE100801034"}},
+    {"ANewDeviceBehindAGapThatSaysItsPinLater",
+     [](Story& s) {
+       s.monitor().gap().goOn(60s).hear("18EFFF82", Story::kPosition).goOn(1s);
+       s.hear("18EFFF82", Story::kAnnouncesB);
+     },
+     {"106.000 appeared 82"}},
+    {"ADeviceThatMovesBehindAGapByItsNameAndSaysItsPinLater",
+     [](Story& s) {
+       s.hear("18EEFF90", Story::kNameOfB).hear("18EFFF90", Story::kAnnouncesB).pass(1s).gap();
+       s.hear("18EEFF83", Story::kNameOfB);
+       for (int i = 0; i < 50; ++i) s.hear("18EFFF83", Story::kPosition).pass(100ms);
+       s.hear("18EEFF83", Story::kLowerName).pass(1ms).hear("18EEFF84", Story::kNameOfB).pass(250ms);
+       s.hear("18EFFF84", Story::kPosition).hear("18EFFF84", Story::kAnnouncesB);
+     },
+     {"47.000 address_lost 83 to another", "47.251 moved_address 84 131>132"}},
     {"OtherStatesBehindAGap",
      [](Story& s) { s.monitor().gap().goOn(5s, "0123283284401041", "830051"); },
      {"46.000 disabled 80"}},
