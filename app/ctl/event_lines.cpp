@@ -22,6 +22,9 @@ constexpr EnumTable<EventKind, const char*> kMeanings{{
      "gap of the link by a new PIN"},
     {EventKind::Silent, "its periodic messages are missing for 3 s or three of its periods (since)"},
     {EventKind::Back, "they come again, after so long (ms)"},
+    {EventKind::NotBack,
+     "it repeated something before a gap of the link, and is not heard behind it for as long (since; pin: of "
+     "before)"},
     {EventKind::Restarted, "it announced itself unasked, or a node booted"},
     {EventKind::NotOperational, "a CANopen node is not in the operational state (was, now)"},
     {EventKind::Operational, "... and is operational again (was, now)"},

@@ -43,13 +43,19 @@ Event onAxis(Event event, std::size_t axis, bool isPlus) {
   return event;
 }
 
-// The time of the last message that it repeats; of what repeats nothing, when it was heard.
-Instant lastBeat(const State& state, const Device& device) {
+// The time of the last message that it repeats; kNotYet if there was none.
+Instant lastRepeated(const State& state, const Device& device) {
   Instant last = device.lastStatus;
   if (device.kind != Device::Kind::Node) {
     if (const Joystick* stick = state.channel(device.channel).joysticks.find(device.address))
       last = std::max({last, stick->basic.at, stick->extended.at});
   }
+  return last;
+}
+
+// The same; of what repeats nothing, when it was heard.
+Instant lastBeat(const State& state, const Device& device) {
+  const Instant last = lastRepeated(state, device);
   return last == kNotYet ? device.lastHeard : last;
 }
 
@@ -103,18 +109,36 @@ void DeviceWatch::linkChanged(Instant time) {
   m_permissiveDue = time;
 }
 
+// One that was not heard behind the gap before this one is the same matter still.
+void DeviceWatch::expectBack(const State& state, const Device& device) {
+  if (m_isUnheard) return;
+  m_formerPin = m_pin;
+  const bool repeats = isCompared(lastRepeated(state, device)) &&
+                       (device.kind != Device::Kind::Node || device.hasPeriod()) && !m_silence.isSilent();
+  m_awaitedFor = repeats ? device.silentAfter() : Duration{0};
+}
+
 void DeviceWatch::linkCameBack(const Device& device, Instant now) {
-  if (device.kind == Device::Kind::Free) {
-    *this = {};
-    return;
-  }
+  const DeviceWatch before = std::exchange(*this, {});
+  if (device.kind == Device::Kind::Free) return;
   begin(device, now);
   m_linkChanged = m_comparedFrom = now;
   m_isUnheard = true;
+  m_formerPin = before.m_formerPin;
+  m_awaitedFor = before.m_awaitedFor;
+  if (before.m_silence.isNotBack()) m_silence = before.m_silence;
 }
 
+// Whatever comes of one that was not back shows that it is; under another PIN it is another one.
 void DeviceWatch::heard(const State& state, const Device& device, std::vector<Event>& out) {
-  if (m_silence.isSilent()) {
+  if (m_silence.isNotBack()) {
+    if (m_pin.isNull() || m_pin == m_formerPin) {
+      m_silence.end(state.cursor().time);
+      compareSilence(state, out);
+    } else {
+      m_silence = {};
+    }
+  } else if (m_silence.isSilent()) {
     if (lastBeat(state, device) <= m_silence.lastHeard() || healthOf(state, device).has(HealthCause::Silent))
       return;
     m_silence.end(state.cursor().time);
@@ -161,9 +185,15 @@ void DeviceWatch::compareLengths(const State& state, std::vector<Event>& out) {
 // Nothing can be heard while the link is down, which is told by itself.
 void DeviceWatch::lookAtSilence(const State& state, const Device& device, std::vector<Event>& out) {
   const Instant now = state.cursor().time;
-  const Instant due = std::max(lastBeat(state, device), m_linkChanged) + device.silentAfter();
+  const Duration after = m_isUnheard ? m_awaitedFor : device.silentAfter();
+  const Instant due = std::max(lastBeat(state, device), m_linkChanged) + after;
   m_silenceDue = due > now ? due : kNever;
   if (m_silenceDue != kNever || state.channel(m_channel).link == ChannelLink::Down) return;
+  if (m_isUnheard) {
+    if (std::exchange(m_awaitedFor, Duration{0}) == Duration{0}) return;
+    m_silence.begin(m_linkChanged, EventKind::NotBack);
+    return compareSilence(state, out);
+  }
   const Health health = healthOf(state, device);
   if (!health.has(HealthCause::Silent)) {
     // As long as another one sends from its address, its own silence cannot be told.

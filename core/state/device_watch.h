@@ -40,6 +40,8 @@ class DeviceWatch {
   void addressWasTaken() { m_hasAddress = false; }
   // The link of its channel went up or down.
   void linkChanged(Instant time);
+  // It comes up again: what repeated something before the gap is awaited behind it. Comes before the state knows it.
+  void expectBack(const State& state, const Device& device);
   // It is up again: whoever is at the address is watched from here on, and nothing is compared with before.
   void linkCameBack(const Device& device, Instant now);
 
@@ -81,7 +83,9 @@ class DeviceWatch {
   void lookAtLengths(const State& state, const Device& device, MessageId id, std::vector<Event>& out);
   void compareLengths(const State& state, std::vector<Event>& out);
   void compareSilence(const State& state, std::vector<Event>& out) {
-    m_silence.compare(eventOf(state), m_retry, out);
+    Event event = eventOf(state);
+    if (m_silence.isNotBack()) event.pin = m_formerPin;
+    m_silence.compare(event, m_retry, out);
   }
   void lookAtSilence(const State& state, const Device& device, std::vector<Event>& out);
   void compare(const State& state, const Device& device, MessageId id, std::vector<Event>& out);
@@ -109,6 +113,8 @@ class DeviceWatch {
   Instant m_comparedFrom = kNotYet;  // what came before is not compared
   bool m_isUnheard = false;          // since then
   Instant m_heardFrom = kNotYet;     // the first time since then
+  Pin m_formerPin;                   // before the gap
+  Duration m_awaitedFor{0};          // so long behind the gap it is not missing; 0: it is not awaited
   Instant m_restarted = kNotYet;
   Instant m_silenceDue = kNever;     // it may be silent then; never: once it is heard again
   Instant m_permissiveDue = kNever;  // its permissive may have timed out then

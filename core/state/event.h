@@ -23,7 +23,7 @@ struct Event {
   std::uint64_t frame = 0;  // so many frames had happened, as in a cursor
   Instant time;
   Channel channel;
-  // Whom it concerns: the PIN, where it is known, and the address or node at that time.
+  // Whom it concerns: the PIN, where it is known, and the address or node at that time. NotBack: those of before the gap.
   Address address;  // null: none
   NodeId node;      // 0: none
   Pin pin;
@@ -32,7 +32,7 @@ struct Event {
   std::int64_t now = 0;
   std::uint32_t bitRate = 0;   // LoadHigh, LoadNormal: the load is of so many bit/s
   bool isRateAssumed = false;  // the log does not say that rate
-  // Silent, JoystickEnded: when it was heard last, or when the link came up, if that was later. Others: since when it holds, if it was told later.
+  // Silent, NotBack, JoystickEnded: when it was heard last, or when the link came up, if that was later. Others: since when it holds, if it was told later.
   Instant since = kNotYet;
   friend bool operator==(const Event&, const Event&) = default;
 };
@@ -151,14 +151,16 @@ class EventSlot {
   bool m_isKnown = false;
 };
 
-// Whether somebody who sent by himself is silent: told as Silent and Back.
+// Whether somebody who sent by himself is silent: told as Silent, or behind a gap of the link as NotBack, and as Back.
 class Silence {
  public:
   bool isSilent() const { return m_isSilent; }
+  bool isNotBack() const { return m_isSilent && m_kind == EventKind::NotBack; }
   // Before the last silence; kNotYet if there was none.
   Instant lastHeard() const { return m_lastHeard; }
-  void begin(Instant lastHeard) {
+  void begin(Instant lastHeard, EventKind kind = EventKind::Silent) {
     m_isSilent = true;
+    m_kind = kind;
     m_lastHeard = lastHeard;
   }
   void end(Instant now) {
@@ -168,7 +170,7 @@ class Silence {
   // `event` says when and whom; `retry` is that of EventSlot::moves().
   void compare(Event event, Instant& retry, std::vector<Event>& out) {
     if (!m_slot.moves(m_isSilent ? 1 : 0, event.time, retry)) return;
-    event.kind = m_isSilent ? EventKind::Silent : EventKind::Back;
+    event.kind = m_isSilent ? m_kind : EventKind::Back;
     if (m_isSilent) {
       event.since = m_lastHeard;
     } else {
@@ -179,6 +181,7 @@ class Silence {
 
  private:
   bool m_isSilent = false;
+  EventKind m_kind = EventKind::Silent;
   Instant m_lastHeard = kNotYet;
   Duration m_length{0};  // of the last one
   EventSlot m_slot{0};

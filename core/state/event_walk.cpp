@@ -118,6 +118,11 @@ void EventWalk::apply(const Note& note) {
   timeCame(std::max(note.time, cursor().time));
   const auto channel = channelOf(note.value);
   const bool wasDown = channel && m_state->channel(*channel).link == ChannelLink::Down;
+  const bool comesBack = wasDown && std::holds_alternative<note::LinkUp>(note.value);
+  for (std::size_t i = 0; comesBack && i < m_used; ++i) {
+    if (m_devices[i].isUsed() && m_devices[i].channel() == channel)
+      m_devices[i].expectBack(*m_state, m_state->devices().all()[i]);
+  }
   m_state->apply(note);
   const bool isLink =
       std::holds_alternative<note::LinkUp>(note.value) || std::holds_alternative<note::LinkDown>(note.value);

@@ -6,7 +6,8 @@
 //   2. They come in the order of their times.
 //   3. The first value heard of anything is no change, but for faults, errors, and what keeps a device from moving.
 //      Whoever is heard within kSettling of its channel's first frame was there before the log began. Behind a gap of
-//      the link its PIN tells: one that was not known before has appeared, another one may have moved.
+//      the link its PIN tells: one that was not known before has appeared, another one may have moved. What repeated
+//      something before the gap and is not heard behind it is told as not back.
 //   4. What changes faster than a person reads is told at the pace of EventSlot.
 //   5. Of a log that was saved through a filter nothing is told that rests on a silence (EventBasis).
 //

@@ -66,6 +66,8 @@ QString whatHappened(const Event& event, const QString& since) {
     case EventKind::Silent:
       return EventText::tr("Silent since %1: its periodic messages are missing").arg(since);
     case EventKind::Back: return EventText::tr("Heard again after %1").arg(lengthOf(event.now));
+    case EventKind::NotBack:
+      return EventText::tr("Not heard since the link came back at %1; it was there before").arg(since);
     case EventKind::Restarted: return EventText::tr("Restarted");
     case EventKind::NotOperational: return EventText::tr("Not operational (NMT)");
     case EventKind::Operational: return EventText::tr("Operational (NMT)");
@@ -151,7 +153,8 @@ QString whatHappened(const Event& event, const QString& since) {
 QString eventText(const Event& event, Instant begin) {
   const QString since = event.since == kNotYet ? QString() : elapsedText(event.since - begin);
   QString text = whatHappened(event, since);
-  const bool isSaid = event.kind == EventKind::Silent || event.kind == EventKind::JoystickEnded;
+  const bool isSaid = event.kind == EventKind::Silent || event.kind == EventKind::NotBack ||
+                      event.kind == EventKind::JoystickEnded;
   if (!since.isEmpty() && !isSaid) text = EventText::tr("%1, since %2").arg(text, since);
   return event.folded == 0 ? text
                            : EventText::tr("%1 (%Ln changes right before it are not listed)", nullptr,

@@ -90,7 +90,36 @@ const std::vector<EventCase> kCases{
        s.hear("18EF8021", "A1000F").goOn(1s);
      },
      {"46.300 permissive_lost 80"}},
-    {"ADeviceThatIsNotBackWithItsLink", [](Story& s) { s.monitor().gap().pass(9s); }, {}},
+    {"ADeviceThatIsNotBackWithItsLink",
+     [](Story& s) { s.monitor().gap().pass(9s); },
+     {"49.000 not_back" MONITOR " since 46.000"}},
+    {"ADeviceThatIsNotBackBehindSeveralGaps",
+     [](Story& s) { s.monitor().gap().pass(1s).gap().pass(9s).gap().pass(9s); },
+     {"90.000 not_back" MONITOR " since 87.000"}},
+    {"ADeviceThatIsBackLater",
+     [](Story& s) { s.monitor().gap().pass(9s).goOn(1s).pass(9s); },
+     {"49.000 not_back" MONITOR " since 46.000", "55.000 back 80 9000 ms", "58.900 silent 80 since 55.900"}},
+    {"ADeviceThatIsBackBehindASecondGap",
+     [](Story& s) { s.monitor().gap().pass(9s).gap().goOn(1s); },
+     {"49.000 not_back" MONITOR " since 46.000", "95.000 back 80 49000 ms"}},
+    {"ADeviceThatSaysThatItIsBack",
+     [](Story& s) { s.monitor().gap().pass(9s).hear("18EFFF80", Story::kAnnouncesA).pass(9s); },
+     {"49.000 not_back" MONITOR " since 46.000", "55.000 back" MONITOR " 9000 ms",
+      "58.000 silent" MONITOR " since 46.000"}},
+    {"AnotherDeviceWhereOneIsNotBack",
+     [](Story& s) {
+       s.monitor().gap().hear("18FEF100", "11").pass(9s).hear("18EFFF80", Story::kAnnouncesB).goOn(1s);
+     },
+     {"49.000 not_back" MONITOR " since 46.000", "55.000 appeared 1032AE100801036"}},
+    {"ANodeThatIsNotBackWithItsLink",
+     [](Story& s) {
+       for (int i = 0; i < 5; ++i) s.hear("724", "05").pass(5s);
+       s.gap().pass(20s).hear("724", "05");
+     },
+     {"81.000 not_back node 24 since 66.000", "86.000 back node 24 20000 ms"}},
+    {"NothingOfADeviceThatIsNotBackInALogSavedThroughAFilter",
+     [](Story& s) { s.note(note::Filtered{"sa=80"}).monitor().gap().pass(9s); },
+     {}},
     {"ASilenceAfterTheLinkIsUpAgain",
      [](Story& s) { s.monitor().gap().goOn(100ms).pass(9s); },
      {"49.000 silent 80 since 46.000"}},
@@ -140,7 +169,8 @@ const std::vector<EventCase> kCases{
        s.monitor().gap().hear("18FEF100", "FFFFFFFFFFFFFFFF").pass(5s);
        s.hear("18EEFF80", Story::kNameOfA).hear("18EFFF80", Story::kAnnouncesA).goOn(1s);
      },
-     {"51.000 restarted" MONITOR}},
+     {"49.000 not_back" MONITOR " since 46.000", "51.000 back" MONITOR " 5000 ms",
+      "51.000 restarted" MONITOR}},
     {"ADeviceThatMovedBetweenTwoGaps",
      [](Story& s) {
        const auto heardAt81 = [&s] {
