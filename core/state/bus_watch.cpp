@@ -83,7 +83,7 @@ void BusWatch::linkCameBack(std::span<const DeviceWatch> devices) {
   m_shared.reset();
   m_strangerSince = neverHeard<256>();
   m_nodeSince = neverHeard<128>();
-  m_sticks = {};
+  for (StickWatch& stick : m_sticks) stick.linkCameBack();
   m_sticksDue = kNever;
 }
 

@@ -39,6 +39,7 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
   const Duration gap = m_last == kNotYet ? Duration{0} : now - state.channel(channel).missedFrom(m_last);
   const bool wasSending = std::exchange(m_isSending, true), hadTimedOut = std::exchange(m_hasTimedOut, false);
   m_last = now;
+  m_isNotBack = false;
   const Duration slack = state.slack();
   m_due = std::min(m_due, now + kInputTimeout + slack);
   if (!wasSending) {
@@ -53,7 +54,7 @@ bool StickWatch::look(const State& state, Channel channel, const Joystick& stick
     m_gaps.happens(event, out);
   }
   if (stick.priority()) lookAtRank(state, channel, stick, out);
-  return !wasSending;
+  return !wasSending || wasDeaf;
 }
 
 void StickWatch::malformedCame(const State& state, Channel channel, const Joystick& stick,
@@ -119,6 +120,16 @@ void StickWatch::lookAtRank(const State& state, Channel channel, const Joystick&
   }
 }
 
+void StickWatch::linkCameBack() {
+  const StickWatch before = std::exchange(*this, {});
+  if (!before.m_isSending && !before.m_isNotBack) return;
+  m_source = before.m_source;
+  m_last = before.m_last;
+  m_isSending = before.m_isSending;
+  m_isNotBack = before.m_isNotBack;
+  m_sending.set(m_isSending ? 1 : 0);
+}
+
 void StickWatch::timeCame(const State& state, Channel channel, const Joystick& stick,
                           std::vector<Event>& out) {
   const Instant now = state.cursor().time;
@@ -126,18 +137,22 @@ void StickWatch::timeCame(const State& state, Channel channel, const Joystick& s
   m_due = kNever;
   const bool isDeaf = state.channel(channel).link == ChannelLink::Down;
   const Instant from = state.channel(channel).missedFrom(m_last);
-  const Instant timeout = isDeaf ? kNever : from + kInputTimeout + state.slack();
+  const bool isUnheard = m_last < state.channel(channel).linkUp;
+  const Instant timeout = isDeaf || isUnheard ? kNever : from + kInputTimeout + state.slack();
   const Instant end = isDeaf ? kNever : from + Joystick::kSilence;
   if (m_isSending && !m_hasTimedOut && timeout <= now) {
     m_hasTimedOut = true;
     m_timeoutGap = now - from;
   }
-  if (m_isSending) m_isSending = now < end;
+  if (m_isSending) {
+    m_isSending = now < end;
+    m_isNotBack = isUnheard && !m_isSending;
+  }
   compareTimeout(state, channel, out);
   compareSending(state, channel, out);
   compareLength(state, channel, out);
   if (stick.priority()) lookAtRank(state, channel, stick, out);
-  if (m_isSending) m_due = std::min(m_due, m_hasTimedOut ? end : timeout);
+  if (m_isSending) m_due = std::min(m_due, m_hasTimedOut || isUnheard ? end : timeout);
 }
 
 }  // namespace deckpipe

@@ -20,7 +20,7 @@ class StickWatch {
   static constexpr Duration kMaxGap = 100ms, kMaxSlowGap = 125ms, kSlowPeriod = 80ms;
 
   // A basic message came. `isNews`: the channel was heard long enough before to know that it did not send. Returns
-  // whether none had come for a while.
+  // whether none had come for a while, or since the link came up.
   bool look(const State& state, Channel channel, const Joystick& stick, bool isNews, std::vector<Event>& out);
   // One of a wrong length came: controllers take no input from it.
   void malformedCame(const State& state, Channel channel, const Joystick& stick, std::vector<Event>& out);
@@ -32,6 +32,8 @@ class StickWatch {
     m_isWrong = false;
     m_length.set(0);
   }
+  // It is up again. One that sent before ends if it does not send behind the gap; for nobody it times out then.
+  void linkCameBack();
   Instant due() const { return m_due; }
 
  private:
@@ -43,6 +45,7 @@ class StickWatch {
   Address m_source;  // null: none yet
   Instant m_last = kNotYet;
   bool m_isSending = false;  // false from Joystick::kSilence after its last message on
+  bool m_isNotBack = false;  // it sent before a gap of the link, and ended as it was not heard behind it
   bool m_hasTimedOut = false;
   Duration m_timeoutGap{0};  // how long it had not sent when the latter changed last
   Instant m_due = kNever;

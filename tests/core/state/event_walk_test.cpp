@@ -663,7 +663,15 @@ const std::vector<EventCase> kCases{
      [](Story& s) { s.stick(1s).note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(50ms).stick(5s); },
      {}},
     {"AJoystickThatIsNotBackWithItsLink",
-     [](Story& s) { s.stick(1s).note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s); },
+     [](Story& s) { s.stick(1s).gap().pass(9s).gap().pass(9s).stick(1s); },
+     {"44.000 joystick_ended 33 since 42.000", "100.000 joystick_began 33"}},
+    {"AJoystickThatEndedBeforeAGap",
+     [](Story& s) { s.stick(1s).pass(3s).gap().pass(9s); },
+     {"2.180 joystick_timed_out 33", "3.980 joystick_ended 33 since 1.980"}},
+    {"ADeviceThatSendsJoystickMessagesAloneBeforeAndBehindAGap",
+     [](Story& s) {
+       s.hear("18EFFF33", Story::kAnnouncesB).stick(5s, "0CFDD633").gap().stick(5s, "0CFDD633");
+     },
      {}},
     {"AJoystickThatStopsAfterTheLinkIsUpAgain",
      [](Story& s) { s.stick(1s).gap().stick(1s).pass(9s); },
