@@ -323,6 +323,8 @@ void NodeWatch::timeCame(const State& state, std::vector<Event>& out) {
       const Instant due = std::max(node.lastHeard, m_linkChanged) + silentAfter(node.period);
       if (due > now) {
         m_due = std::min(m_due, due);
+      } else if (channel.isBeforeGap(node.lastHeard)) {
+        if (!channel.wereOwn[a]) m_silences[a].begin(m_linkChanged, EventKind::NotBack);
       } else if (healthOf(state, m_channel, address).has(HealthCause::Silent)) {
         m_silences[a].begin(std::max(node.lastHeard, m_linkChanged));
       }

@@ -152,12 +152,10 @@ class NodeWatch {
     }
     if (m_due == kNever) m_due = state.cursor().time + kSilentAfter;
   }
-  // The link of its channel went up or down: nothing can be heard while it is down, which is told by itself. Whoever
-  // is silent once it is up again is told anew.
+  // The link of its channel went up or down: nothing can be heard while it is down, which is told by itself.
   void linkChanged(Instant time) {
     m_linkChanged = time;
     m_due = time + kSilentAfter;
-    m_silences = {};
   }
   // Whatever is due by the state's time.
   void timeCame(const State& state, std::vector<Event>& out);

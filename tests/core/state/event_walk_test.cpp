@@ -399,9 +399,29 @@ const std::vector<EventCase> kCases{
     {"ANodeOfAnotherMakerThatIsNotBackWithItsLink",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
-       s.note(note::LinkDown{}).pass(40s).note(note::LinkUp{}).pass(9s);
+       s.gap().pass(9s).gap().pass(9s).hear("18FF1028", "00");
+     },
+     {"50.000 not_back 28 since 47.000", "105.000 back 28 58000 ms"}},
+    {"ANodeOfAnotherMakerThatIsSilentBeforeAGap",
+     [](Story& s) {
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
+       s.pass(9s).gap().pass(9s).hear("18FF1028", "00");
+     },
+     {"9.000 silent 28 since 6.000", "65.000 back 28 59000 ms"}},
+    {"AnAddressOfTheConsoleBehindAGap",
+     [](Story& s) {
+       s.note(note::OwnAddress{{}, {0x28}});
+       for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
+       s.gap().pass(9s);
      },
      {}},
+    {"AnAddressThatAMonitorLeftInAGap",
+     [](Story& s) {
+       s.monitor().goOn(9s).gap().asksForNames();
+       s.hear("18EEFF81", Story::kNameOfA).hear("18EFFF81", Story::kAnnouncesA);
+       for (int i = 0; i < 90; ++i) s.hear("18EFFF81", Story::kPosition).pass(100ms);
+     },
+     {"55.000 moved_address" MONITOR " 128>129"}},
     {"ANodeOfAnotherMakerThatSendsEverySecondBeforeAndAfterAGap",
      [](Story& s) {
        for (int i = 0; i < 6; ++i) s.hear("18FF1028", "00").pass(1s);
