@@ -82,7 +82,10 @@ constexpr const char* kNotesHelp =
     "drive_said, drive_unsaid, asked (ask), ask_ended (ask, end), ask_waits (ask), still_waits (frames), "
     "pipe (file),\n"
     "left_out (frames, lines or places; reason), label (text), filtered (text),\n"
-    "angles_before (ask, rotation_deg, elevation_deg: where it stood before a command)";
+    "angles_before (ask, rotation_deg, elevation_deg: where it stood before a command),\n"
+    "motion_armed (limit_percent, echo_proven, platform), motion_ended (reason, disarmed, frames, "
+    "period_us,\n"
+    "worst_gap_us), motion_late: our joystick, and an old frame of it that went out late";
 
 std::string faultKey(std::int64_t bit) {
   const auto found =
@@ -193,6 +196,7 @@ std::string detailText(const NoteValue& value) {
           if (n.elevation.tenths) say("elevation " + tenthsText(*n.elevation.tenths));
         }
         if constexpr (requires { n.end; }) say(spoken(endWord(n.request, n.end)));
+        if constexpr (requires { n.cause; }) say(spoken(kMotionCauseWords[n.cause].word));
         if constexpr (requires { n.count; }) {
           const std::string_view many = countedIn(n);
           say(counted(n.count, many.substr(0, many.size() - 1), many));
@@ -382,6 +386,15 @@ void addNoteFields(JsonLine& line, const NoteValue& value) {
         }
         if constexpr (requires { n.end; }) line.add("end", endWord(n.request, n.end));
         if constexpr (requires { n.file; }) addText("file", n.file);
+        if constexpr (requires { n.platform; }) {
+          line.addJson("limit_percent", tenthsText(n.limit));
+          line.add("echo_proven", n.isProven);
+          addText("platform", n.platform);
+        }
+        if constexpr (requires { n.cause; }) {
+          line.add("reason", kMotionCauseWords[n.cause].word).add("disarmed", n.isDisarmed);
+          line.add("frames", n.messages).add("period_us", n.period).add("worst_gap_us", n.worstGap);
+        }
         if constexpr (requires { n.count; }) line.add(countedIn(n), n.count);
         if constexpr (requires { n.why; }) line.add("reason", leftOutWord(n.why));
       },

@@ -7,10 +7,12 @@
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/ids.h"
 #include "base/overload.h"
 #include "base/time.h"
+#include "control/motion.h"
 #include "control/request.h"
 
 namespace deckpipe {
@@ -62,11 +64,32 @@ struct PipeAction {
   bool forTheRest = false;
 };
 
+// Makes the console's joystick ready to be held. A joystick message has no addressee, so it names whom it moves:
+// every monitor that is heard, and no other.
+struct ArmJoystick {
+  Address source{};  // 33..38 hex
+  std::vector<Pin> moves{};
+  int limit = kSpeedLimit;       // of the speed, 0.1 %
+  bool acceptsUnproven = false;  // the person accepts that nobody can tell whether our frames reach the bus
+  std::string platform{};        // what the hand is on, for the record
+};
+// A hand's word that it holds the joystick, or does not: 'held' lets go by itself after 100 ms. It is refused
+// until 'not held' was said, and then until the stick is at rest.
+struct HoldJoystick {
+  bool isHeld = false;
+  Deflection x{}, y{};  // right and forward positive
+  Instant verified{};   // CLOCK_BOOTTIME when it was seen that it is held
+};
+struct DisarmJoystick {
+  MotionCause cause = MotionCause::Disarmed;
+};
+
 }  // namespace intent
 
 using Intent =
     std::variant<intent::Lock, intent::Unlock, intent::RequestNames, intent::SendRequests, intent::Repeat,
-                 intent::Cancel, intent::PipeWrite, intent::PipeFile, intent::PipeAction>;
+                 intent::Cancel, intent::PipeWrite, intent::PipeFile, intent::PipeAction, intent::ArmJoystick,
+                 intent::HoldJoystick, intent::DisarmJoystick>;
 
 // Whether it only holds or ends what is under way: that is offered whatever the cursor shows. What begins
 // something wants the live edge.
@@ -89,7 +112,10 @@ inline bool onlyStops(const Intent& intent) {
                [](const intent::PipeAction& action) { return onlyStops(action.what); },
                [](const intent::Unlock&) { return false; }, [](const intent::RequestNames&) { return false; },
                [](const intent::SendRequests&) { return false; },
-               [](const intent::PipeWrite&) { return false; }, [](const intent::PipeFile&) { return false; }},
+               [](const intent::PipeWrite&) { return false; }, [](const intent::PipeFile&) { return false; },
+               [](const intent::ArmJoystick&) { return false; },
+               [](const intent::HoldJoystick& hold) { return !hold.isHeld; },
+               [](const intent::DisarmJoystick&) { return true; }},
       intent);
 }
 

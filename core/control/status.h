@@ -11,6 +11,7 @@
 
 #include "base/ids.h"
 #include "base/time.h"
+#include "control/motion.h"
 #include "control/request.h"
 
 namespace deckpipe {
@@ -32,9 +33,20 @@ enum class Refusal : std::uint8_t {
   ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
   Disputed,    // a command or packet while another node sends from our address: its acks would look like ours
   FormerPin,   // the device said its PIN before the link was down, and not since
+  // Of the joystick.
+  OtherMonitors,   // those that are heard are not exactly those that were named
+  SourceTaken,     // another node uses or holds the joystick's address
+  WouldOutrank,    // a joystick of lower priority is heard
+  EchoUnproven,    // nobody can tell whether our frames reach the bus, and that was not or cannot be accepted
+  StillWaits,      // a frame of it from before may still go out
+  BusTrouble,      // the adapter is bus-off or error-passive
+  ArmedElsewhere,  // another Deckpipe on this computer
+  NotArmed,
+  NotReleased,  // it must be let go first, and then held with the stick at rest
+  Disabled,     // a monitor's enable is off
 };
 template <>
-inline constexpr Refusal kLastOf<Refusal> = Refusal::FormerPin;
+inline constexpr Refusal kLastOf<Refusal> = Refusal::Disabled;
 
 // A device that was silent for longer may be gone, or hear nothing: no command and no packet goes to it.
 inline constexpr Duration kHeardWithin = 1s;
@@ -176,6 +188,34 @@ struct WaitingCommand {
   friend bool operator==(const WaitingCommand&, const WaitingCommand&) = default;
 };
 
+// The console's own joystick.
+struct JoystickStatus {
+  enum class Progress : std::uint8_t {
+    Off,
+    Listening,  // whether its address is silent
+    Claiming,   // our claim is not on the bus yet
+    Settling,   // and may be contested yet
+    Armed,
+    Held,
+    Releasing,  // it says neutral, and may be held anew
+    Ending,     // it says neutral
+  };
+  Progress progress = Progress::Off;
+  MotionCause cause = MotionCause::None;  // of the last end of motion or arming, or why it cannot be held
+  Address source{};                       // of the last arming, as all below
+  std::vector<Pin> moves{};
+  int limit = kSpeedLimit;      // of the speed, 0.1 %
+  Instant heldSince = kNotYet;  // the last time
+  std::uint32_t frames = 0;     // since then on the bus, neutral too
+  Duration period{0};           // of these, the mean
+  Duration worstGap{0};         // between two of one hold
+  bool wentOutLate = false;     // an old motion frame has just gone out
+  friend bool operator==(const JoystickStatus&, const JoystickStatus&) = default;
+};
+template <>
+inline constexpr JoystickStatus::Progress kLastOf<JoystickStatus::Progress> =
+    JoystickStatus::Progress::Ending;
+
 struct ServiceStatus {
   bool locked = true;
   bool isEnding = false;  // a lock or close was asked for; a service still has something to say before
@@ -185,6 +225,7 @@ struct ServiceStatus {
   bool echoes = true;
   bool isListenOnly = false;  // the driver says that the adapter cannot send
   ClaimStatus claim;
+  JoystickStatus joystick;
   std::vector<DeviceServices> devices;  // that can be asked something, or were
   std::vector<WaitingCommand> waitingCommands;
   double busLoad = 0;               // of the last second, 0..1

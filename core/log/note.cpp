@@ -48,7 +48,15 @@ Severity noteWeight(const NoteValue& value) {
                              [](const note::Label&) { return Severity::Plain; },
                              [](const note::Added&) { return Severity::Plain; },
                              [](const note::Filtered&) { return Severity::Warning; },
-                             [](const note::RanUntil&) { return Severity::Plain; }},
+                             [](const note::RanUntil&) { return Severity::Plain; },
+                             [](const note::MotionArmed&) { return Severity::Plain; },
+                             [](const note::MotionEnded& n) {
+                               const bool isMeant = n.cause == MotionCause::Released ||
+                                                    n.cause == MotionCause::Disarmed ||
+                                                    n.cause == MotionCause::Locked;
+                               return isMeant ? Severity::Plain : Severity::Warning;
+                             },
+                             [](const note::MotionLate&) { return Severity::Fault; }},
                     value);
 }
 

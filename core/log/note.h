@@ -15,6 +15,7 @@
 #include "base/ids.h"
 #include "base/link_fault.h"
 #include "base/time.h"
+#include "control/motion.h"
 #include "control/pipe_event.h"
 #include "control/request.h"
 
@@ -193,6 +194,34 @@ struct Pipe {
   friend bool operator==(const Pipe&, const Pipe&) = default;
 };
 
+// The console's joystick was armed; one for each monitor that it was said to move.
+struct MotionArmed {
+  Channel channel;
+  Address address;  // the joystick's
+  Pin pin;
+  std::uint16_t limit = 0;  // of the speed, 0.1 %
+  bool isProven = false;    // an echo says that a frame was on the bus
+  NoteText platform{};      // what the hand is on
+  friend bool operator==(const MotionArmed&, const MotionArmed&) = default;
+};
+// It was held, or armed, and is not any more.
+struct MotionEnded {
+  Channel channel;
+  Address address;  // the joystick's
+  MotionCause cause = MotionCause::None;
+  bool isDisarmed = false;
+  std::uint32_t messages = 0;  // of the last hold, on the bus
+  std::uint32_t period = 0;    // of these, the mean, in µs
+  std::uint32_t worstGap = 0;  // since it was armed, in µs
+  friend bool operator==(const MotionEnded&, const MotionEnded&) = default;
+};
+// A motion frame of before has just gone out.
+struct MotionLate {
+  Channel channel;
+  Address address;  // the joystick's
+  friend bool operator==(const MotionLate&, const MotionLate&) = default;
+};
+
 }  // namespace note
 
 template <>
@@ -204,7 +233,7 @@ using NoteValue =
     std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,
                  note::DriveSaid, note::OwnAddress, note::Asked, note::RequestEnded, note::RequestWaits,
                  note::StillWaits, note::Pipe, note::LeftOut, note::Label, note::Added, note::Filtered,
-                 note::AnglesBefore, note::RanUntil>;
+                 note::AnglesBefore, note::RanUntil, note::MotionArmed, note::MotionEnded, note::MotionLate>;
 
 struct Note {
   std::uint64_t frame = 0;  // stands before this frame; the store's count where it is the last thing so far

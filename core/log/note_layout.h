@@ -126,6 +126,25 @@ inline constexpr auto kLayout<note::AnglesBefore> =
 template <>
 inline constexpr auto kLayout<note::RanUntil> = layout(19, "ran_until");
 
+template <>
+inline constexpr auto kLayout<note::MotionArmed> = layout(20, "motion_armed",
+                                                          field("channel", &note::MotionArmed::channel),
+                                                          field("address", &note::MotionArmed::address),
+                                                          field("pin", &note::MotionArmed::pin),
+                                                          field("limit", &note::MotionArmed::limit),
+                                                          field("is_proven", &note::MotionArmed::isProven),
+                                                          field("platform", &note::MotionArmed::platform));
+template <>
+inline constexpr auto kLayout<note::MotionEnded> = layout(
+    21, "motion_ended", field("channel", &note::MotionEnded::channel),
+    field("address", &note::MotionEnded::address), field("cause", &note::MotionEnded::cause),
+    field("is_disarmed", &note::MotionEnded::isDisarmed), field("messages", &note::MotionEnded::messages),
+    field("period_us", &note::MotionEnded::period), field("worst_gap_us", &note::MotionEnded::worstGap));
+template <>
+inline constexpr auto kLayout<note::MotionLate> = layout(22, "motion_late",
+                                                         field("channel", &note::MotionLate::channel),
+                                                         field("address", &note::MotionLate::address));
+
 namespace checks {
 
 // Whether a struct has so many fields: as many as its braces take. A layout must name each of them.

@@ -50,22 +50,29 @@ std::optional<NoteSubject> subjectOf(const NoteValue& value) {
   const auto of = [](int group, Channel channel, Address address = {}) {
     return About({group, channel, address});
   };
-  return std::visit(
-      Overload{[&](const note::LinkUp& n) { return of(0, n.channel); },
-               [&](const note::LinkDown& n) { return of(0, n.channel); },
-               [&](const note::Locked& n) { return of(1, n.channel); },
-               [&](const note::Unlocked& n) { return of(1, n.channel); },
-               [&](const note::OwnAddress& n) { return of(2, n.channel); },
-               [&](const note::DriveSaid& n) { return of(3, n.channel, n.address); },
-               [](const note::Mark&) { return About(); }, [](const note::Dropped&) { return About(); },
-               [](const note::Asked&) { return About(); }, [](const note::AnglesBefore&) { return About(); },
-               [](const note::RequestEnded&) { return About(); },
-               [](const note::RequestWaits&) { return About(); },
-               [](const note::StillWaits&) { return About(); }, [](const note::Pipe&) { return About(); },
-               [](const note::LeftOut&) { return About(); }, [](const note::Label&) { return About(); },
-               [](const note::Added&) { return About(); }, [](const note::Filtered&) { return About(); },
-               [](const note::RanUntil&) { return About(); }},
-      value);
+  return std::visit(Overload{[&](const note::LinkUp& n) { return of(0, n.channel); },
+                             [&](const note::LinkDown& n) { return of(0, n.channel); },
+                             [&](const note::Locked& n) { return of(1, n.channel); },
+                             [&](const note::Unlocked& n) { return of(1, n.channel); },
+                             [&](const note::OwnAddress& n) { return of(2, n.channel); },
+                             [&](const note::DriveSaid& n) { return of(3, n.channel, n.address); },
+                             [](const note::Mark&) { return About(); },
+                             [](const note::Dropped&) { return About(); },
+                             [](const note::Asked&) { return About(); },
+                             [](const note::AnglesBefore&) { return About(); },
+                             [](const note::RequestEnded&) { return About(); },
+                             [](const note::RequestWaits&) { return About(); },
+                             [](const note::StillWaits&) { return About(); },
+                             [](const note::Pipe&) { return About(); },
+                             [](const note::LeftOut&) { return About(); },
+                             [](const note::Label&) { return About(); },
+                             [](const note::Added&) { return About(); },
+                             [](const note::Filtered&) { return About(); },
+                             [](const note::RanUntil&) { return About(); },
+                             [](const note::MotionArmed&) { return About(); },
+                             [](const note::MotionEnded&) { return About(); },
+                             [](const note::MotionLate&) { return About(); }},
+                    value);
 }
 
 }  // namespace

@@ -269,25 +269,36 @@ void State::apply(const Note& note) {
   const auto about = channelOf(note.value);
   if (!about || about->value >= kMaxChannels) return;
   ChannelState& channel = use(*about);
-  std::visit(
-      Overload{[&](const note::LinkUp& n) {
-                 linkIs(*about, ChannelLink::Up);
-                 channel.bitRate = n.bitRate;
-                 channel.controller = ControllerState::Unknown;
-               },
-               [&](const note::LinkDown&) { linkIs(*about, ChannelLink::Down); },
-               [&](const note::Dropped& n) { channel.dropped += n.count; },
-               [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
-               [&](const note::OwnAddress& n) {
-                 channel.ownAddress = n.address;
-                 if (isNode(n.address)) channel.wereOwn.set(n.address.value);
-               },
-               [](const note::Locked&) {}, [](const note::Unlocked&) {}, [](const note::Mark&) {},
-               [](const note::Asked&) {}, [](const note::AnglesBefore&) {}, [](const note::RequestWaits&) {},
-               [](const note::RequestEnded&) {}, [](const note::StillWaits&) {}, [](const note::Pipe&) {},
-               [](const note::LeftOut&) {}, [](const note::Label&) {}, [](const note::Added&) {},
-               [](const note::Filtered&) {}, [](const note::RanUntil&) {}},
-      note.value);
+  std::visit(Overload{[&](const note::LinkUp& n) {
+                        linkIs(*about, ChannelLink::Up);
+                        channel.bitRate = n.bitRate;
+                        channel.controller = ControllerState::Unknown;
+                      },
+                      [&](const note::LinkDown&) { linkIs(*about, ChannelLink::Down); },
+                      [&](const note::Dropped& n) { channel.dropped += n.count; },
+                      [&](const note::DriveSaid& n) { channel.book.sayDrive(n.address, n.isDrive); },
+                      [&](const note::OwnAddress& n) {
+                        channel.ownAddress = n.address;
+                        if (isNode(n.address)) channel.wereOwn.set(n.address.value);
+                      },
+                      [](const note::Locked&) {},
+                      [](const note::Unlocked&) {},
+                      [](const note::Mark&) {},
+                      [](const note::Asked&) {},
+                      [](const note::AnglesBefore&) {},
+                      [](const note::RequestWaits&) {},
+                      [](const note::RequestEnded&) {},
+                      [](const note::StillWaits&) {},
+                      [](const note::Pipe&) {},
+                      [](const note::LeftOut&) {},
+                      [](const note::Label&) {},
+                      [](const note::Added&) {},
+                      [](const note::Filtered&) {},
+                      [](const note::RanUntil&) {},
+                      [](const note::MotionArmed&) {},
+                      [](const note::MotionEnded&) {},
+                      [](const note::MotionLate&) {}},
+             note.value);
 }
 
 // No time-out runs while nothing can be heard.

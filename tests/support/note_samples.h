@@ -62,6 +62,15 @@ inline const note::AnglesBefore kSample<note::AnglesBefore>{kNotedChannel,  kNot
 template <>
 inline const note::RanUntil kSample<note::RanUntil>{};
 
+template <>
+inline const note::MotionArmed kSample<note::MotionArmed>{kNotedChannel, kNotedAddress, kNotedPin,
+                                                          300,           true,          "xcb"};
+template <>
+inline const note::MotionEnded kSample<note::MotionEnded>{
+    kNotedChannel, kNotedAddress, MotionCause::MonitorGone, true, 50, 20'001, 33'000};
+template <>
+inline const note::MotionLate kSample<note::MotionLate>{kNotedChannel, kNotedAddress};
+
 template <typename... Kinds>
 std::vector<NoteValue> samplesOf(const std::variant<Kinds...>*) {
   return {kSample<Kinds>...};

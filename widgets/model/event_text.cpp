@@ -275,6 +275,12 @@ QString anglesText(const note::AnglesBefore& n) {
       .arg(requestText(n.request), angles.join(EventText::tr(", ", "between angles")));
 }
 
+QString motionEndText(const note::MotionEnded& n) {
+  return (n.isDisarmed ? EventText::tr("The console's joystick was disarmed: %1")
+                       : EventText::tr("The console's joystick went to neutral: %1"))
+      .arg(motionCauseText(n.cause));
+}
+
 }  // namespace
 
 QString noteText(const LogDocument& log, const Note& note) {
@@ -330,6 +336,14 @@ QString noteText(const LogDocument& log, const Note& note) {
           [](const note::Filtered& n) {
             return EventText::tr("Saved through the filter “%1”: what did not pass it is missing")
                 .arg(toQString(n.text.str()));
+          },
+          [](const note::MotionArmed& n) {
+            return EventText::tr("The console's joystick at address %1 was armed and moves this monitor")
+                .arg(hexText(n.address.value));
+          },
+          [](const note::MotionEnded& n) { return motionEndText(n); },
+          [](const note::MotionLate&) {
+            return EventText::tr("An old motion frame of the console has just gone out");
           }},
       note.value);
 }

@@ -88,6 +88,57 @@ QString refusalText(Refusal refusal) {
     case Refusal::FormerPin:
       return ServiceText::tr("The device has not said its PIN since the link was down.");
     case Refusal::ListenOnly: return ServiceText::tr("The adapter is in listen-only mode: it cannot send.");
+    case Refusal::OtherMonitors:
+      return ServiceText::tr("The monitors that are heard are not exactly those that were named.");
+    case Refusal::SourceTaken: return ServiceText::tr("Another node uses or holds the joystick's address.");
+    case Refusal::WouldOutrank:
+      return ServiceText::tr(
+          "A joystick of lower priority is heard: a person at the truck would be outranked.");
+    case Refusal::EchoUnproven: return ServiceText::tr("Nobody can tell whether our frames reach the bus.");
+    case Refusal::StillWaits: return ServiceText::tr("A frame of before may still go out.");
+    case Refusal::BusTrouble: return ServiceText::tr("The adapter is bus-off or error-passive.");
+    case Refusal::ArmedElsewhere:
+      return ServiceText::tr("Another Deckpipe on this computer moves monitors at this moment.");
+    case Refusal::NotArmed: return ServiceText::tr("The joystick is not armed.");
+    case Refusal::NotReleased: return ServiceText::tr("The joystick must be let go first.");
+    case Refusal::Disabled: return ServiceText::tr("A monitor's enable is off.");
+  }
+  return {};
+}
+
+QString motionCauseText(MotionCause cause) {
+  switch (cause) {
+    case MotionCause::None: return {};
+    case MotionCause::Released: return ServiceText::tr("let go");
+    case MotionCause::Disarmed: return ServiceText::tr("by hand");
+    case MotionCause::HandNotSeen: return ServiceText::tr("no fresh word that it is held");
+    case MotionCause::Gap: return ServiceText::tr("nothing was sent for more than 100 ms");
+    case MotionCause::HeldTooLong: return ServiceText::tr("held for 60 s");
+    case MotionCause::NotHeldTooLong: return ServiceText::tr("not held for 120 s");
+    case MotionCause::Locked: return ServiceText::tr("transmit locked");
+    case MotionCause::LinkLost: return ServiceText::tr("link lost");
+    case MotionCause::SourceTaken: return ServiceText::tr("another node claims or uses its address");
+    case MotionCause::ControllerAppeared:
+      return ServiceText::tr("a controller appeared, changed its address or lost it");
+    case MotionCause::MonitorGone:
+      return ServiceText::tr("a monitor is not heard any more, or its address is contested");
+    case MotionCause::EnableOff: return ServiceText::tr("a monitor's enable is off");
+    case MotionCause::MonitorChanged:
+      return ServiceText::tr("a monitor's enable, operational error or stowed bit changed");
+    case MotionCause::StowAsked: return ServiceText::tr("another asks for stow or deploy");
+    case MotionCause::NotOnBus: return ServiceText::tr("our frames do not reach the bus");
+    case MotionCause::WriteFailed: return ServiceText::tr("the adapter did not take a frame");
+    case MotionCause::BusTrouble:
+      return ServiceText::tr("the adapter is bus-off, error-passive or fails to send");
+    case MotionCause::ClockJumped: return ServiceText::tr("the computer was asleep");
+    case MotionCause::WouldOutrank: return ServiceText::tr("a joystick of lower priority is heard");
+    case MotionCause::WrongWay: return ServiceText::tr("a monitor moves against the command");
+    case MotionCause::NoMotion: return ServiceText::tr("a monitor does not follow the command");
+    case MotionCause::AtStop: return ServiceText::tr("a monitor stands at a hard stop");
+    case MotionCause::AtSoftLimit: return ServiceText::tr("a monitor stands at a soft limit");
+    case MotionCause::Outranked:
+      return ServiceText::tr("a joystick of higher priority commands the same axis");
+    case MotionCause::NoPermissive: return ServiceText::tr("a monitor has no permissive for this direction");
   }
   return {};
 }

@@ -18,6 +18,8 @@ QString requestText(Request request);
 QString requestEndText(Request request, RequestEnd end);
 // A whole sentence.
 QString refusalText(Refusal refusal);
+// "a monitor's enable is off", why motion ended.
+QString motionCauseText(MotionCause cause);
 // "the interface is down"; empty for None.
 QString linkFaultText(LinkFault fault);
 // With the adapter's own words, where it has any: "the adapter is gone (Network is down)".

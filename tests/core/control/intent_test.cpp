@@ -17,7 +17,9 @@ TEST(Intent, OnlyStopsWhereItHoldsOrEndsWhatIsUnderWay) {
                                      intent::Repeat{device, kPolls, 0s},
                                      intent::PipeAction{device, What::Pause},
                                      intent::PipeAction{device, What::Cancel},
-                                     intent::PipeAction{device, What::Abort}};
+                                     intent::PipeAction{device, What::Abort},
+                                     intent::HoldJoystick{},
+                                     intent::DisarmJoystick{}};
   for (const Intent& intent : stopping) EXPECT_TRUE(onlyStops(intent)) << intent.index();
   const std::vector<Intent> beginning{intent::Unlock{},
                                       intent::RequestNames{},
@@ -27,7 +29,9 @@ TEST(Intent, OnlyStopsWhereItHoldsOrEndsWhatIsUnderWay) {
                                       intent::PipeFile{device, "f", {}},
                                       intent::PipeAction{device, What::Resume},
                                       intent::PipeAction{device, What::Resend},
-                                      intent::PipeAction{device, What::Skip}};
+                                      intent::PipeAction{device, What::Skip},
+                                      intent::ArmJoystick{},
+                                      intent::HoldJoystick{.isHeld = true}};
   for (const Intent& intent : beginning) EXPECT_FALSE(onlyStops(intent)) << intent.index();
 }
 

@@ -69,6 +69,9 @@ TEST(NoteCodec, WritesEveryKindAsEveryVersionDoes) {
       {"filtered", "11 1270676e3d4546303020616e642073613d3830"},
       {"angles_before", "12 0281" + std::string(kPinHex) + "0627fe0080"},
       {"ran_until", "13 "},
+      {"motion_armed", "14 0281" + std::string(kPinHex) + "2c0101" + "03786362"},
+      {"motion_ended", "15 02810b0132000000214e0000e8800000"},
+      {"motion_late", "16 0281"},
   };
   for (const NoteValue& value : test::noteSamples()) {
     const auto found = expected.find(noteKey(value));
@@ -107,6 +110,17 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
     EXPECT_EQ(bytes[bytes.size() - 2], n);
   }
   EXPECT_EQ(test::allOf<PipeEvent>().size(), std::size(events));
+  using enum MotionCause;
+  const MotionCause causes[] = {
+      None,      Released, Disarmed,    HandNotSeen,        Gap,         HeldTooLong,  NotHeldTooLong,
+      Locked,    LinkLost, SourceTaken, ControllerAppeared, MonitorGone, EnableOff,    MonitorChanged,
+      StowAsked, NotOnBus, WriteFailed, BusTrouble,         ClockJumped, WouldOutrank, WrongWay,
+      NoMotion,  AtStop,   AtSoftLimit, Outranked,          NoPermissive};
+  for (std::uint8_t n = 0; n < std::size(causes); ++n) {
+    const Bytes bytes = bytesOf(note::MotionEnded{{}, {}, causes[n]});
+    EXPECT_EQ(bytes[bytes.size() - 14], n);
+  }
+  EXPECT_EQ(test::allOf<MotionCause>().size(), std::size(causes));
   const LinkFault faults[] = {LinkFault::None,          LinkFault::NoPlugin,     LinkFault::NoInterface,
                               LinkFault::InterfaceDown, LinkFault::WrongBitRate, LinkFault::BitRateRefused,
                               LinkFault::NoAnswer,      LinkFault::Gone,         LinkFault::Other};
