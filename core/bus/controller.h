@@ -21,6 +21,13 @@ enum class ControllerState : std::uint8_t {
   Sleeping
 };
 
+// What the driver says of it, as read last.
+struct ControllerReading {
+  ControllerState state = ControllerState::Unknown;
+  std::uint16_t sendErrors = 0;  // the controller's own counter
+  friend bool operator==(const ControllerReading&, const ControllerReading&) = default;
+};
+
 inline constexpr std::uint32_t kRestartedClass = 0x100;
 
 // The controller has left bus-off. Frames that it held then were thrown away, without an echo.

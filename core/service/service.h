@@ -137,6 +137,8 @@ class Service {
   virtual void writeEnded(Instant now, const Live& live, FrameTag tag, WriteOutcome outcome,
                           Outgoing& out) = 0;
   virtual void timeCame(Instant now, const Live& live, Outgoing& out) = 0;
+  // What the driver says of the adapter's controller, whenever it was read.
+  virtual void controllerRead(Instant, const Live&, const ControllerReading&, Outgoing&) {}
   // When timeCame() is due next; kNever if nothing is.
   virtual Instant nextTime() const = 0;
   virtual void end(Instant now, const Live& live, EndReason reason, Outgoing& out) = 0;

@@ -6,6 +6,7 @@
 
 #include "bus/controller.h"
 #include "bus/j1939.h"
+#include "service/joystick_service.h"
 #include "service/pipe_service.h"
 #include "service/request_service.h"
 
@@ -16,6 +17,9 @@ Services::Services(const ServiceSettings& settings) : m_settings(settings), m_bu
   add(std::move(claim));
   add(std::make_unique<RequestService>(m_budget, own));
   add(std::make_unique<PipeService>(own));
+  using Echo = JoystickService::Echo;
+  const Echo echo = settings.echoIsProven ? Echo::Proven : Echo::Unproven;
+  add(std::make_unique<JoystickService>(settings.claim, settings.echoes ? echo : Echo::None));
   m_status.echoes = settings.echoes;
 }
 
@@ -127,11 +131,22 @@ void Services::complete(Instant now, const Live& live) {
   m_out.note(note::Locked{live.channel});
 }
 
+bool Services::controllerRead(Instant now, const State& state, const ControllerReading& reading) {
+  if (!isOpen()) return false;
+  const Live live = liveOf(state);
+  forEach([&](Service& service) { service.controllerRead(now, live, reading, m_out); });
+  followEnding(now, live);
+  return !m_out.frames.empty();
+}
+
 Refusal Services::apply(Instant now, const State& state, const StampedIntent& intent) {
-  const Refusal refusal = carryOut(now, liveOf(state), intent);
-  m_status.refusal = refusal;
-  if (refusal != Refusal::None) m_status.refusedSerial = intent.serial;
-  return refusal;
+  return refuse(intent, carryOut(now, liveOf(state), intent));
+}
+
+Refusal Services::refuse(const StampedIntent& intent, Refusal why) {
+  m_status.refusal = why;
+  if (why != Refusal::None) m_status.refusedSerial = intent.serial;
+  return why;
 }
 
 Refusal Services::carryOut(Instant now, const Live& live, const StampedIntent& intent) {

@@ -25,6 +25,8 @@ struct ServiceSettings {
   int bitRate = 250'000;
   bool echoes = true;  // our own frames come back from the link
   ClaimSettings claim{};
+  // No frame comes back that was not on the bus: good enough to move a monitor without a word of the person for it.
+  bool echoIsProven = false;
 };
 
 class Services {
@@ -39,12 +41,16 @@ class Services {
   // … and whether it loops frames back itself: where the kernel does it when a frame is queued, an echo says
   // nothing about the bus. Taken for true until said otherwise.
   void setEchoProves(bool proves) { m_status.echoes = m_settings.echoes && proves; }
+  // … and how its controller is. Returns whether there is something to write.
+  bool controllerRead(Instant now, const State& live, const ControllerReading& reading);
   // … and at which bit rate the bus runs, 0 if it does not say.
   void setBitRate(int bitRate) { m_budget.setBitRate(bitRate > 0 ? bitRate : m_settings.bitRate); }
   // Ends everything, because the link is about to be closed; complete when isLocked(). For good.
   void close(Instant now, const State& live);
   bool isLocked() const { return m_status.locked; }
   Refusal apply(Instant now, const State& live, const StampedIntent& intent);
+  // For a reason that the services cannot know.
+  Refusal refuse(const StampedIntent& intent, Refusal why);
   // A frame that the State has taken already, with its own log time; our own echoes too. In order.
   void received(Instant at, const State& live, const Frame& frame);
   // Frames were lost before they could be read, behind those that were received(): the echoes of what is not
