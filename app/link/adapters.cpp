@@ -103,6 +103,10 @@ bool pluginEchoes(const QString& plugin, const QString& interfaceName) {
   return plugin == QLatin1String("virtualcan") && QUrl(interfaceName).query() == QLatin1String("echo");
 }
 
+bool echoProvesBus(const QString& plugin, const QString& interfaceName) {
+  return !isSocketCan(plugin) && pluginEchoes(plugin, interfaceName);
+}
+
 bool pluginTakesBitRate(const QString& plugin) { return plugin != QLatin1String("virtualcan"); }
 
 bool pluginStampsWallClock(const QString& plugin) {

@@ -77,6 +77,11 @@ void keepServerOnThisThread(const QString& plugin, const QString& interfaceName)
 // such mark in 6.4.2.
 bool pluginEchoes(const QString& plugin, const QString& interfaceName);
 
+// Whether such an echo proves that the frame was on the bus, so surely that a monitor may be moved on it. The bus of the
+// simulated truck has no wire. Of Linux's drivers many return a frame before it is sent, and none is known here that
+// does not.
+bool echoProvesBus(const QString& plugin, const QString& interfaceName);
+
 // Whether the plugin takes BitRateKey. All do but virtualcan, which has no bits; unknown plugins are asked.
 bool pluginTakesBitRate(const QString& plugin);
 

@@ -42,7 +42,8 @@ LiveBus::LiveBus(std::shared_ptr<LogDocument> document, LinkSettings settings, C
     : m_document(std::move(document)),
       m_settings(std::move(settings)),
       m_services({m_settings.channel, m_settings.bitRate,
-                  pluginEchoes(m_settings.plugin, m_settings.interfaceName), claim}),
+                  pluginEchoes(m_settings.plugin, m_settings.interfaceName), claim,
+                  echoProvesBus(m_settings.plugin, m_settings.interfaceName)}),
       m_times(m_document->frames) {
   if (before == nullptr) return;
   const Published last = before->latest();
@@ -73,9 +74,15 @@ void LiveBus::apply(const StampedIntent& intent) {
   if (m_storeFull && !onlyStops(intent.value)) return;
   if (m_link != nullptr) m_link->drain();
   followHardware();
-  m_services.apply(bootTime(), m_state, intent);
+  followClocks();
+  if (std::holds_alternative<intent::ArmJoystick>(intent.value) && !m_armingLock.take()) {
+    m_services.refuse(intent, Refusal::ArmedElsewhere);
+  } else {
+    m_services.apply(bootTime(), m_state, intent);
+  }
   serve();
-  publish();
+  // A hand's word comes fifty times a second, and shows with the next tick.
+  if (!std::holds_alternative<intent::HoldJoystick>(intent.value)) publish();
 }
 
 void LiveBus::followHardware() {
@@ -84,11 +91,20 @@ void LiveBus::followHardware() {
   if (hardware) {
     m_services.setEchoProves(hardware->echoesInDriver);
     m_services.setBitRate(static_cast<int>(hardware->bitRate));
+    if (m_services.controllerRead(bootTime(), m_state, {hardware->controller, hardware->sendErrors})) serve();
   }
   const bool isListenOnly = hardware && hardware->isListenOnly;
   const bool wasLocked = m_services.isLocked();
   m_services.setListenOnly(bootTime(), m_state, isListenOnly);
   if (isListenOnly && !wasLocked) serve();
+}
+
+void LiveBus::followClocks() {
+  constexpr Duration kJump = 100ms;
+  const Duration asleep = bootTime() - monotonicTime();
+  const Duration jump = asleep - std::exchange(m_asleep, asleep).value_or(asleep);
+  if (m_services.isLocked() || std::chrono::abs(jump) <= kJump) return;
+  m_services.apply(bootTime(), m_state, {intent::DisarmJoystick{MotionCause::ClockJumped}, bootTime(), 0});
 }
 
 void LiveBus::sayDrive(Address address, bool isDrive) {
@@ -127,6 +143,7 @@ void LiveBus::serve() {
 // Frames first: those that arrived while the thread was held up may be answers in time.
 void LiveBus::deadlineCame() {
   m_link->drain();
+  followClocks();
   m_services.timeCame(bootTime(), m_state);
   serve();
 }
@@ -232,6 +249,7 @@ void LiveBus::publish() {
     m_document->notes.append({.time = m_state.cursor().time, .value = note::RanUntil{}});
   auto state = std::make_shared<const State>(m_state);
   auto services = std::make_shared<const ServiceStatus>(m_services.status(bootTime(), m_state));
+  if (services->joystick.progress == JoystickStatus::Progress::Off) m_armingLock.free();
   const std::lock_guard lock(m_board->m_lock);
   Published& published = m_board->m_published;
   published.state = std::move(state);

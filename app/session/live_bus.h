@@ -15,10 +15,12 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "bus/port.h"
 #include "link/can_link.h"
 #include "service/services.h"
+#include "session/arming_lock.h"
 #include "state/log_view.h"
 
 class QTimer;
@@ -92,8 +94,10 @@ class LiveBus : public QObject, public PortListener {
   void noteLeftOut();
   // Places a note at the end of the log.
   void write(NoteValue value);
-  // Tells the services whether the adapter is listen-only and whether it returns echoes.
+  // Tells the services whether the adapter is listen-only, whether it returns echoes and how its controller is.
   void followHardware();
+  // Disarms after the computer was asleep: a hand of before is none.
+  void followClocks();
   // What the services want sent and noted, and when they want to be called again.
   void serve();
   void deadlineCame();
@@ -112,6 +116,8 @@ class LiveBus : public QObject, public PortListener {
   Instant m_nextLeftOut = kNotYet;       // no note of it before
   bool m_storeFull = false;
   bool m_isClosing = false;
+  ArmingLock m_armingLock;
+  std::optional<Duration> m_asleep;    // in all, when the clocks were last read
   std::atomic<bool> m_isTold = false;  // ticked(), and nobody has taken it
   std::vector<OutFrame> m_toSend;
   std::vector<Note> m_toNote;
