@@ -18,5 +18,6 @@ ExitStatus watchCommand(const QStringList& given);
 ExitStatus pollCommand(const QStringList& given);
 ExitStatus pipeCommand(const QStringList& given);
 ExitStatus commandCommand(const QStringList& given);
+ExitStatus moveCommand(const QStringList& given);
 
 }  // namespace deckpipe::ctl

@@ -155,7 +155,10 @@ void LiveRun::changed() {
   m_follower.follow(snapshot().view);
   const bool isUp = isLinkUp();
   if (m_isOver) return;
-  if (isUp && m_settings.unlock && !std::exchange(m_askedToUnlock, true)) unlock();
+  if (isUp && m_settings.unlock && !m_askedToUnlock && mayUnlock()) {
+    m_askedToUnlock = true;
+    unlock();
+  }
   if (m_isOver) return;
   if (m_unlockSerial != 0 && services().refusedSerial == m_unlockSerial) unlockRefused(services().refusal);
   if (m_isOver) return;

@@ -26,6 +26,8 @@ class LiveRun : public QObject {
   // `wantsAddress`: nothing can be done without one, so ready only then.
   LiveRun(const LiveSettings& settings, bool wantsAddress);
 
+  // Asked while the link is up, until it says so: whether sending may be unlocked now. It may end the run.
+  std::function<bool()> mayUnlock = [] { return true; };
   // Once, when the link is up and, if wanted, an address is ours.
   std::function<void()> onReady = [] {};
   // At most 30 times a second from then on, after the follower.

@@ -32,6 +32,7 @@ constexpr Command kCommands[] = {
     {"poll", "ask devices for faults, versions and settings", deckpipe::ctl::pollCommand},
     {"pipe", "talk to a device over its data pipe, send it a file", deckpipe::ctl::pipeCommand},
     {"command", "change something in a device, once", deckpipe::ctl::commandCommand},
+    {"move", "move monitors for a few seconds", deckpipe::ctl::moveCommand},
 };
 
 std::string helpText() {
@@ -44,7 +45,7 @@ std::string helpText() {
     text += "  " + name + command.summary + "\n";
   }
   return text +
-         "\nNothing is sent on an interface without --unlock; simulate wants --moves-monitors.\n"
+         "\nNothing is sent on an interface without --unlock; simulate and move want --moves-monitors.\n"
          "'deckpipectl COMMAND --help' tells the arguments of one.\n\n" +
          deckpipe::ctl::exitStatusHelp();
 }

@@ -3,6 +3,7 @@
 
 #include <QStringList>
 
+#include "link/adapters.h"
 #include "protocol/device_types.h"
 
 namespace deckpipe::ctl {
@@ -40,6 +41,18 @@ QString movesMonitorsMissing(const QString& interfaceName) {
              "for "
              "it. It is not wanted for virtualcan, a vcan or a file")
       .arg(interfaceName);
+}
+
+std::optional<QString> movesMonitorsTrouble(const Arguments& arguments, const LinkSettings& link) {
+  std::optional<CanInterface> facts;
+  if (isSocketCan(link.plugin)) {
+    const auto read = readInterface(link.interfaceName.toStdString());
+    if (!read || !read.value().isCan)
+      return QStringLiteral("no such CAN interface: '%1'").arg(link.interfaceName);
+    facts = read.value();
+  }
+  if (arguments.has("moves-monitors") || isSimulatedBus(link, facts)) return {};
+  return movesMonitorsMissing(link.interfaceName);
 }
 
 QString strangersText(const std::vector<Stranger>& strangers) {

@@ -3,6 +3,7 @@
 // the subcommands that could.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "arguments.h"
@@ -14,6 +15,8 @@ namespace deckpipe::ctl {
 Arguments::Option movesMonitorsOption();
 // The sentence for bad() if --moves-monitors was left out.
 QString movesMonitorsMissing(const QString& interfaceName);
+// The same where it was, or where there is no such interface. It asks the system, and opens nothing.
+std::optional<QString> movesMonitorsTrouble(const Arguments& arguments, const LinkSettings& link);
 // "1032AE100801035 (6032 Universal II) at address 80; a joystick at address 33"
 QString strangersText(const std::vector<Stranger>& strangers);
 

@@ -207,15 +207,7 @@ Akron device, a joystick, or somebody at an address of its own.)");
   const LinkSettings link{arguments.text("plugin"), arguments.text("interface"), rate, {}};
   if (!toLog) {
     if (const auto trouble = pluginTrouble(link)) return arguments.bad(*trouble);
-    std::optional<CanInterface> facts;
-    if (isSocketCan(link.plugin)) {
-      const auto read = readInterface(link.interfaceName.toStdString());
-      if (!read || !read.value().isCan)
-        return arguments.bad(QStringLiteral("no such CAN interface: '%1'").arg(link.interfaceName));
-      facts = read.value();
-    }
-    if (!arguments.has("moves-monitors") && !isSimulatedBus(link, facts))
-      return arguments.bad(movesMonitorsMissing(link.interfaceName));
+    if (const auto trouble = movesMonitorsTrouble(arguments, link)) return arguments.bad(*trouble);
   }
 
   SimulatorRunner runner(seed, monitors);

@@ -363,18 +363,24 @@ TEST(OwnAddress, BelowThemIsWarnedOfAndTaken) {
   EXPECT_FALSE(tool.err.contains("warning")) << tool.err.constData();
 }
 
-TEST(Rule20Simulate, OnWhatMayBeARealBusDoesNothingWithoutTheWord) {
-  const Outcome r = run(words("simulate --plugin peakcan --interface usb0"));
-  if (r.err.contains("no such plugin")) GTEST_SKIP() << "no plugin of an adapter";
-  EXPECT_EQ(r.status, 2);
-  EXPECT_TRUE(r.err.contains("--moves-monitors is the word for it")) << r.err.constData();
+constexpr const char* kMovers[] = {"simulate", "move --unlock --pin 1032AE100801035 --x 10 --for 100"};
+
+TEST(Rule20Programs, OnWhatMayBeARealBusDoNothingWithoutTheWord) {
+  for (const char* mover : kMovers) {
+    const Outcome r = run(words(mover) + words("--plugin peakcan --interface usb0"));
+    if (r.err.contains("no such plugin")) GTEST_SKIP() << "no plugin of an adapter";
+    EXPECT_EQ(r.status, 2) << mover;
+    EXPECT_TRUE(r.err.contains("--moves-monitors is the word for it")) << r.err.constData();
+  }
 }
 
-TEST(Rule20Simulate, LooksForTheInterfaceBeforeItAsksForTheWord) {
-  for (const char* where : {"nosuch0", "vcan-by-name", "lo", "nosuch0 --moves-monitors"}) {
-    const Outcome r = run(words("simulate --plugin socketcan --interface") + words(where));
-    EXPECT_EQ(r.status, 2) << where;
-    EXPECT_TRUE(r.err.contains("no such CAN interface: '")) << r.err.constData();
+TEST(Rule20Programs, LookForTheInterfaceBeforeTheyAskForTheWord) {
+  for (const char* mover : kMovers) {
+    for (const char* where : {"nosuch0", "vcan-by-name", "lo", "nosuch0 --moves-monitors"}) {
+      const Outcome r = run(words(mover) + words("--plugin socketcan --interface") + words(where));
+      EXPECT_EQ(r.status, 2) << where;
+      EXPECT_TRUE(r.err.contains("no such CAN interface: '")) << r.err.constData();
+    }
   }
 }
 
