@@ -94,7 +94,15 @@ void appendJsonLine(std::string& out, const Frame& frame, std::string_view chann
   appendKeyed(out, ",\"source\":", ends.source);
   appendKeyed(out, ",\"destination\":", ends.destination);
   appendKeyed(out, ",\"node\":", ends.node);
-  if (key.empty()) appendKeyed(out, ",\"pgn\":", ends.pgn);
+  if (key.empty()) {
+    appendKeyed(out, ",\"pgn\":", ends.pgn);
+    std::string name;
+    appendGroupName(name, frame, what);
+    if (!name.empty()) {
+      out += ",\"pgn_name\":";
+      appendJsonString(out, name);
+    }
+  }
   if (frame.isRemote()) out += ",\"remote\":true";
   if (frame.isError()) out += ",\"error\":true";
   if (what.malformed) {

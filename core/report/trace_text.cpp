@@ -25,17 +25,21 @@ void appendIdentifier(std::string& out, const Frame& frame) {
   }
 }
 
+void appendGroupName(std::string& out, const Frame& frame, const Classified& what) {
+  if (frame.isError() || frame.isRemote() || !frame.isExtended() || what.family != Family::None) return;
+  if (const auto* group = j1939::standardGroupOf(J1939Id::of(frame.identifier()).pgn)) {
+    out += group->name;
+    appendName(out, group->acronym);
+  }
+}
+
 void appendSummary(std::string& out, const Frame& frame, const Classified& what) {
   if (what.malformed) {
     out += malformedReason(what, frame.length);
     return;
   }
   if (!what.isDecoded()) {
-    if (frame.isError() || frame.isRemote() || !frame.isExtended() || what.family != Family::None) return;
-    if (const auto* group = j1939::standardGroupOf(J1939Id::of(frame.identifier()).pgn)) {
-      out += group->name;
-      appendName(out, group->acronym);
-    }
+    appendGroupName(out, frame, what);
     return;
   }
   bool first = true;

@@ -14,6 +14,10 @@ namespace deckpipe {
 // it.
 void appendIdentifier(std::string& out, const Frame& frame);
 
+// What SAE J1939 calls the parameter group of a frame that nobody here decodes: "Vehicle position (VP)". Nothing for
+// one without a name (protocol/j1939_names.h).
+void appendGroupName(std::string& out, const Frame& frame, const Classified& what);
+
 // What a frame says, on one line: "rotation_deg 47.3, rotation_plus on, …"; the reason of a malformed one,
 // and empty where nothing is decoded.
 void appendSummary(std::string& out, const Frame& frame, const Classified& what);

@@ -98,7 +98,15 @@ INSTANTIATE_TEST_SUITE_P(
         LineCase{
             "UnknownPgn", "(1.5) can0 18FF0005#",
             R"({"t":1.500000,"channel":"can0","id":"18FF0005","data":"","family":null,"message":null,"source":5,)"
-            R"("pgn":65280,"fields":null})"},
+            R"("pgn":65280,"pgn_name":"Proprietary B","fields":null})"},
+        LineCase{
+            "NamedPgn", "(1.5) can0 0CF00400#11",
+            R"({"t":1.500000,"channel":"can0","id":"0CF00400","data":"11","family":null,"message":null,"source":0,)"
+            R"-("pgn":61444,"pgn_name":"Electronic engine controller 1 (EEC1)","fields":null})-"},
+        LineCase{
+            "PgnWithoutName", "(1.5) can0 18FE0005#11",
+            R"({"t":1.500000,"channel":"can0","id":"18FE0005","data":"11","family":null,"message":null,"source":5,)"
+            R"("pgn":65024,"fields":null})"},
         LineCase{
             "Remote", "(1.0) can0 724#R1",
             R"({"t":1.000000,"channel":"can0","id":"724","data":"","family":null,"message":null,"node":36,)"
