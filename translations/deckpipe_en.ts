@@ -441,6 +441,16 @@ Other devices in the list: %n.</numerusform>
     </message>
 </context>
 <context>
+    <name>deckpipe::Timeline</name>
+    <message numerus="yes">
+        <source>%n marks</source>
+        <translation>
+            <numerusform>%n mark</numerusform>
+            <numerusform>%n marks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>deckpipe::TracePanel</name>
     <message numerus="yes">
         <source>%Ln rows</source>

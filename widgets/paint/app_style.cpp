@@ -2,7 +2,6 @@
 #include "paint/app_style.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QPainter>
 #include <QStyleOption>
 #include <QWidget>
@@ -66,7 +65,7 @@ int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const 
 }
 
 // Fusion's own is hard to see in the sun. A light line inside the dark one keeps it in sight on any ground.
-void AppStyle::drawFocusRing(QPainter& painter, const QRect& rect) const {
+void drawFocusRing(QPainter& painter, const Colours& colours, const QRect& rect, bool isOnAccent) {
   constexpr double kRing = 3, kInside = 1;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -76,34 +75,46 @@ void AppStyle::drawFocusRing(QPainter& painter, const QRect& rect) const {
     painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.drawRect(QRectF(rect).adjusted(middle, middle, -middle, -middle));
   };
-  draw(0, kRing, m_colours.accent.ink);
-  draw(kRing, kInside, m_colours.surface);
+  draw(0, kRing, isOnAccent ? colours.accent.onFill : colours.accent.ink);
+  draw(kRing, kInside, isOnAccent ? colours.accent.fill : colours.surface);
   painter.restore();
 }
 
 void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                              const QWidget* widget) const {
   if (element == PE_FrameFocusRect) {
-    if ((option->state & State_KeyboardFocusChange) != 0) drawFocusRing(*painter, option->rect);
+    if ((option->state & State_KeyboardFocusChange) == 0) return;
+    // Views tell the ground of a row.
+    const auto* focus = qstyleoption_cast<const QStyleOptionFocusRect*>(option);
+    const bool isOnAccent = focus != nullptr && focus->backgroundColor == m_colours.accent.fill;
+    drawFocusRing(*painter, m_colours, option->rect, isOnAccent);
     return;
   }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   if ((option->state & State_HasFocus) == 0) return;
-  // A choice is drawn as a button, without the ring that a button has.
-  const bool isChoice = element == PE_PanelButtonCommand &&
-                        qobject_cast<const QComboBox*>(widget) != nullptr &&
-                        (option->state & State_KeyboardFocusChange) != 0;
-  if (element == PE_FrameLineEdit || isChoice) drawFocusRing(*painter, option->rect);
+  // Fusion marks a button that has the focus by a thin line alone; a choice is drawn as a button.
+  const bool isButton = element == PE_PanelButtonCommand && (option->state & State_KeyboardFocusChange) != 0;
+  if (element == PE_FrameLineEdit || isButton) drawFocusRing(*painter, m_colours, option->rect);
 }
 
 // Without Fusion's line under a menu bar: other things stand beside this one.
 void AppStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                            const QWidget* widget) const {
   QProxyStyle::drawControl(element, option, painter, widget);
+  const auto keys = State_HasFocus | State_KeyboardFocusChange;
+  if (element == CE_TabBarTabLabel && (option->state & keys) == keys)
+    return drawFocusRing(*painter, m_colours, option->rect);
   const bool isOpen = (option->state & State_Sunken) != 0;
   if (element != CE_MenuBarEmptyArea && (element != CE_MenuBarItem || isOpen)) return;
   const QRect& rect = option->rect;
   painter->fillRect(QRect(rect.left(), rect.bottom(), rect.width(), 1), option->palette.window());
+}
+
+void AppStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                                  QPainter* painter, const QWidget* widget) const {
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+  if (control == CC_SpinBox && (option->state & State_HasFocus) != 0)
+    drawFocusRing(*painter, m_colours, option->rect);
 }
 
 QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,

@@ -33,17 +33,21 @@ class AppStyle : public QProxyStyle {
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                          const QWidget* widget) const override;
   void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                    const QWidget* widget) const override;
   QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                          const QWidget* widget) const override;
 
  private:
-  void drawFocusRing(QPainter& painter, const QRect& rect) const;
-
   int m_target;
   const Colours& m_colours;
 };
+
+// The ring around what takes the keys, inside `rect`. On a ground filled with the accent it is drawn in the colour of
+// the words there. Painted widgets and delegates draw it too; the style draws it for Qt's own.
+void drawFocusRing(QPainter& painter, const Colours& colours, const QRect& rect, bool isOnAccent = false);
 
 // The least height of what is touched on a widget; painted widgets and delegates ask for it. 32 under any
 // other style.

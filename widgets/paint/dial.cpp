@@ -13,6 +13,7 @@
 #include "paint/dial_painter.h"
 #include "paint/dial_readout.h"
 #include "paint/figures.h"
+#include "paint/spoken.h"
 
 namespace deckpipe {
 namespace {
@@ -75,6 +76,7 @@ QRect difference(const DialView& before, const DialView& after) {
 }  // namespace
 
 Dial::Dial(QWidget* parent) : QWidget(parent) {
+  speakAs(*this, QAccessible::Graphic);
   setObjectName(QStringLiteral("dial"));
   setAccessibleName(tr("Position of the monitor"));
   setAttribute(Qt::WA_OpaquePaintEvent);

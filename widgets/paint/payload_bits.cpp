@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "paint/app_style.h"
+#include "paint/spoken.h"
 
 namespace deckpipe {
 namespace {
@@ -31,6 +32,7 @@ int firstAsRead(std::uint64_t bits) {
 }  // namespace
 
 PayloadBits::PayloadBits(QWidget* parent) : QWidget(parent) {
+  speakAs(*this, QAccessible::Graphic);
   setObjectName(QStringLiteral("payloadBits"));
   setAccessibleName(tr("Data bytes"));
   setWhatsThis(tr(
@@ -170,9 +172,7 @@ void PayloadBits::paintEvent(QPaintEvent*) {
   drawOutline(m_values.related, related);
   drawOutline(m_values.selected, QPen(c.text, 2 * c.stroke, Qt::SolidLine, Qt::SquareCap));
   if (hasFocus() && isThere(m_at)) {
-    p.setPen(QPen((m_values.shown() >> m_at & 1) != 0 ? c.accent.onFill : c.accent.ink, 1.5 * c.stroke));
-    p.setBrush(Qt::NoBrush);
-    p.drawRect(g.cell(m_at).adjusted(3.5, 3.5, -3.5, -3.5));
+    drawFocusRing(p, c, g.cell(m_at).toRect().adjusted(1, 1, -1, -1), (m_values.shown() >> m_at & 1) != 0);
   }
 }
 

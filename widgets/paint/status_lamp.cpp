@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "paint/app_style.h"
+#include "paint/spoken.h"
 
 namespace deckpipe {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kGap = 8;
 
 StatusLamp::StatusLamp(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("statusLamp"));
+  speakAs(*this, QAccessible::Indicator);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   describe();
 }

@@ -6,6 +6,7 @@
 
 #include "paint/app_style.h"
 #include "paint/glyph.h"
+#include "paint/spoken.h"
 
 namespace deckpipe {
 
@@ -23,6 +24,7 @@ StickGeometry stickGeometry(const StickValues& values, const QRectF& bounds) {
 }
 
 StickView::StickView(QWidget* parent) : QWidget(parent) {
+  speakAs(*this, QAccessible::Graphic);
   setObjectName(QStringLiteral("stickView"));
   setAccessibleName(tr("Stick"));
 }

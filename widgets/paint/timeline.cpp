@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paint/timeline.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "paint/app_style.h"
 #include "paint/glyph.h"
+#include "paint/spoken.h"
 
 namespace deckpipe {
 namespace {
@@ -18,6 +20,7 @@ constexpr double kMinGap = 3;  // pixels
 constexpr double kUnseen = 3;  // pixels that all may lag behind a log that grows
 constexpr int kStripHeight = 26;
 constexpr int kTickHeight = 4;
+constexpr std::chrono::milliseconds kDescribe = 500ms, kDescribeLive = 10s;
 constexpr double kFewestFrames = 10;  // in sight, of a log without times
 
 double widthOfWords(const QFont& font, const QString& words) {
@@ -27,8 +30,12 @@ double widthOfWords(const QFont& font, const QString& words) {
 }  // namespace
 
 Timeline::Timeline(QWidget* parent) : QWidget(parent) {
+  speakAs(*this, QAccessible::Slider);
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Position in the log"));
+  m_describe.setSingleShot(true);
+  connect(&m_describe, &QTimer::timeout, this, &Timeline::describe);
+  describe();
   setWhatsThis(
       tr("The log from begin to end: how dense it is, where nothing came, marks, and the cursor. Space plays "
          "and pauses, "
@@ -47,9 +54,46 @@ void Timeline::setValues(const TimelineValues& values) {
   const bool isSame = looksTheSame(values);
   const TimelineValues before = std::exchange(m_values, values);
   keepInSight(before);
+  // Where the cursor goes with the bus, its time alone is no news.
+  if (!m_describe.isActive() || before.atEnd != values.atEnd || before.isEmpty != values.isEmpty) {
+    describe();
+    m_describe.start(values.atEnd ? kDescribeLive : kDescribe);
+  }
   if (isSame) return;
   m_drawnEnd = values.end;
   update();
+}
+
+void Timeline::describe() {
+  const auto seconds = [this](Instant time) {
+    return static_cast<double>((time - m_values.begin).count()) / 1e9;
+  };
+  sayValue(*this, {.most = seconds(m_values.end), .now = seconds(m_values.cursor), .words = spoken()},
+           !m_values.atEnd);
+}
+
+// "at 12.3 s of 95.0 s, 14 marks"
+QString Timeline::spoken() const {
+  if (m_values.isEmpty) return tr("no frames");
+  const auto place = [this](Instant time) {
+    const Duration since = time - m_values.begin;
+    const QLocale locale;
+    if (m_values.unit == TimelineUnit::Frames)
+      return locale.toString(static_cast<qlonglong>(since / kFrameOnScale));
+    const auto whole = static_cast<qlonglong>(since.count() / 1'000'000'000);
+    if (whole < 100) return tr("%1 s").arg(locale.toString(static_cast<double>(since.count()) / 1e9, 'f', 1));
+    if (whole < 3'600) return tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+    return tr("%1 h %2 min %3 s").arg(whole / 3'600).arg(whole / 60 % 60).arg(whole % 60);
+  };
+  QStringList parts{(m_values.unit == TimelineUnit::Time ? tr("at %1 of %2") : tr("at frame %1 of %2"))
+                        .arg(place(m_values.cursor), place(m_values.end))};
+  if (m_values.atEnd) parts << tr("live edge");
+  const auto marks =
+      std::ranges::count_if(m_values.marks, [this](const TimelineMark& mark) { return isShown(mark); });
+  parts << tr("%n marks", nullptr, static_cast<int>(marks));
+  if (!m_values.selection.isEmpty()) parts << tr("selected: %1").arg(m_values.selection);
+  if (!m_values.atCursor.isEmpty()) parts << m_values.atCursor;
+  return parts.join(QStringLiteral(", "));
 }
 
 bool Timeline::looksTheSame(const TimelineValues& next) const {
@@ -140,12 +184,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     paintCursor(p, c, g, strip);
     paintBeyond(p, c, strip);
   }
-  if (hasFocus()) {
-    p.setRenderHint(QPainter::Antialiasing, false);
-    p.setBrush(Qt::NoBrush);
-    p.setPen(QPen(c.accent.ink, 2));
-    p.drawRect(rect().adjusted(1, 1, -1, -1));
-  }
+  if (hasFocus()) drawFocusRing(p, c, rect());
 }
 
 // What has happened is filled, what lies after the cursor only outlined.

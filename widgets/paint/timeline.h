@@ -10,6 +10,7 @@
 //   wheel with Shift moves the part in sight.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <cstdint>
 #include <optional>
@@ -96,6 +97,8 @@ class Timeline : public QWidget {
 
  private:
   void seekTo(Instant time);
+  void describe();
+  QString spoken() const;
   void paintDensity(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
   void paintMarks(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
   void paintGaps(QPainter& p, const Colours& c, const TimelineGeometry& g, const QRectF& strip) const;
@@ -120,6 +123,7 @@ class Timeline : public QWidget {
   void showToolTip(const QPoint& at, const QPoint& global);
 
   TimelineValues m_values;
+  QTimer m_describe;                    // holds back what is spoken while values run
   Instant m_drawnEnd;                   // of the values that were drawn last
   std::optional<TimelineSpan> m_shown;  // nothing: the whole log
   std::optional<TimelineSpan> m_selection;

@@ -8,7 +8,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSpinBox>
+#include <QTabBar>
 #include <QTest>
 #include <QToolButton>
 #include <QWindow>
@@ -102,7 +107,7 @@ TEST(AppStyle, AnInkFollowsTheThemeWhereverTheWordsStand) {
 }
 
 // From 1 m: a ring as thick as three lines, around whatever takes the keys.
-TEST(AppStyle, FieldsAndChoicesHaveAFocusRingInEveryTheme) {
+TEST(AppStyle, WhateverTakesTheKeysHasAFocusRingInEveryTheme) {
   for (const Theme theme : kThemes) {
     const test::Look look(theme);
     QWidget window;
@@ -112,7 +117,21 @@ TEST(AppStyle, FieldsAndChoicesHaveAFocusRingInEveryTheme) {
     auto* tool = new QToolButton;
     tool->setText(QStringLiteral("Find"));
     tool->setFocusPolicy(Qt::StrongFocus);
-    const QList<QWidget*> controls{new QLineEdit, new QCheckBox(QStringLiteral("Follow")), combo, tool};
+    auto* tabs = new QTabBar;
+    tabs->addTab(QStringLiteral("Ask"));
+    tabs->addTab(QStringLiteral("Change"));
+    auto* rows = new QListWidget;
+    rows->addItems({QStringLiteral("First"), QStringLiteral("Second")});
+    rows->setCurrentRow(0);
+    const QList<QWidget*> controls{new QLineEdit,
+                                   new QCheckBox(QStringLiteral("Follow")),
+                                   combo,
+                                   tool,
+                                   new QPushButton(QStringLiteral("Connect")),
+                                   new QRadioButton(QStringLiteral("Dark")),
+                                   new QSpinBox,
+                                   tabs,
+                                   rows};
     for (QWidget* control : controls) row->addWidget(control);
     window.show();
     window.activateWindow();
@@ -124,7 +143,9 @@ TEST(AppStyle, FieldsAndChoicesHaveAFocusRingInEveryTheme) {
       ASSERT_NE(control, nullptr);
       seen.insert(control);
       const QImage picture = window.grab(control->geometry()).toImage();
-      const QRgb ring = coloursOf(theme).accent.ink.rgb();
+      // On the accent, as a chosen row is, the ring has the colour of the words there.
+      const Colours& c = coloursOf(theme);
+      const QRgb ring = (control == rows ? c.accent.onFill : c.accent.ink).rgb();
       int pixels = 0;
       for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) pixels += picture.pixel(x, y) == ring ? 1 : 0;

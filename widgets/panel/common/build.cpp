@@ -113,7 +113,9 @@ QLabel* makeCommand(QWidget* parent, const char* name, const QString& spoken) {
 }
 
 QPushButton* makeButton(QWidget* parent, const char* name, const QString& text, const QString& spoken) {
-  return named(new QPushButton(text, parent), name, spoken.isEmpty() ? text : spoken);
+  auto* button = named(new QPushButton(text, parent), name, spoken.isEmpty() ? text : spoken);
+  button->setAutoDefault(true);  // Enter presses it, as Space does
+  return button;
 }
 
 QToolButton* makeToolButton(QWidget* parent, const char* name, const QString& text, const QString& tip) {
@@ -148,6 +150,7 @@ void makeFlat(QTreeView& list) {
   list.setRootIsDecorated(false);
   list.setItemsExpandable(false);
   list.setIndentation(0);
+  list.setAllColumnsShowFocus(true);  // the ring is around a row
   list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 

@@ -8,6 +8,7 @@
 
 #include "paint/app_style.h"
 #include "paint/plain_tip.h"
+#include "paint/spoken.h"
 #include "panel/common/build.h"
 #include "panel/common/labels.h"
 
@@ -15,6 +16,7 @@ namespace deckpipe {
 
 StatusCell::StatusCell(const char* name, const QString& label, QWidget* parent)
     : QWidget(parent), m_sign(new GlyphLabel(this)), m_words(new ElidedLabel(this)) {
+  speakAs(*this, QAccessible::StaticText);
   setObjectName(QLatin1String(name) + QStringLiteral("Cell"));
   setAccessibleName(label);
   setFocusPolicy(Qt::TabFocus);
@@ -90,9 +92,7 @@ void StatusCell::changeEvent(QEvent* event) {
 void StatusCell::paintEvent(QPaintEvent*) {
   if (!hasFocus()) return;
   QPainter p(this);
-  p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(coloursOf(this).accent.ink, 2));
-  p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
+  drawFocusRing(p, coloursOf(this), rect());
 }
 
 }  // namespace deckpipe

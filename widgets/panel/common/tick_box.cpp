@@ -44,11 +44,8 @@ void TickBox::paintEvent(QPaintEvent*) {
   painter.drawText(words, static_cast<int>(Qt::AlignVCenter | Qt::AlignLeading | Qt::TextShowMnemonic),
                    text());
   if (!hasFocus()) return;
-  painter.setPen(QPen(c.accent.ink, c.stroke));
-  painter.setBrush(Qt::NoBrush);
   const int length = std::min(words.width(), QFontMetrics(font()).horizontalAdvance(text()) + 4);
-  painter.drawRoundedRect(
-      QRectF(placed({left - 4, 4, length + 4, height() - 8})).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+  drawFocusRing(painter, c, placed({left - 6, 2, length + 8, height() - 4}));
 }
 
 namespace {
@@ -92,6 +89,8 @@ void WarningButton::paintEvent(QPaintEvent* event) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(isEnabled() ? colours.warning.ink : colours.outline, kLine * colours.stroke));
   painter.drawRoundedRect(QRectF(rect()).adjusted(kInset, kInset, -kInset, -kInset), kCorner, kCorner);
+  if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange))
+    drawFocusRing(painter, colours, rect());
 }
 
 }  // namespace deckpipe

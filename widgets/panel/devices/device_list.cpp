@@ -213,11 +213,6 @@ void DeviceList::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
   painter->save();
   painter->setPen(QPen(c.stale.fill, 1));
   painter->drawLine(row.rect.bottomLeft(), row.rect.bottomRight());
-  if (hasFocus() && index.row() == currentIndex().row()) {
-    const bool isSelected = selectionModel()->isSelected(index);
-    painter->setPen(QPen(isSelected ? c.accent.onFill : c.accent.ink, 1));
-    painter->drawRect(QRectF(row.rect).adjusted(2.5, 2.5, -2.5, -2.5));
-  }
   painter->restore();
 }
 

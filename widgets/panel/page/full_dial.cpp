@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 
 #include "paint/dial.h"
+#include "paint/spoken.h"
 #include "panel/common/build.h"
 #include "panel/page/page_header.h"
 
@@ -15,6 +16,7 @@ FullDial::FullDial(QWidget* window)
       m_header(new PageHeader(this)),
       m_dial(new Dial(this)),
       m_message(makeMessage(this, "fullMessage", {})) {
+  speakAs(*this, QAccessible::Pane);
   named(this, "fullDial", tr("Dial over the whole window"));
   setAutoFillBackground(true);
   setFocusPolicy(Qt::StrongFocus);

@@ -50,9 +50,10 @@ class FullButton : public QAbstractButton {
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
     const QRectF box = QRectF(rect()).adjusted(2.5, 2.5, -2.5, -2.5);
-    p.setPen(QPen(hasFocus() ? c.accent.ink : c.outline, hasFocus() ? 2 : 1));
+    p.setPen(QPen(c.outline, 1));
     p.setBrush(isDown() ? c.surfaceAlternate : c.surface);
     p.drawRoundedRect(box, 6, 6);
+    if (hasFocus()) drawFocusRing(p, c, rect());
     p.setPen(QPen(c.accent.ink, 2 * c.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     p.setBrush(Qt::NoBrush);
     const double arm = 6, far = 9;

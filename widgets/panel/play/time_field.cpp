@@ -188,9 +188,10 @@ void TimeReadout::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   const bool isTouched = isEnabled() && (underMouse() || isDown());
-  p.setPen(QPen(hasFocus() ? c.accent.ink : c.outline, hasFocus() ? 2 : c.stroke));
+  p.setPen(QPen(c.outline, c.stroke));
   p.setBrush(isTouched ? c.surfaceAlternate : c.surface);
   p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+  if (hasFocus()) drawFocusRing(p, c, rect());
   const double upper = height() * 0.56, right = width() - kBesideFigures;
   Figures figures;
   figures.number = m_elapsed;

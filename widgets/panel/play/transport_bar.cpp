@@ -179,9 +179,6 @@ void TransportBar::showTimeline() {
       values.atCursor = tr("%1 without frames skipped").arg(briefAge(m_playState.skipped));
   }
   m_timeline->setValues(values);
-  m_timeline->setAccessibleDescription(values.isEmpty              ? tr("no frames")
-                                       : values.atCursor.isEmpty() ? m_readout->elapsed()
-                                                                   : values.atCursor);
 }
 
 void TransportBar::setFiltered(bool isFiltered) {

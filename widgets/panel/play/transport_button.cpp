@@ -116,11 +116,7 @@ void TransportButton::paintEvent(QPaintEvent*) {
         QRectF(left + kButtonSign + kButtonGap, 0, width() - left - kButtonSign - kButtonGap, height()),
         Qt::AlignLeft | Qt::AlignVCenter, text());
   }
-  if (hasFocus()) {
-    p.setBrush(Qt::NoBrush);
-    p.setPen(QPen(isFilled ? c.accent.onFill : c.accent.ink, 2));
-    p.drawRoundedRect(QRectF(rect()).adjusted(4, 4, -4, -4), 2, 2);
-  }
+  if (hasFocus()) drawFocusRing(p, c, rect());
 }
 
 }  // namespace deckpipe

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "paint/app_style.h"
 #include "paint/glyph.h"
 #include "panel/common/build.h"
 #include "panel/common/flat_header.h"
@@ -82,11 +83,7 @@ void TracePainter::row(const QRect& rect, const QModelIndex& index, Look look) {
     m_painter.fillRect(QRect(rect.left(), rect.bottom() - 1, rect.width(), 2),
                        look.isSelected ? c.accent.onFill : c.accent.fill);
   }
-  if (look.hasFocus) {
-    m_painter.setPen(QPen(look.isSelected ? c.accent.onFill : c.accent.ink, 1, Qt::DotLine));
-    m_painter.setBrush(Qt::NoBrush);
-    m_painter.drawRect(rect.adjusted(1, 1, -2, -2));
-  }
+  if (look.hasFocus) drawFocusRing(m_painter, c, rect, look.isSelected);
 }
 
 void TracePainter::gutter(const QRect& rect, Marks marks, bool isSelected) {

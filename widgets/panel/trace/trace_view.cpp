@@ -13,6 +13,7 @@
 
 #include "log/candump.h"
 #include "paint/app_style.h"
+#include "paint/spoken.h"
 #include "panel/common/build.h"
 #include "text/plural.h"
 
@@ -70,6 +71,7 @@ class TraceScrollBar : public QScrollBar {
 
 TraceView::TraceView(QWidget* parent)
     : QAbstractScrollArea(parent), m_bar(new TraceScrollBar(Qt::Vertical, this)), m_fonts(font()) {
+  speakAs(*this, QAccessible::List);
   named(this, "traceView", tr("Trace"));
   setFocusPolicy(Qt::StrongFocus);
   setVerticalScrollBar(m_bar);
@@ -347,7 +349,7 @@ void TraceView::paintEvent(QPaintEvent* event) {
                  .hasFocus = hasFocus() && m_current == frame});
   }
   p.fillRect(QRect(0, y, TracePainter::kGutter, viewport()->height() - y), c.surfaceAlternate);
-  if (hasFocus()) p.fillRect(QRect(0, 0, width, 2), c.accent.ink);
+  if (hasFocus()) p.fillRect(QRect(0, 0, width, 3), c.accent.ink);
 }
 
 QString TraceView::copyText() const {
