@@ -17,7 +17,9 @@ RecordingsPage::RecordingsPage(QWidget* parent)
       m_delete(makeButton(this, "recordingDelete", tr("Delete…"))) {
   named(this, "recordingsPage", tr("Recordings"));
   m_list->setSpacing(2);
-  m_list->setUniformItemSizes(true);
+  m_list->setWordWrap(true);
+  m_list->setResizeMode(QListView::Adjust);
+  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QPushButton* done = makeDone("recordingsDone", tr("Close this page"));
   inColumn(this, {24, 16, 24, 16}, 8,
            {makeTitle(this, "recordingsTitle", tr("Recordings")),

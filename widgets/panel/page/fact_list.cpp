@@ -185,6 +185,17 @@ int FaultLines::wrappedHeight(const QString& text, int width) const {
   return std::max(lineHeight(), fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
 }
 
+// As much as both lines hold.
+QString FaultLines::elidedLines(const QString& text, int width) const {
+  qsizetype most = 0, beyond = text.size();
+  const auto cut = [&text](qsizetype length) { return text.left(length).trimmed() + QChar(0x2026); };
+  while (most + 1 < beyond) {
+    const qsizetype middle = (most + beyond) / 2;
+    (wrappedHeight(cut(middle), width) <= foldedHeight() ? most : beyond) = middle;
+  }
+  return cut(most);
+}
+
 bool FaultLines::fits(int width) const {
   int height = 0;
   for (const PageReason& reason : m_reasons) height += wrappedHeight(reason.text, width);
@@ -219,9 +230,11 @@ void FaultLines::arrange() {
     if (!isShown) continue;
     const QString& text = m_reasons[i].text;
     const bool isOneLine = !isWhole && !m_isUnfolded;
-    const int height = isOneLine ? lineHeight() : wrappedHeight(text, room);
-    setText(*words,
-            isOneLine ? fontMetrics().elidedText(text, Qt::ElideRight, room - kSignRoom - kSlack) : text);
+    const bool isAlone = m_reasons.size() == 1;
+    const int height = !isOneLine ? wrappedHeight(text, room) : isAlone ? foldedHeight() : lineHeight();
+    setText(*words, !isOneLine ? text
+                    : isAlone  ? elidedLines(text, room)
+                               : fontMetrics().elidedText(text, Qt::ElideRight, room - kSignRoom - kSlack));
     sign->setGeometry(0, y + (lineHeight() - 16) / 2, 16, 16);
     words->setGeometry(kSignRoom, y, room - kSignRoom, height);
     y += height;

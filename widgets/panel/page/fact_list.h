@@ -79,6 +79,7 @@ class FaultLines : public QWidget {
   int lineHeight() const;
   int foldedHeight() const;
   int wrappedHeight(const QString& text, int width) const;
+  QString elidedLines(const QString& text, int width) const;
   int buttonWidth() const;
   // Whether two lines hold all in this width.
   bool fits(int width) const;
