@@ -57,9 +57,17 @@ std::vector<OverviewMonitor> overviewOf(const LogView& view, const DeviceLabels&
     m.detail = detailOf(view, row);
     m.health = row.health;
     m.reasons = healthSentences(row.health, state.cursor().time);
-    if (row.health.severity() >= Severity::Warning) m.trouble = m.reasons.front();
     m.age = ageOf(state, d.channel, d.lastHeard);
     m.dial = dialOf(state, d);
+    m.troubleTone = row.health.severity();
+    if (m.troubleTone >= Severity::Warning) m.trouble = m.reasons.front();
+    for (const PageReason& motion : motionReasons(state, d, m.dial)) {
+      if (m.trouble.isEmpty()) {
+        m.trouble = motion.text;
+        m.troubleTone = motion.tone;
+      }
+      m.reasons << motion.text;
+    }
     const PageStops stops = stopsOf(state, d);
     m.stops = stopsText(stops);
     m.areStopsStale = stops.isStale;

@@ -17,7 +17,9 @@ struct OverviewMonitor {
   QString detail{};    // type, address, channel if there are several
   Health health;
   QStringList reasons{};  // sentences, the worst first
-  QString trouble{};      // the worst of them, if it is a warning or graver
+  QString
+      trouble{};  // the worst of them, if it is a warning or graver; or else why it does not move as commanded
+  Severity troubleTone = Severity::Plain;
   Age age;
   QString stops{};  // the hard stops that it stands at, of axes 3 to 5, which the dial does not show
   bool areStopsStale = false;

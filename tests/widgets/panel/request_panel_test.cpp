@@ -82,16 +82,37 @@ TEST_F(RequestsOfDevice, LockedItOffersNothingAndSaysWhy) {
   services.locked = true;
   show();
   EXPECT_FALSE(button(Request::Fault)->isEnabled());
-  EXPECT_FALSE(button("askAll")->isEnabled());
+  EXPECT_FALSE(button("askEveryone")->isEnabled());
   EXPECT_FALSE(hint().isEmpty());
   QSignalSpy unlock(&panel, &RequestPanel::unlockRequested);
   QTest::mouseClick(button("requestUnlock"), Qt::LeftButton);
   EXPECT_EQ(unlock.count(), 1);
 }
 
+TEST_F(RequestsOfDevice, LockedItAsksEverythingOnceAPersonHasUnlocked) {
+  services.locked = true;
+  show();
+  std::function<void()> unlocked;
+  QObject::connect(&panel, &RequestPanel::unlockForRequested,
+                   [&](const std::function<void()>& then) { unlocked = then; });
+  EXPECT_TRUE(button("askAll")->text().startsWith(QStringLiteral("Unlock")));
+  QTest::mouseClick(button("askAll"), Qt::LeftButton);
+  ASSERT_TRUE(unlocked);
+  show();
+  EXPECT_TRUE(intents.empty()) << "nobody has said yes";
+  unlocked();
+  services.locked = false;
+  show();
+  ASSERT_EQ(intents.size(), 1u);
+  const auto& asked = std::get<intent::SendRequests>(intents[0]);
+  EXPECT_EQ(asked.device, kMonitor);
+  EXPECT_EQ(asked.requests, kPolls);
+}
+
 TEST_F(RequestsOfDevice, OffTheLiveEdgeItOffersNothing) {
   isLive = false;
   show();
+  EXPECT_FALSE(button("askAll")->isEnabled());
   EXPECT_FALSE(button(Request::Fault)->isEnabled());
   EXPECT_FALSE(button("requestUnlock")->isVisible());
 }

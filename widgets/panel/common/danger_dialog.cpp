@@ -37,7 +37,8 @@ DangerDialog::DangerDialog(QWidget* parent, const Question& question) : QDialog(
   auto* text = makeWords(this, "dangerText", tr("What it does"));
   text->setText(question.text);
   auto* buttons = new QDialogButtonBox(this);
-  m_verb = new WarningButton(question.verb, this);
+  m_verb = new WarningButton(QLatin1Char('&') + question.verb,
+                             this);  // Alt and its first letter, a deliberate act
   m_verb->setObjectName(QStringLiteral("dangerVerb"));
   buttons->addButton(m_verb, QDialogButtonBox::AcceptRole);
   m_no = buttons->addButton(question.otherwise.isEmpty() ? tr("Cancel") : question.otherwise,
@@ -45,7 +46,7 @@ DangerDialog::DangerDialog(QWidget* parent, const Question& question) : QDialog(
   m_no->setObjectName(QStringLiteral("dangerCancel"));
   for (QPushButton* button : std::initializer_list<QPushButton*>{m_verb, m_no}) {
     button->setMinimumHeight(kTarget);
-    button->setAccessibleName(button->text());
+    button->setAccessibleName(button == m_verb ? question.verb : button->text());
     button->setAutoDefault(true);  // Enter presses the one that has the focus
   }
   m_no->setDefault(true);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panel/connect/connection_page.h"
 
+#include <QApplication>
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QPushButton>
@@ -24,6 +25,7 @@ QPushButton* makeRecent(QWidget* parent, const char* name, const QString& what, 
   text.replace(u'&', QLatin1String("&&"));
   auto* made = named(new QPushButton(text, parent), name, spoken);
   made->setAccessibleDescription(facts);
+  made->setAutoDefault(true);                                     // Enter presses it
   made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a long name widens nothing
   return made;
 }
@@ -46,6 +48,29 @@ ConnectionPage::ConnectionPage(QWidget* parent) : QWidget(parent) {
   setRecentLinks({});
 }
 
+// The bus of last time, once its adapter is there; without one, the log of last time.
+QWidget* ConnectionPage::likeliest() const {
+  const auto firstOf = [](const QLayout* list) -> QWidget* {
+    for (int i = 0; i < list->count(); ++i) {
+      if (list->itemAt(i)->widget()->isEnabled()) return list->itemAt(i)->widget();
+    }
+    return nullptr;
+  };
+  if (QWidget* link = firstOf(m_recentLinks)) return link;
+  const bool mayComeYet = m_offers.isSearching && !m_links.empty();
+  QWidget* log = mayComeYet ? nullptr : firstOf(m_recent);
+  return log != nullptr ? log : m_bitRate;
+}
+
+void ConnectionPage::offerFocus() {
+  QWidget* before = focusProxy();
+  QWidget* now = likeliest();
+  if (before == now) return;
+  const bool isUntouched = before != nullptr && before == QApplication::focusWidget();
+  setFocusProxy(now);
+  if (isUntouched) now->setFocus(Qt::TabFocusReason);
+}
+
 QWidget* ConnectionPage::makeBusSide() {
   auto* side = new QWidget(this);
   auto* label = new QLabel(tr("&Bit rate:"), side);
@@ -62,20 +87,19 @@ QWidget* ConnectionPage::makeBusSide() {
   m_none = new AdapterRow(side);
   m_none->setObjectName(QStringLiteral("noAdapters"));
   m_missing = makeWords(side, "missing", tr("What cannot be used here"), Ink::Secondary);
-  inColumn(
-      side, {}, 8,
-      {makeTitle(side, "busTitle", tr("Connect to a bus")), inRow({label, m_bitRate, LayoutPart::rest()}),
-       m_rows, m_none, m_linksTitle, m_recentLinks, m_missing, LayoutPart::rest()});
+  inColumn(side, {}, 8,
+           {makeTitle(side, "busTitle", tr("Connect to a bus")), m_linksTitle, m_recentLinks,
+            inRow({label, m_bitRate, LayoutPart::rest()}), m_rows, m_none, m_missing, LayoutPart::rest()});
   return side;
 }
 
 QWidget* ConnectionPage::makeOtherSide() {
   auto* side = new QWidget(this);
   side->setFixedWidth(kOtherWidth);
-  auto* demo = largeButton(side, "startDemo", tr("Start the simulated truck"));
-  connect(demo, &QPushButton::clicked, this, &ConnectionPage::demoRequested);
-  auto* open = largeButton(side, "openLog", tr("Open a log…"));
-  connect(open, &QPushButton::clicked, this, &ConnectionPage::browseRequested);
+  m_demo = largeButton(side, "startDemo", tr("Start the simulated truck"));
+  connect(m_demo, &QPushButton::clicked, this, &ConnectionPage::demoRequested);
+  m_open = largeButton(side, "openLog", tr("Open a log…"));
+  connect(m_open, &QPushButton::clicked, this, &ConnectionPage::browseRequested);
   m_noLogs = makeWords(side, "noRecentLogs", tr("Recent logs"), Ink::Secondary);
   m_noLogs->setText(tr("Or drop a file on this window. Logs that were opened are listed here."));
   m_recent = inColumn(4, {});
@@ -85,10 +109,10 @@ QWidget* ConnectionPage::makeOtherSide() {
   connect(m_forget, &QPushButton::clicked, this, &ConnectionPage::forgetRequested);
   inColumn(side, {}, 8,
            {makeTitle(side, "demoTitle", tr("Without a bus")),
-            demo,
+            m_demo,
             LayoutPart::gap(16),
             makeTitle(side, "logTitle", tr("Logs")),
-            open,
+            m_open,
             m_noLogs,
             m_recent,
             {m_forget, 0, Qt::AlignLeft},
@@ -138,17 +162,24 @@ void ConnectionPage::setOffers(const AdapterOffers& offers) {
   }
   setText(*m_missing, offers.missing);
   m_missing->setVisible(!offers.missing.isEmpty());
+  offerFocus();
 }
 
 // Rows are made late; the keys come to them where they are seen.
 void ConnectionPage::orderTabs() {
-  QWidget* before = m_bitRate;
+  std::vector<QWidget*> order;
+  const auto addAll = [&order](const QLayout* list) {
+    for (int i = 0; i < list->count(); ++i) order.push_back(list->itemAt(i)->widget());
+  };
+  addAll(m_recentLinks);
+  order.push_back(m_bitRate);
   for (const AdapterRow* row : m_adapters) {
-    for (auto* next : row->findChildren<QPushButton*>()) {
-      setTabOrder(before, next);
-      before = next;
-    }
+    for (auto* next : row->findChildren<QPushButton*>()) order.push_back(next);
   }
+  order.insert(order.end(), {m_demo, m_open});
+  addAll(m_recent);
+  order.push_back(m_forget);
+  for (std::size_t i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
 }
 
 void ConnectionPage::setRecentLogs(const std::vector<RecentLog>& logs) {
@@ -169,9 +200,12 @@ void ConnectionPage::setRecentLogs(const std::vector<RecentLog>& logs) {
     made->setEnabled(!log.isGone);
     connect(made, &QPushButton::clicked, this, [this, path = log.path] { Q_EMIT logRequested(path); });
     m_recent->addWidget(made);
+    made->show();
   }
   m_noLogs->setVisible(logs.empty());
   m_forget->setVisible(!logs.empty());
+  orderTabs();
+  offerFocus();
 }
 
 void ConnectionPage::setRecentLinks(const std::vector<RecentLink>& links) {
@@ -190,7 +224,10 @@ void ConnectionPage::setRecentLinks(const std::vector<RecentLink>& links) {
     connect(made, &QPushButton::clicked, this,
             [this, link] { Q_EMIT connectRequested(link.plugin, link.interfaceName, link.bitRate); });
     m_recentLinks->addWidget(made);
+    made->show();
   }
+  orderTabs();
+  offerFocus();
 }
 
 int ConnectionPage::bitRate() const { return m_bitRate->currentData().toInt(); }

@@ -70,6 +70,9 @@ class ConnectionPage : public QWidget {
   QWidget* makeOtherSide();
   AdapterRow* makeRow();
   void orderTabs();
+  // What Enter is most likely meant for has the focus until the person moves it.
+  void offerFocus();
+  QWidget* likeliest() const;
 
   AdapterOffers m_offers;
   std::vector<RecentLog> m_logs;
@@ -83,6 +86,8 @@ class ConnectionPage : public QWidget {
   AdapterRow* m_none = nullptr;
   QLabel* m_missing = nullptr;
   QLabel* m_noLogs = nullptr;
+  QPushButton* m_demo = nullptr;
+  QPushButton* m_open = nullptr;
   QVBoxLayout* m_recent = nullptr;
   QPushButton* m_forget = nullptr;
 };

@@ -164,6 +164,26 @@ void EventPanel::goToPrevious() {
        Duration{0});
 }
 
+// Faults of one moment are one place.
+void EventPanel::goToFault(bool isBack) {
+  const Instant cursor = m_model->view().cursor.time;
+  const int count = m_model->rowCount();
+  for (int i = 0; i < count; ++i) {
+    const int row = isBack ? count - 1 - i : i;
+    const Instant time = m_model->time(row);
+    if (m_model->weight(row) != Severity::Fault || (isBack ? time >= cursor : time <= cursor)) continue;
+    if (const QModelIndex index = m_filter->mapFromSource(m_model->index(row, 0)); index.isValid()) {
+      m_list->setCurrentIndex(index);
+      m_list->scrollTo(index);
+    }
+    Q_EMIT seekRequested(time);
+    return;
+  }
+}
+
+void EventPanel::goToNextFault() { goToFault(false); }
+void EventPanel::goToPreviousFault() { goToFault(true); }
+
 void EventPanel::goBefore() {
   const int chosen = chosenRow();
   goTo(chosen >= 0 ? chosen : m_filter->rowAt(m_model->view().cursor.time), kBefore);

@@ -34,6 +34,9 @@ class EventPanel : public QWidget {
   void goToNext();
   void goToPrevious();
   void goBefore();
+  // Puts the cursor where the next fault began, or the previous one, listed or not.
+  void goToNextFault();
+  void goToPreviousFault();
   static constexpr Duration kBefore = 5s;
   // Whether anything happened, listed or not.
   bool hasEvents() const;
@@ -54,6 +57,7 @@ class EventPanel : public QWidget {
   void seek(const QModelIndex& index);
   // Chooses a row of the list, and asks for the cursor to be there, or before it.
   void goTo(int row, Duration before);
+  void goToFault(bool isBack);
   // The row that is chosen, if the cursor is where choosing it has put it; -1 otherwise.
   int chosenRow() const;
 

@@ -318,8 +318,8 @@ void MonitorTile::paintEvent(QPaintEvent*) {
     p.drawText(QPointF(textLeft, foot + smallMetrics.capHeight() / 2), shown);
     return textLeft + smallMetrics.horizontalAdvance(shown) + kTileGap;
   };
-  const double stopsLeft =
-      drawFoot(left, healthGlyph(m_monitor.health.severity()), health, m_monitor.trouble);
+  const Severity tone = m_monitor.troubleTone;
+  const double stopsLeft = drawFoot(left, healthGlyph(tone), inkOf(c, inkOf(tone)), m_monitor.trouble);
   drawFoot(stopsLeft, m_monitor.areStopsStale ? Glyph::Stale : Glyph::Stop,
            m_monitor.areStopsStale ? c.stale.ink : c.text, m_monitor.stops);
 }

@@ -131,9 +131,7 @@ QWidget* RequestPanel::makePolls() {
     connect(m_cards[request], &RequestCard::pressed, this, [this, request] { press(request); });
   }
   column->addStretch(1);
-  connect(m_askAll, &QPushButton::clicked, this, [this] {
-    Q_EMIT intended(intent::SendRequests{m_view.device, kPolls});
-  });
+  connect(m_askAll, &QPushButton::clicked, this, &RequestPanel::askAll);
   connect(m_askEveryone, &QPushButton::clicked, this, [this] {
     const Duration period = kPeriods.at(static_cast<std::size_t>(std::max(0, m_repeat->currentIndex())));
     Q_EMIT intended(period > 0ns ? Intent(intent::Repeat{{}, kPolls, period})
@@ -165,6 +163,7 @@ QWidget* RequestPanel::makeCommands() {
 QScrollArea* RequestPanel::scrolled(const char* name, QWidget* content) {
   QScrollArea* area = makeScroll(this, name, content);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setAccessibleName(tr("Requests"));
   return area;
 }
 
@@ -216,10 +215,11 @@ void RequestPanel::showPolls(const DeviceServices* device) {
                request.progress == RequestStatus::Progress::NotOnBusYet;
     }
   }
-  const bool takesPolls = device != nullptr && !(device->takes & kPolls).isEmpty();
-  m_askAll->setEnabled(canRequest && takesPolls);
-  m_repeat->setEnabled((canRequest && takesPolls) || isRepeated);
-  offerPeriods(canRequest && takesPolls);
+  m_askAll->setEnabled(canAskAll());
+  m_askAll->setText(isBehindLock() ? tr("Unlock, ask it all…") : tr("Ask it all"));
+  m_askAll->setAccessibleName(m_askAll->text());
+  m_repeat->setEnabled((canRequest && takesPolls()) || isRepeated);
+  offerPeriods(canRequest && takesPolls());
   m_askEveryone->setEnabled(canRequest);
   m_cancel->setEnabled(isOpen || isRepeated);
   const auto found = std::ranges::find(kPeriods, period);
@@ -342,12 +342,31 @@ void RequestPanel::press(Request request) {
   if (!isCommand(request)) {
     Q_EMIT intended(intent::SendRequests{m_view.device, RequestSet{request}});
   } else if (isBehindLock()) {
-    Q_EMIT unlockForRequested([self = QPointer(this), request, device = m_view.device] {
-      if (self != nullptr) self->m_waiting = Waiting{request, device, self->now()};
-    });
+    unlockFor(RequestSet{request});
   } else {
     ask(request);
   }
+}
+
+void RequestPanel::unlockFor(RequestSet requests) {
+  Q_EMIT unlockForRequested([self = QPointer(this), requests, device = m_view.device] {
+    if (self != nullptr) self->m_waiting = Waiting{requests, device, self->now()};
+  });
+}
+
+bool RequestPanel::takesPolls() const {
+  const DeviceServices* device = services().find(m_view.device);
+  return device != nullptr && !(device->takes & kPolls).isEmpty();
+}
+
+bool RequestPanel::canAskAll() const {
+  return takesPolls() && (isBehindLock() || (m_view.isLive && services().canRequest()));
+}
+
+void RequestPanel::askAll() {
+  if (!canAskAll()) return;
+  if (isBehindLock()) return unlockFor(kPolls);
+  Q_EMIT intended(intent::SendRequests{m_view.device, kPolls});
 }
 
 void RequestPanel::askOnceUnlocked() {
@@ -357,7 +376,11 @@ void RequestPanel::askOnceUnlocked() {
       m_view.isLive && m_view.device == waiting.device && now() - waiting.since < kUnlockPatience;
   if (isExpected && !services().canRequest()) return;
   m_waiting.reset();
-  if (isExpected) ask(waiting.command);
+  if (!isExpected) return;
+  for (const Request command : kCommands) {
+    if (waiting.requests.has(command)) return ask(command);
+  }
+  Q_EMIT intended(intent::SendRequests{waiting.device, waiting.requests});
 }
 
 void RequestPanel::ask(Request command) {

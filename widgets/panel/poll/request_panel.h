@@ -36,6 +36,10 @@ class RequestPanel : public QWidget {
   explicit RequestPanel(QWidget* parent = nullptr);
 
   void setView(const PanelView& view);
+  // Every poll that the device takes, once. Behind the lock the person is asked to unlock first, and the device
+  // is asked once the console has an address.
+  void askAll();
+  bool canAskAll() const;
 
   QSize sizeHint() const override { return {360, 560}; }
 
@@ -57,17 +61,19 @@ class RequestPanel : public QWidget {
   RequestCardValues loggedValues(Request request, bool withMissing) const;
   void showCard(RequestCard& card, const DeviceServices* device);
   bool isBehindLock() const;
+  bool takesPolls() const;
   void press(Request request);
   void ask(Request command);
   void askOnceUnlocked();
+  void unlockFor(RequestSet requests);
   void repeat(int index);
   QString stateText(Request request, const RequestStatus& status, bool& isFine) const;
 
   const ServiceStatus& services() const { return *m_view.services; }
 
-  // A command that is asked about once sending is unlocked and the console has an address.
+  // What is asked once sending is unlocked and the console has an address; a command after a question of its own.
   struct Waiting {
-    Request command;
+    RequestSet requests;
     DeviceKey device;
     Instant since;
   };
