@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus_follower.h"
 
+#include <algorithm>
+
 #include "bus/canopen.h"
 #include "bus/j1939.h"
 #include "link/can_link.h"
@@ -8,6 +10,14 @@
 #include "session/clocks.h"
 
 namespace deckpipe::ctl {
+
+void BusFollower::passUntil(Instant time) {
+  for (Instant at = due(); at <= time && at != kNever; at = std::max(due(), at + Duration(1))) {
+    m_state.timeCame(at);
+    onChange();
+  }
+  m_state.timeCame(time);
+}
 
 void BusFollower::follow(const LogView& view) {
   if (view.document == nullptr) return;
@@ -31,7 +41,7 @@ void BusFollower::follow(const LogView& view) {
   for (takeNotes(); m_next < end; takeNotes()) {
     const Frame& frame = frames[m_next];
     const Instant time = times.at(m_next);
-    m_state.timeCame(time);
+    passUntil(time);
     const Classified what = frame.channel < kMaxChannels
                                 ? classify(frame, time, m_state.channel({frame.channel}).book)
                                 : Classified{};
@@ -41,7 +51,7 @@ void BusFollower::follow(const LogView& view) {
     onFrame(frame, what);
     onChange();
   }
-  m_state.timeCame(view.cursor.time);
+  passUntil(view.cursor.time);
   onChange();
 }
 

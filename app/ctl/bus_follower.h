@@ -19,6 +19,8 @@ class BusFollower {
   std::function<void(const Note&)> onNote = [](auto&&...) {};
   // After each of these, and when time has passed.
   std::function<void()> onChange = [] {};
+  // When time that passes has to be seen at the latest if nothing comes.
+  std::function<Instant()> due = [] { return kNever; };
 
   // Up to the cursor of the view, which is the live edge.
   void follow(const LogView& view);
@@ -30,6 +32,8 @@ class BusFollower {
   const Device* deviceOf(const Frame& frame, const Classified& what) const;
 
  private:
+  void passUntil(Instant time);
+
   State m_state;
   std::uint64_t m_next = 0;      // frame
   std::size_t m_notesTaken = 0;  // of those that stand before it

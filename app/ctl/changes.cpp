@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "changes.h"
 
+#include <algorithm>
+
 #include "base/overload.h"
 #include "bus/j1939.h"
 #include "event_lines.h"
 #include "protocol/lists.h"
 #include "report/decode_lines.h"
+#include "state/bus_watch.h"
 
 namespace deckpipe::ctl {
 namespace {
@@ -36,10 +39,16 @@ Changes::Changes(BusFollower& follower, Channel channel, std::string channelName
   follower.onFrame = [this](const Frame& frame, const Classified& what) { frameCame(frame, what); };
   follower.onNote = [this](const Note& note) { noteCame(note); };
   follower.onChange = [this] { compare(); };
+  follower.due = [this] {
+    Instant due = kNever;
+    for (const StickWatch& stick : m_sticks) due = std::min(due, stick.due());
+    return due;
+  };
 }
 
 void Changes::frameCame(const Frame& frame, const Classified& what) {
   compare();  // who speaks comes before what is said
+  if (m_newsFrom == kNever) m_newsFrom = m_follower.state().cursor().time + kSettling;
   stickCame(frame);
   if (!what.isDecoded() || !messageOf(what.message).isWatched) return;
   const Message& message = messageOf(what.message);
@@ -62,8 +71,12 @@ void Changes::noteCame(const Note& note) {
   // Behind a gap a value is compared with none of before.
   if (std::holds_alternative<note::LinkUp>(note.value)) {
     m_last.clear();
-    m_sticks = {};
+    for (StickWatch& stick : m_sticks) {
+      stick.linkCameBack();
+      stick.linkChanged(note.time);
+    }
   } else if (std::holds_alternative<note::LinkDown>(note.value)) {
+    m_newsFrom = kNever;
     for (StickWatch& stick : m_sticks) stick.linkChanged(note.time);
   }
   if (!isWatched(note.value)) return;
@@ -74,7 +87,8 @@ void Changes::noteCame(const Note& note) {
   m_out += line.text();
 }
 
-// The events of `deckpipectl events`. One that sends already when the watch begins is told as one that begins.
+// The events of `deckpipectl events`. One that sends already when the watch begins is told as one that begins; behind a
+// gap of the link it may have sent before.
 void Changes::stickCame(const Frame& frame) {
   if (!frame.isExtended() || frame.isRemote() || frame.isError()) return;
   const J1939Id id = J1939Id::of(frame.identifier());
@@ -85,7 +99,8 @@ void Changes::stickCame(const Frame& frame) {
   for (std::size_t i = 0; i < sticks.size(); ++i) {
     if (sticks[i].source != id.source) continue;
     if (sticks[i].basic.at == state.cursor().time) {
-      m_sticks[i].look(state, m_channel, sticks[i], true, found);
+      const bool isNews = state.cursor().time >= m_newsFrom;
+      m_sticks[i].look(state, m_channel, sticks[i], isNews, found);
     } else {
       m_sticks[i].malformedCame(state, m_channel, sticks[i], found);
     }

@@ -40,6 +40,8 @@ class Changes {
   std::string& m_out;
   std::array<Shown, kMaxDevices> m_shown{};
   std::array<StickWatch, Joysticks::kMax> m_sticks{};
+  Instant m_newsFrom =
+      kNotYet;  // a joystick that is heard for the first time then has begun; kNever: behind a gap, no frame came
   std::array<std::uint64_t, 256> m_names{};
   // Last payload of each identifier and message.
   std::map<std::pair<std::uint32_t, MessageId>, std::uint64_t> m_last;
