@@ -2,9 +2,11 @@
 // The main window's menus: what they are called, their keys, and what each calls.
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QStackedWidget>
 #include <QWhatsThis>
+#include <algorithm>
 #include <utility>
 
 #include "kept_settings.h"
@@ -20,6 +22,11 @@
 #include "workspace.h"
 
 namespace deckpipe {
+namespace {
+
+constexpr qsizetype kLogsInMenu = 5;
+
+}  // namespace
 
 void MainWindow::makeMenus() {
   makeFileMenu();
@@ -27,6 +34,8 @@ void MainWindow::makeMenus() {
   m_sending->menu()->addSeparator();
   m_workActions << addNamed(m_sending->menu(), "askDeviceAction", tr("Ask the chosen &device…"),
                             QKeySequence(Qt::CTRL | Qt::Key_R), m_workspace, &Workspace::showRequests);
+  m_askAllAction = addNamed(m_sending->menu(), "askAllAction", tr("Ask the chosen device &everything"),
+                            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), m_workspace, &Workspace::askAll);
   makeViewMenu();
   makeReplayMenu();
   makeTraceMenu();
@@ -40,6 +49,10 @@ void MainWindow::makeMenus() {
 void MainWindow::makeFileMenu() {
   QMenu* menu = m_menus->addMenu(tr("&File"));
   addNamed(menu, "openLogAction", tr("&Open log…"), QKeySequence::Open, this, &MainWindow::openLogByHand);
+  m_recentMenu = new QActionGroup(menu);
+  QAction* behindRecent = menu->addSeparator();
+  connect(menu, &QMenu::aboutToShow, this,
+          [this, menu, behindRecent] { listRecentLogs(*menu, behindRecent); });
   m_frameActions << addNamed(menu, "saveLogAction", tr("&Save log as…"), QKeySequence::Save, this,
                              &MainWindow::saveLogByHand);
   TracePanel* trace = m_workspace->trace();
@@ -65,6 +78,23 @@ void MainWindow::makeFileMenu() {
   addNamed(menu, "quitAction", tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 }
 
+// By number: Alt+F, 1 opens the log of last time.
+void MainWindow::listRecentLogs(QMenu& menu, QAction* before) {
+  qDeleteAll(m_recentMenu->actions());
+  const QStringList paths = recentLogs();
+  for (qsizetype i = 0; i < std::min(kLogsInMenu, paths.size()); ++i) {
+    const QFileInfo file(paths[i]);
+    QString name = file.fileName();
+    name.replace(u'&', QLatin1String("&&"));
+    auto* action = new QAction(tr("&%1 %2", "number and name of a log").arg(i + 1).arg(name), m_recentMenu);
+    action->setObjectName(QStringLiteral("recentLogAction%1").arg(i + 1));
+    action->setWhatsThis(paths[i]);
+    offer(*action, file.exists() ? QString() : tr("%1\nis no longer there").arg(paths[i]));
+    connect(action, &QAction::triggered, this, [this, path = paths[i]] { openLog(path); });
+    menu.insertAction(before, action);
+  }
+}
+
 void MainWindow::makeViewMenu() {
   QMenu* menu = m_menus->addMenu(tr("&View"));
   m_themes = new QActionGroup(this);
@@ -83,6 +113,10 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   menu->addActions(m_workspace->dockActions());
   m_workActions << m_workspace->dockActions();
+  m_workActions << addNamed(menu, "devicePageAction", tr("Device pa&ge"), QKeySequence(Qt::ALT | Qt::Key_9),
+                            m_workspace, &Workspace::showDevicePage)
+                << addNamed(menu, "overviewAction", tr("&All monitors"), QKeySequence(Qt::ALT | Qt::Key_0),
+                            m_workspace, &Workspace::showOverview);
   menu->addSeparator();
   m_dialAction = addNamed(menu, "fullDialAction", tr("Large &dial"), QKeySequence(Qt::Key_F11), m_workspace,
                           &Workspace::toggleFullDial);
@@ -149,7 +183,12 @@ void MainWindow::makeEventsMenu() {
                  << addNamed(menu, "previousEventAction", tr("&Previous event"),
                              QKeySequence(Qt::SHIFT | Qt::Key_F8), events, &EventPanel::goToPrevious)
                  << addNamed(menu, "beforeEventAction", tr("&Five seconds before this event"),
-                             QKeySequence(Qt::Key_F9), events, &EventPanel::goBefore);
+                             QKeySequence(Qt::Key_F9), events, &EventPanel::goBefore)
+                 << addNamed(menu, "nextFaultAction", tr("Next f&ault"), QKeySequence(Qt::CTRL | Qt::Key_F8),
+                             events, &EventPanel::goToNextFault)
+                 << addNamed(menu, "previousFaultAction", tr("P&revious fault"),
+                             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F8), events,
+                             &EventPanel::goToPreviousFault);
 }
 
 void MainWindow::offerActions() {
@@ -166,6 +205,8 @@ void MainWindow::offerActions() {
     offer(*action, !notSeen.isEmpty() || canBe ? notSeen : whyNot);
   };
   ifSeen(m_dialAction, m_workspace->hasDial(), tr("The chosen device has no dial."));
+  ifSeen(m_askAllAction, m_workspace->canAskAll(),
+         tr("The chosen device cannot be asked now: the requests say why."));
   ifSeen(m_traceDeviceAction, m_workspace->canTraceDevice(), tr("No device with an address is chosen."));
   for (QAction* action : std::as_const(m_eventActions))
     ifSeen(action, m_workspace->events()->hasEvents(), tr("Nothing happened so far."));

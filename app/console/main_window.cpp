@@ -19,11 +19,13 @@
 #include <utility>
 
 #include "connection.h"
+#include "foot_lines.h"
 #include "kept_settings.h"
 #include "log_filters.h"
 #include "mark_bar.h"
 #include "model/frame_test.h"
 #include "notice_of.h"
+#include "paint/spoken.h"
 #include "pane_cycle.h"
 #include "panel/common/about_page.h"
 #include "panel/common/build.h"
@@ -71,6 +73,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
       m_markBar(new MarkBar(this)),
       m_saveBar(new SaveBar(session.sidecars(), this)),
       m_transport(new TransportBar(this)) {
+  speakPaintedWidgets();
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   m_pages->addWidget(m_connection->page());
@@ -90,7 +93,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
   inRow(top, {0, 0, 0, 0}, 8, {m_menus, {m_notice, 1}});
   setMenuWidget(top);
   auto* central = new QWidget(this);
-  inColumn(central, {0, 0, 0, 0}, 0, {m_status, {m_pages, 1}, m_markBar, m_saveBar, m_transport});
+  inColumn(central, {0, 0, 0, 0}, 0, {m_status, {m_pages, 1}, m_transport});
+  auto* lines = new FootLines(m_pages);
+  lines->add(m_markBar);
+  lines->add(m_saveBar);
   setCentralWidget(central);
   m_sending = new SendingActions(m_session, this);
   const ClaimSettings claim = claimSettings();

@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow {
  private:
   void makeMenus();
   void makeFileMenu();
+  void listRecentLogs(QMenu& menu, QAction* before);
   void makeViewMenu();
   void makeReplayMenu();
   void makeTraceMenu();
@@ -133,6 +134,7 @@ class MainWindow : public QMainWindow {
   MarkBar* m_markBar;
   SaveBar* m_saveBar;
   TransportBar* m_transport;
+  QActionGroup* m_recentMenu = nullptr;  // the logs that the File menu lists
   QActionGroup* m_themes = nullptr;
   QActionGroup* m_replay = nullptr;  // all that moves the cursor of a log
   SendingActions* m_sending = nullptr;
@@ -142,6 +144,7 @@ class MainWindow : public QMainWindow {
   QAction* m_closeAction = nullptr;
   QAction* m_findAction = nullptr;
   QAction* m_dialAction = nullptr;
+  QAction* m_askAllAction = nullptr;
   QAction* m_traceDeviceAction = nullptr;
   QAction* m_fieldAction = nullptr;
 };

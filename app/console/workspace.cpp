@@ -18,6 +18,7 @@
 #include "panel/common/simulator_panel.h"
 #include "panel/events/event_panel.h"
 #include "panel/page/device_page.h"
+#include "panel/poll/request_panel.h"
 #include "panel/trace/decode_panel.h"
 #include "panel/trace/trace_panel.h"
 
@@ -52,6 +53,7 @@ Workspace::Workspace(LabelStorage& labels, QWidget* parent)
   m_trace = findChild<TracePanel*>();
   m_events = findChild<EventPanel*>();
   m_help = findChild<HelpPanel*>();
+  m_requests = findChild<RequestPanel*>();
   arrange();
 
   // What is in the explanation itself is not explained.
@@ -136,6 +138,23 @@ void Workspace::filterTrace() {
 }
 
 void Workspace::showRequests() { open(dock(kRequestsDock)); }
+
+void Workspace::askAll() {
+  show(dock(kRequestsDock));
+  m_requests->askAll();
+}
+
+bool Workspace::canAskAll() const { return m_requests->canAskAll(); }
+
+void Workspace::showDevicePage() { showPage(0); }
+
+void Workspace::showOverview() { showPage(1); }
+
+void Workspace::showPage(int index) {
+  if (m_page->full() != nullptr) m_page->toggleFull();
+  m_centre->setCurrentIndex(index);
+  focusNextPane({m_centre->currentWidget()}, false);
+}
 
 void Workspace::showDetail() { show(dock(kDecodeDock)); }
 

@@ -23,6 +23,7 @@ class DockTitle;
 class EventPanel;
 class HelpPanel;
 class DevicePage;
+class RequestPanel;
 class TracePanel;
 
 class Workspace : public QMainWindow {
@@ -57,6 +58,12 @@ class Workspace : public QMainWindow {
   void toggleFullDial();
   // Opens the dock where the chosen device is asked.
   void showRequests();
+  // Asks the chosen device every poll that it takes, once sending is unlocked, and shows the answers.
+  void askAll();
+  bool canAskAll() const;
+  // Pages of the middle, with the focus.
+  void showDevicePage();
+  void showOverview();
   // Opens the dock that takes the looked at frame apart.
   void showDetail();
   // Opens the dock that explains what has the focus.
@@ -110,6 +117,7 @@ class Workspace : public QMainWindow {
   const Dock& dock(const char* id) const;
   void show(const Dock& dock);
   void open(const Dock& dock);
+  void showPage(int index);
   void arrange();
   void shareRoom();
   // How the docks stand, in a workspace of which size.
@@ -140,6 +148,7 @@ class Workspace : public QMainWindow {
   TracePanel* m_trace;
   EventPanel* m_events;
   HelpPanel* m_help;
+  RequestPanel* m_requests;
   double m_fontSize = 0;
   bool m_isSettled = false;              // the docks have sizes: the first, or a person's
   std::optional<Arrangement> m_kept;     // of last time, or from when the workspace was hidden
