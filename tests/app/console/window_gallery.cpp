@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the whole window for people: `window_gallery FOLDER` draws every state in every theme, at a
-// desk and in the field, at 1366×768.
+// desk and in the field, at 1366×768; what must be found at a glance also at the other sizes.
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QPixmap>
 #include <QStandardPaths>
+#include <QTabWidget>
 #include <cstdio>
 
 #include "app/console/window_scenes.h"
@@ -30,6 +33,87 @@ bool save(MainWindow& window, const QDir& folder, const QString& name) {
   if (window.grab().save(path)) return true;
   std::fprintf(stderr, "%s cannot be written\n", qPrintable(path));
   return false;
+}
+
+struct Screen {
+  const char* name;
+  QSize size;
+  int scale = 1;
+};
+const Screen kScreens[] = {{"1024x600", {1024, 600}},
+                           {"1366x768", {1366, 768}},
+                           {"1920x1080", {1920, 1080}},
+                           {"4k", {1920, 1080}, 2}};
+
+bool saveScaled(MainWindow& window, const QDir& folder, const QString& name, int scale) {
+  settle();
+  QPixmap picture(window.size() * scale);
+  picture.setDevicePixelRatio(scale);
+  window.render(&picture);
+  return picture.save(folder.filePath(name + QStringLiteral(".png")));
+}
+
+// Thirty monitors of which three are in trouble, and the page with one notice and with three.
+bool drawScreens(MainWindow& window, const QDir& folder, const QString& theme) {
+  bool isWell = true;
+  const auto click = [&](const char* action) { test::child<QAction>(window, action)->trigger(); };
+  const QString saved = folder.filePath(QStringLiteral("saved by the gallery.log"));
+  for (const Screen& screen : kScreens) {
+    window.resize(screen.size);
+    const auto draw = [&](const char* name) {
+      const QString file =
+          QStringLiteral("%1_%2_%3").arg(QLatin1String(name), QLatin1String(screen.name), theme);
+      isWell = saveScaled(window, folder, file, screen.scale) && isWell;
+    };
+    window.setSnapshot(test::windowScenes()[0].snapshot);
+    window.setSnapshot(test::fleetOfMonitors());
+    click("resetLayoutAction");
+    click("overviewAction");
+    draw("overview");
+    click("devicePageAction");
+    window.setSnapshot(test::linkLost());
+    click("resetLayoutAction");
+    draw("one_notice");
+    click("markAction");
+    window.saveLog(saved);
+    Snapshot both = test::linkLost();
+    both.notSent = Refusal::NoLink;
+    window.setSnapshot(both);
+    draw("three_notices");
+    test::child<QAbstractButton>(window, "markCancel")->click();
+    // Once to break off what may still be saved, once to close the line.
+    for (int i = 0; i < 2; ++i) {
+      settle();
+      test::child<QAbstractButton>(window, "saveButton")->click();
+    }
+    settle();
+  }
+  window.resize(1366, 768);
+  click("resetLayoutAction");
+  return isWell;
+}
+
+bool drawChange(MainWindow& window, const QDir& folder, const QString& theme) {
+  window.setSnapshot(test::askingSnapshot());
+  test::child<QDockWidget>(window, "requestsDock")->show();
+  auto* tabs = test::child<QTabWidget>(window, "requestTabs");
+  tabs->setCurrentIndex(1);
+  bool isWell = save(window, folder, QStringLiteral("change_") + theme);
+  for (auto* card : window.findChildren<QWidget*>()) {
+    auto* button = card->findChild<QAbstractButton*>(QStringLiteral("askButton"), Qt::FindDirectChildrenOnly);
+    if (button == nullptr || !button->isVisible() || !button->isEnabled()) continue;
+    button->click();
+    settle();
+    if (QWidget* question = QApplication::activeModalWidget()) {
+      isWell = question->grab().save(folder.filePath(QStringLiteral("danger_%1.png").arg(theme))) && isWell;
+      question->close();
+    }
+    break;
+  }
+  settle();
+  tabs->setCurrentIndex(0);
+  test::child<QAction>(window, "resetLayoutAction")->trigger();
+  return isWell;
 }
 
 bool drawTheme(MainWindow& window, const QDir& folder, const QString& theme) {
@@ -71,7 +155,8 @@ bool drawTheme(MainWindow& window, const QDir& folder, const QString& theme) {
     isWell = save(window, folder, QLatin1String(name) + theme) && isWell;
   }
   test::child<QAction>(window, "resetLayoutAction")->trigger();
-  return isWell;
+  isWell = drawChange(window, folder, theme) && isWell;
+  return drawScreens(window, folder, theme) && isWell;
 }
 
 }  // namespace

@@ -102,6 +102,33 @@ inline Snapshot linkLost() {
   return later(lost, 4s);
 }
 
+// As many monitors as nobody has on one truck. Three are in trouble, each in its own way: disabled, its sensor wrong, a
+// fault of its own.
+inline Snapshot fleetOfMonitors(int count = 30) {
+  std::string text;
+  char line[96];
+  const auto add = [&](int at, int step, const char* data) {
+    std::snprintf(line, sizeof line, "(1000.%d%05d) can0 18EFFF%02X#%s\n", step, 100 * at, 0x80 + at, data);
+    text += line;
+  };
+  for (int step = 0; step < 10; ++step) {
+    for (int at = 0; at < count; ++at) {
+      char data[24];
+      std::snprintf(data, sizeof data, "FF83150206021A%02X", 0x0B + at);
+      if (step == 0) add(at, step, data);
+      const int angle = 100 + 37 * at % 400;
+      std::snprintf(data, sizeof data, "01%02X%X40371000041", angle >> 4, angle & 0xF);
+      add(at, step, at == 11 ? "01FFF4FFF4000004" : data);
+      add(at, step, at == 4 ? "834051" : "83C051");
+    }
+  }
+  std::snprintf(line, sizeof line, "(1001.000000) can0 18EF%02XF9#02\n", 0x80 + count - 2);
+  text += line;
+  std::snprintf(line, sizeof line, "(1001.001000) can0 18EFF9%02X#0200200000000B\n", 0x80 + count - 2);
+  text += line;
+  return snapshotOf(text, SourceStatus::Kind::Link, SourceStatus::Progress::Running);
+}
+
 // Unlocked on the truck: polls asked and answered or not, and a file that stalled in the data pipe.
 inline Snapshot askingSnapshot() {
   const std::string talk =
