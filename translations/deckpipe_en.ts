@@ -83,6 +83,13 @@
             <numerusform>%1: the file that this log was saved from was not whole at %Ln places</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln frames are missing here: the recording is damaged</source>
+        <translation>
+            <numerusform>%Ln frame is missing here: the recording is damaged</numerusform>
+            <numerusform>%Ln frames are missing here: the recording is damaged</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NoticeText</name>
@@ -320,6 +327,13 @@ still go out, unless the interface was taken down.</numerusform>
         <translation>
             <numerusform>perhaps what stood at %Ln place of the file that it was saved from, which was not whole</numerusform>
             <numerusform>perhaps what stood at %Ln places of the file that it was saved from, which was not whole</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frames that stood where the recording is damaged</source>
+        <translation>
+            <numerusform>%Ln frame that stood where the recording is damaged</numerusform>
+            <numerusform>%Ln frames that stood where the recording is damaged</numerusform>
         </translation>
     </message>
 </context>

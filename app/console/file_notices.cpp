@@ -142,8 +142,7 @@ Notice damageNotice(const ReadSummary& read) {
                    NoticeText::tr("%Ln bytes could not be read.", nullptr, forPlural(read.damage.bytes))};
   if (read.damage.frames > 0)
     said += NoticeText::tr("At least %Ln frames are missing.", nullptr, forPlural(read.damage.frames));
-  if (read.damage.frames == 0 && read.damage.isOpen)
-    said += NoticeText::tr("How many frames are missing is not known.");
+  if (read.damage.isOpen) said += NoticeText::tr("How many frames are missing at its end is not known.");
   if (read.cutBytes > 0) said += cutText(read.cutBytes);
   said += NoticeText::tr("What is whole was read; times across a damaged place are not to be trusted.");
   return {Severity::Warning, said.join(QLatin1Char(' '))};

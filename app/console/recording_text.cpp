@@ -153,15 +153,18 @@ MissingFrames missingFrames(const LogDocument& log) {
     return StatusText::tr(
         "what stood in %Ln lines of the file that it was saved from, which could not be read", nullptr, n);
   });
+  add(leftOut[Why::Damaged], [](int n) {
+    return StatusText::tr("%Ln frames that stood where the recording is damaged", nullptr, n);
+  });
   add(notWhole, [](int n) {
     return StatusText::tr(
         "perhaps what stood at %Ln places of the file that it was saved from, which was not whole", nullptr,
         n);
   });
   if (kinds.isEmpty()) return {};
-  return {places + lines + notWhole > 0
-              ? 0
-              : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] + leftOut[Why::NotClassic],
+  return {places + lines + notWhole > 0 ? 0
+                                        : lost + leftOut[Why::CanFd] + leftOut[Why::CanXl] +
+                                              leftOut[Why::NotClassic] + leftOut[Why::Damaged],
           StatusText::tr("Missing in this log: %1.").arg(kinds.join(QStringLiteral("; ")))};
 }
 

@@ -139,8 +139,7 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
     say("damaged in " + counted(damage.places, "place", "places") + ", the first at byte " +
         std::to_string(damage.firstAt) + "; " + counted(damage.bytes, "byte", "bytes") +
         " could not be read");
-  if (damage.frames > 0) say("at least " + framesThat(damage.frames, "is missing", "are missing"));
-  if (damage.frames == 0 && damage.isOpen) say("how many frames are missing is not known");
+  if (damage.isOpen) say("how many frames are missing at its end is not known");
   if (const auto text = textOf(summary.lastLine); !text.empty()) say(std::string(text));
   if (summary.cutBytes == 1) say("the last byte is not whole and was left out");
   if (summary.cutBytes > 1)
@@ -164,17 +163,21 @@ bool LogInput::sayMissing(const ReadSummary& summary) const {
 
 bool LogInput::sayMissed() const {
   using Why = note::LeftOut::Why;
-  std::uint64_t lost = 0, leftOut = 0, lines = 0, places = 0, notWhole = 0;
+  std::uint64_t lost = 0, leftOut = 0, lines = 0, places = 0, notWhole = 0, damaged = 0;
   for (const Note& note : notes.all()) {
     (std::holds_alternative<note::Dropped>(note.value) ? lost : leftOut) += framesMissed(note.value);
     const auto* noted = std::get_if<note::LeftOut>(&note.value);
     if (noted != nullptr && noted->why == Why::Unreadable) lines += noted->count;
     if (noted != nullptr && noted->why == Why::RecorderLost) places += noted->count;
     if (noted != nullptr && noted->why == Why::NotWhole) notWhole += noted->count;
+    if (noted != nullptr && noted->why == Why::Damaged) damaged += noted->count;
   }
   if (lost > 0)
     std::fprintf(stderr, "%s: %s lost while it was recorded\n", name().c_str(),
                  framesThat(lost, "was", "were").c_str());
+  leftOut -= damaged;
+  if (damaged > 0)
+    complain(name(), framesThat(damaged, "is", "are") + " missing where the recording is damaged");
   if (leftOut > 0)
     std::fprintf(stderr, "%s: %s came that it cannot hold: CAN FD, or not classic CAN\n", name().c_str(),
                  framesText(leftOut).c_str());
@@ -186,7 +189,7 @@ bool LogInput::sayMissed() const {
   if (notWhole > 0)
     complain(name(), "the file that it was saved from was not whole at " +
                          counted(notWhole, "place", "places") + ": what stood there is not in it");
-  return leftOut + lines + notWhole > 0;
+  return leftOut + lines + notWhole + damaged > 0;
 }
 
 bool LogInput::hasDeltas() const { return !addsUpTimes && hasDeltaTimes(frames); }

@@ -55,6 +55,7 @@ constexpr std::string_view leftOutWord(note::LeftOut::Why why) {
     case Why::Unreadable: return "unreadable";
     case Why::RecorderLost: return "recorder_lost";
     case Why::NotWhole: return "not_whole";
+    case Why::Damaged: return "damaged";
   }
   return {};
 }

@@ -172,6 +172,10 @@ class JournalContent {
   void lose(std::uint64_t first) {
     m_summary.damage.frames += first - m_next;
     m_lost.push_back({m_next, first, m_summary.damage.frames});
+    if (m_target.notes != nullptr)
+      m_target.notes->append({.frame = m_target.frames.count(),
+                              .time = m_target.frames.lastTime(),
+                              .value = note::LeftOut{{}, note::LeftOut::Why::Damaged, first - m_next}});
     m_next = first;
   }
 

@@ -154,8 +154,9 @@ struct LeftOut {
     Unreadable = 4,    // lines of which nobody knows what they were
     RecorderLost = 5,  // places where the recorder says that it lost frames, and not how many
     NotWhole = 6,      // places of the file that the log was saved from; any of them may lie in a part of it
+    Damaged = 7,       // frames that stood here in a recording, which is damaged; of any channel
   };
-  static constexpr bool countsFrames(Why why) { return why < Why::Unreadable; }
+  static constexpr bool countsFrames(Why why) { return why < Why::Unreadable || why == Why::Damaged; }
   Channel channel;
   Why why = Why::CanFd;
   std::uint64_t count = 0;
@@ -227,7 +228,7 @@ struct MotionLate {
 template <>
 inline constexpr note::OwnAddress::How kLastOf<note::OwnAddress::How> = note::OwnAddress::How::Disputed;
 template <>
-inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::NotWhole;
+inline constexpr note::LeftOut::Why kLastOf<note::LeftOut::Why> = note::LeftOut::Why::Damaged;
 
 using NoteValue =
     std::variant<note::Mark, note::LinkUp, note::LinkDown, note::Dropped, note::Locked, note::Unlocked,

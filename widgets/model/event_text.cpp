@@ -263,6 +263,9 @@ QString leftOutText(const note::LeftOut& n) {
     case Why::NotWhole:
       return EventText::tr("%1: the file that this log was saved from was not whole at %Ln places", nullptr,
                            forPlural(n.count));
+    case Why::Damaged:
+      return EventText::tr("%Ln frames are missing here: the recording is damaged", nullptr,
+                           forPlural(n.count));
   }
   return {};
 }
@@ -325,7 +328,10 @@ QString noteText(const LogDocument& log, const Note& note) {
                 .arg(busOf(n));
           },
           [](const note::Pipe& n) { return pipeText(n); },
-          [&](const note::LeftOut& n) { return leftOutText(n).arg(busOf(n)); },
+          [&](const note::LeftOut& n) {
+            const QString text = leftOutText(n);
+            return n.why == note::LeftOut::Why::Damaged ? text : text.arg(busOf(n));
+          },
           [](const note::Label& n) {
             return (n.text.isEmpty() ? EventText::tr("%1 has no label any more", "PIN")
                                      : EventText::tr("%1 is called “%2”", "PIN, label"))

@@ -119,7 +119,8 @@ TEST(RecordingNotice, SaysWhatIsMissingOfAFile) {
   EXPECT_FALSE(says(notice(snapshot), "before them")) << notice(snapshot);
   EXPECT_EQ(completenessFact(snapshot).text.toStdString(), "Not whole");
   snapshot.source.read.damage = {.places = 1, .bytes = 100, .isOpen = true};
-  EXPECT_TRUE(says(notice(snapshot), "How many frames are missing is not known")) << notice(snapshot);
+  EXPECT_TRUE(says(notice(snapshot), "How many frames are missing at its end is not known"))
+      << notice(snapshot);
   snapshot.source.read = {.newerParts = 2};
   EXPECT_TRUE(says(notice(snapshot), "newer version")) << notice(snapshot);
 }

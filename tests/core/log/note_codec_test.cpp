@@ -133,8 +133,8 @@ TEST(NoteCodec, KeepsTheNumbersOfItsEnums) {
 
 TEST(NoteCodec, KeepsTheNumbersOfWhyFramesAreLeftOut) {
   using Why = note::LeftOut::Why;
-  const Why whys[] = {Why::CanFd,      Why::NotClassic,   Why::CanXl,
-                      Why::Unreadable, Why::RecorderLost, Why::NotWhole};
+  const Why whys[] = {Why::CanFd,        Why::NotClassic, Why::CanXl,  Why::Unreadable,
+                      Why::RecorderLost, Why::NotWhole,   Why::Damaged};
   for (std::uint8_t n = 0; n < std::size(whys); ++n) {
     const Bytes bytes = bytesOf(note::LeftOut{{}, whys[n], 0});
     EXPECT_EQ(bytes[bytes.size() - 9], n + 1);
