@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <QElapsedTimer>
-#include <QFile>
 #include <QTimer>
 #include <algorithm>
 #include <cerrno>
@@ -15,7 +14,6 @@
 #include "command.h"
 #include "device_finder.h"
 #include "json_line.h"
-#include "link/adapters.h"
 #include "live_run.h"
 #include "moves_monitors.h"
 #include "protocol/address_book.h"
@@ -32,7 +30,6 @@ constexpr std::uint64_t kLongestMove = 10'000;  // ms
 constexpr int kTurn = 20;                       // ms between two words that it is held
 constexpr int kListenFirst = 1'100;             // ms; what was heard in them is known a tick later
 constexpr double kEndPatience = 2;              // s, for neutral to be said
-constexpr int kLongQueue = 10;
 
 struct MovePlan {
   Address source;
@@ -50,7 +47,9 @@ bool inputGoesOn() {
   pollfd input{STDIN_FILENO, POLLIN, 0};
   const int ready = ::poll(&input, 1, 0);
   if (ready <= 0) return ready == 0 || errno == EINTR;
-  char passed[256];
+  // Who wrote has let go, whatever still waits to be read.
+  if ((input.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) return false;
+  char passed[4096];
   const ssize_t count = ::read(STDIN_FILENO, passed, sizeof passed);
   return count > 0 || (count < 0 && (errno == EINTR || errno == EAGAIN));
 }
@@ -296,19 +295,6 @@ Deflection deflectionOf(Arguments& arguments, const char* name) {
   return {};
 }
 
-// Frames in a long queue would be the hand's of seconds ago.
-void warnOfQueue(const LinkSettings& link) {
-  QFile file(QStringLiteral("/sys/class/net/%1/tx_queue_len").arg(link.interfaceName));
-  if (!isSocketCan(link.plugin) || !file.open(QIODevice::ReadOnly)) return;
-  const int length = file.readAll().trimmed().toInt();
-  if (length <= kLongQueue) return;
-  std::fprintf(
-      stderr,
-      "deckpipectl: warning: the transmit queue of %s holds %d frames; above %d old ones may go out late: "
-      "ip link set %s txqueuelen %d\n",
-      qPrintable(link.interfaceName), length, kLongQueue, qPrintable(link.interfaceName), kLongQueue);
-}
-
 }  // namespace
 
 ExitStatus moveCommand(const QStringList& given) {
@@ -320,6 +306,7 @@ controller that listens to the address moves, so all monitors that are heard mus
 and no other. Silent ones cannot be known: see the monitor, and nobody near it.
 It listens 1 s first. It ends after --for, by Ctrl+C, SIGTERM or SIGHUP, by whatever speaks against it,
 and with --hold at the end of standard input; status 0 only after --for or that end.
+It moves simulated monitors alone, on a vcan or virtualcan: real ones not yet.
 This is no emergency stop and no safety device. It raises no soft limit, gives no permissive, presses
 no switch, aims at no angle, and reaches no monitor behind a gateway.
 One JSON line for each PIN: pin, source, end, held_ms, frames, period_ms, worst_gap_ms, and
@@ -357,14 +344,14 @@ rotation_before_deg, rotation_deg, elevation_before_deg, elevation_deg, null whe
   plan.endsWithInput = arguments.has("hold");
   if (arguments.areBad()) return kBadUsage;
   if (const auto trouble = movesMonitorsTrouble(arguments, settings.link)) return arguments.bad(*trouble);
+  // Of real monitors rules 4 and 5 want more: a proof of the echo, and a person's word at each arming.
+  if (mayHoldRealMonitors(settings.link))
+    return arguments.bad(
+        QStringLiteral("real monitors are not moved yet: it moves simulated ones on a vcan or "
+                       "virtualcan alone, as nothing proves yet that a frame is on this bus"));
+  plan.acceptsUnproven = true;
   if (plan.endsWithInput && !inputGoesOn())
     return arguments.bad(QStringLiteral("--hold: standard input has ended already"));
-  plan.acceptsUnproven = true;
-  warnOfQueue(settings.link);
-  if (!echoProvesBus(settings.link.plugin, settings.link.interfaceName))
-    std::fprintf(stderr,
-                 "deckpipectl: %s: cannot tell whether our frames reach the bus; going on accepts that\n",
-                 qPrintable(settings.link.interfaceName));
 
   LiveRun run(settings, true);
   MonitorMove move(run, std::move(plan));

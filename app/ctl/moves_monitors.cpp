@@ -43,6 +43,13 @@ QString movesMonitorsMissing(const QString& interfaceName) {
       .arg(interfaceName);
 }
 
+bool mayHoldRealMonitors(const LinkSettings& link) {
+  std::optional<CanInterface> facts;
+  if (const auto read = readInterface(link.interfaceName.toStdString()); isSocketCan(link.plugin) && read)
+    facts = read.value();
+  return !isSimulatedBus(link, facts);
+}
+
 std::optional<QString> movesMonitorsTrouble(const Arguments& arguments, const LinkSettings& link) {
   std::optional<CanInterface> facts;
   if (isSocketCan(link.plugin)) {

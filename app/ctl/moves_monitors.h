@@ -17,6 +17,8 @@ Arguments::Option movesMonitorsOption();
 QString movesMonitorsMissing(const QString& interfaceName);
 // The same where it was, or where there is no such interface. It asks the system, and opens nothing.
 std::optional<QString> movesMonitorsTrouble(const Arguments& arguments, const LinkSettings& link);
+// Whether the interface is another than virtualcan's or a vcan, as its driver says. It asks the system, and opens nothing.
+bool mayHoldRealMonitors(const LinkSettings& link);
 // "1032AE100801035 (6032 Universal II) at address 80; a joystick at address 33"
 QString strangersText(const std::vector<Stranger>& strangers);
 

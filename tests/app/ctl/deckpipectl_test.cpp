@@ -382,6 +382,13 @@ TEST(Rule20Programs, OnWhatMayBeARealBusDoNothingWithoutTheWord) {
   }
 }
 
+TEST(Rule04, NoMonitorIsMovedOnABusWhoseEchoIsNotProven) {
+  const Outcome r = run(words(kMovers[1]) + words("--plugin peakcan --interface usb0 --moves-monitors"));
+  if (r.err.contains("no such plugin")) GTEST_SKIP() << "no plugin of an adapter";
+  EXPECT_EQ(r.status, 2);
+  EXPECT_TRUE(r.err.contains("real monitors are not moved yet")) << r.err.constData();
+}
+
 TEST(Rule20Programs, LookForTheInterfaceBeforeTheyAskForTheWord) {
   for (const char* mover : kMovers) {
     for (const char* where : {"nosuch0", "vcan-by-name", "lo", "nosuch0 --moves-monitors"}) {
