@@ -30,6 +30,8 @@ constexpr Duration kTurnWithin = 10s;  // each of two who share an address says 
 constexpr Duration kTurnAfter = 1s;    // sooner it may be one contest
 constexpr Duration kSharedFor = 60s;   // … and so long it is believed after the last time
 
+constexpr Duration kAnswersWithin = 2s;  // a NAME so long after a request may be an answer
+
 bool isPartNumberAnswer(const Frame& frame) {
   if (sdo::valueSize(frame.data[0]) != 4) return false;
   const auto object =
@@ -70,6 +72,8 @@ void AddressBook::linkCameBack() {
   m_won.fill(0);
   m_lost.fill(0);
   m_akronNodes.reset();
+  m_reporters.reset();
+  m_namesAsked = kNotYet;
   m_openRequests = {};
 }
 
@@ -92,6 +96,10 @@ bool AddressBook::learn(const Frame& frame, Instant time, const Classified& clas
   if (classified.malformed) return isFirst;
   const bool hasChanged = [&] {
     switch (classified.message) {
+      case MessageId::Request:
+        if (readBits(frame.data, little(1, 24)) != pgn::kAddressClaimed) return false;
+        m_namesAsked = time;
+        return true;
       case MessageId::Name: return claimed(source, frame, time, lost);
       case MessageId::AddressAnnouncement:
         return J1939Id::of(frame.identifier()).destination == kGlobalAddress &&
@@ -103,7 +111,10 @@ bool AddressBook::learn(const Frame& frame, Instant time, const Classified& clas
         return true;
       }
       case MessageId::Count: return false;
-      default: return kLooksAlikeBothWays[classified.message] && exchanged(frame, time, classified);
+      default:
+        if (frame.isExtended() && isNewsOfReports(source, classified.message))
+          return reported(source, classified.message, time);
+        return kLooksAlikeBothWays[classified.message] && exchanged(frame, time, classified);
     }
   }();
   return isFirst || hasChanged;
@@ -124,6 +135,9 @@ bool AddressBook::exchanged(const Frame& frame, Instant time, const Classified& 
 }
 
 Instant AddressBook::sharedSince(Address a, Instant now) const {
+  for (const Contest& contest : m_contests) {
+    if (contest.goesOn && contest.address == a && now - contest.since >= kClaimTime) return contest.since;
+  }
   for (const Turn::By by : {Turn::By::Name, Turn::By::Pin}) {
     const auto turns = turnsOf(a, by);
     // A comes back to an address that B took meanwhile, in the last three turns or in the three before.
@@ -180,6 +194,7 @@ bool AddressBook::announced(Address source, const Frame& frame, Instant time, Lo
     if (m_pins[i] != pin) continue;
     m_pins[i] = 0;
     set(addressAt(i), kLeft);
+    m_reporters.reset(i);
     lost.set(i);
   }
   // Behind a gap: whose PIN was not known there may be known by its NAME to be another one.
@@ -200,20 +215,71 @@ bool AddressBook::claimed(Address source, const Frame& frame, Instant time, Lost
   const bool hasForgotten = forgetTurns(isItsTurn, source);
   const bool hasGivenUp = giveUpContests(name, source) || hasForgotten;
   if (source == kNullAddress) return cannotClaim(name, lost) || hasGivenUp;
-  if (!isHeld(source)) {
-    take(source, name, time, lost);
-    return true;
-  }
+  const bool hasLeft = leaveTo(name, source, lost) || hasGivenUp;
+  const Name holder = this->holder(source);
+  if (!holder.isNull() && holder == name) return answered(source, time, lost) || hasLeft;
+  const bool isHigher = !holder.isNull() && name.value > holder.value;
+  if (isTimed(frame, time) && (isHigher || mayGoOn(source, name, time)))
+    return contest(source, name, time) || hasLeft;
+  if (!holder.isNull()) ++m_lost[source.value];
+  take(source, name, time, lost);
+  return true;
+}
+
+bool AddressBook::mayGoOn(Address a, Name name, Instant time) const {
+  if (name.isAkron() || !m_reporters[a.value]) return false;
+  return isAkron(a) || isContested(a) || m_namesAsked == kNotYet || time - m_namesAsked > kAnswersWithin;
+}
+
+// The holder has claimed its address again. Against a lower NAME that is no answer.
+bool AddressBook::answered(Address source, Instant time, Lost& lost) {
+  if (!isContested(source)) return false;
+  const Contest open = contestAt(source);
   const Name holder = lastHolder(source);
-  if (holder == name) {
-    if (!isContested(source)) return hasGivenUp;
+  if (open.challenger.value > holder.value) {
     ++m_won[source.value];
     end(contestAt(source));
     return true;
   }
-  if (name.value > holder.value && isTimed(frame, time)) return contest(source, name, time) || hasGivenUp;
+  if (open.goesOn) return false;
   ++m_lost[source.value];
-  take(source, name, time, lost);
+  take(source, open.challenger, open.since, lost);
+  contest(source, holder, time);
+  return true;
+}
+
+// Whoever claims elsewhere has left what a lower NAME has claimed.
+bool AddressBook::leaveTo(Name holder, Address except, Lost& lost) {
+  bool hasChanged = false;
+  for (const Contest& contest : m_contests) {
+    if (contest.since == kNotYet || contest.address == except || lastHolder(contest.address) != holder ||
+        contest.challenger.value > holder.value)
+      continue;
+    const Contest open = contest;
+    ++m_lost[open.address.value];
+    take(open.address, open.challenger, open.since, lost);
+    hasChanged = true;
+  }
+  return hasChanged;
+}
+
+// A status may come twice, as in a log of two loggers: the next one comes a period later.
+bool AddressBook::reported(Address source, MessageId id, Instant time) {
+  if (!m_reporters[source.value]) {
+    m_reporters.set(source.value);
+    return true;
+  }
+  Contest& open = contestAt(source);
+  if (open.challenger.isAkron()) return false;
+  const auto after =
+      static_cast<std::uint32_t>(std::min<std::int64_t>((time - open.since) / 1ms, UINT32_MAX));
+  const bool isFirst = open.report == MessageId::Count;
+  const Duration pause = open.goesOn ? kGivesWayAfter / 2 : messageOf(id).period / 2;
+  if (!isFirst && (id != open.report || (after - open.reportedMs) * 1ms < pause)) return false;
+  open.report = id;
+  open.goesOn = !isFirst;
+  open.reportedMs = after;
+  planDecision();
   return true;
 }
 
@@ -232,6 +298,7 @@ bool AddressBook::cannotClaim(Name name, Lost& lost) {
     lost.set(i);
     forgetFormer(a);
     clear(a, kHeld | kAkron | kForeign);
+    m_reporters.reset(i);
     m_pins[i] = 0;
   }
   return hasChanged;
@@ -250,6 +317,7 @@ void AddressBook::take(Address a, Name name, Instant since, Lost& lost) {
   clear(a, kFormer | kAkron | kForeign);
   if (isOther) clear(a, kDrive);
   set(a, kHeld | (name.isAkron() ? kAkron : kForeign));
+  m_reporters.reset(a.value);
   m_names[a.value] = name;
   m_claimedAt[a.value] = since;
   noteTurn({since, name.value, a, Turn::By::Name});
@@ -271,18 +339,17 @@ bool AddressBook::contest(Address a, Name challenger, Instant time) {
   if (free == m_contests.end()) return false;
   *free = {time, challenger, a};
   set(a, kContested);
-  m_nextDecision = std::min(m_nextDecision, time + kClaimTime);
+  m_nextDecision = std::min(m_nextDecision, free->due());
   return true;
 }
 
 void AddressBook::end(Contest& contest) {
   clear(contest.address, kContested);
   contest = {};
-  m_nextDecision = kNever;
-  for (const Contest& open : m_contests) {
-    if (open.since != kNotYet) m_nextDecision = std::min(m_nextDecision, open.since + kClaimTime);
-  }
+  planDecision();
 }
+
+void AddressBook::planDecision() { m_nextDecision = std::ranges::min(m_contests, {}, &Contest::due).due(); }
 
 bool AddressBook::giveUpContests(Name challenger, Address except) {
   bool hasChanged = false;
@@ -300,12 +367,12 @@ bool AddressBook::decide(Instant time, Lost& lost) {
   for (std::size_t n = 0; n < kContests; ++n) {
     const Contest* due = nullptr;
     for (const Contest& contest : m_contests) {
-      if (contest.since == kNotYet || contest.since + kClaimTime > time) continue;
-      if (due == nullptr || contest.since < due->since) due = &contest;
+      if (contest.since == kNotYet || contest.due() > time) continue;
+      if (due == nullptr || contest.due() < due->due()) due = &contest;
     }
     if (due == nullptr) break;
     const Contest decided = *due;
-    ++m_lost[decided.address.value];
+    if (isHeld(decided.address)) ++m_lost[decided.address.value];
     take(decided.address, decided.challenger, decided.since, lost);
     hasChanged = true;
   }

@@ -10,6 +10,11 @@
 //   2. A higher NAME contests it, and takes it kClaimTime later unless the holder answers with its own NAME.
 //      Of several that contest it the lowest counts, from the first claim on. One that claims elsewhere, or
 //      says 'cannot claim', has given up. In a log without times a higher NAME takes the address at once.
+//      The NAME of another maker contests the address of a device that sends statuses of Akron's even as a lower or
+//      the first one: whoever claims an address may not send from it within kClaimTime. If statuses go on meanwhile,
+//      the device has not given way, and there are two. The address stays contested until the statuses have stopped
+//      for one to two seconds, or until either claims elsewhere. Where neither a NAME nor a PIN is known, a NAME
+//      within 2 s after a request for it may be the device's own, and takes the address at once.
 //   3. 'Cannot claim' frees every address that the NAME holds. Whoever contested one takes it then.
 //   4. A NAME that takes an address takes it clean: what was known there is dropped. Kept are the PIN whose
 //      NAME it is, and what was known before any NAME was heard, if the NAME is Akron's.
@@ -72,7 +77,7 @@ enum class ClaimState : std::uint8_t {
   NoClaim,   // no NAME heard
   Claiming,  // claimed less than kClaimTime ago
   Claimed,
-  Contested,    // a higher NAME claimed it too; the holder has kClaimTime to answer
+  Contested,    // another NAME claimed it too, and who will have it is not decided
   CannotClaim,  // its holder said that it could not claim any
 };
 
@@ -113,11 +118,12 @@ class AddressBook {
   bool wasLeft(Address a) const { return has(a, kLeft); }
   // Nothing may be sent to it: who will have it is not decided.
   bool isContested(Address a) const { return has(a, kContested); }
-  // Since when two devices have said that it is theirs, neither giving way; kNotYet: they do not. Two NAMEs have
-  // taken it, or two PINs were announced there, in turn: the first one again a second or more after its first time,
-  // at most 10 s from turn to turn, and the last not more than a minute ago. On a lawful bus whoever loses an address
-  // claims another one, says that it cannot, or is gone. When a NAME does either of the first two, its turns and those
-  // of the PINs that may have it are forgotten; so are those of a PIN that is announced elsewhere.
+  // Since when two devices have said that it is theirs, neither giving way; kNotYet: they do not. The statuses of one
+  // go on though the NAME of another maker has claimed it (rule 2). Or two NAMEs have taken it, or two PINs were
+  // announced there, in turn: the first one again a second or more after its first time, at most 10 s from turn to
+  // turn, and the last not more than a minute ago. On a lawful bus whoever loses an address claims another one, says
+  // that it cannot, or is gone. When a NAME does either of the first two, its turns and those of the PINs that may
+  // have it are forgotten; so are those of a PIN that is announced elsewhere.
   Instant sharedSince(Address a, Instant now) const;
   // `now` is the log time that is looked at, not before the last frame.
   ClaimState claim(Address a, Instant now) const;
@@ -141,7 +147,9 @@ class AddressBook {
   // Whether there is anything to learn: false of nearly every frame, so that it costs a look-up.
   bool mayTeach(const Frame& frame, const Classified& classified) const {
     const bool isNode = (frame.id & (kExtendedBit | kErrorBit)) == kExtendedBit;
-    return (isNode && isNew({static_cast<std::uint8_t>(frame.id)})) || isLesson(classified.message);
+    const Address source{static_cast<std::uint8_t>(frame.id)};
+    return (isNode && (isNew(source) || isNewsOfReports(source, classified.message))) ||
+           isLesson(classified.message);
   }
   // When the next contest is decided; kNever where there is none.
   Instant nextDecision() const { return m_nextDecision; }
@@ -162,10 +170,19 @@ class AddressBook {
     kFormer =
         128,  // kAkron, kForeign, kHeld, the NAME and the PIN tell who was there when the link went down
   };
+  static constexpr Duration kGivesWayAfter = 2s;  // after the last status that counts; one a second does
   struct Contest {
     Instant since = kNotYet;  // kNotYet: a free place
     Name challenger;
     Address address;
+    MessageId report = MessageId::Count;  // the first status that came meanwhile
+    bool goesOn = false;                  // more of its kind have come
+    std::uint32_t reportedMs = 0;         // the last one that counts, so long after `since`; 49 days at most
+    // When the challenger takes it.
+    Instant due() const {
+      if (since == kNotYet) return kNever;
+      return goesOn ? since + reportedMs * 1ms + kGivesWayAfter : since + kClaimTime;
+    }
     friend bool operator==(const Contest&, const Contest&) = default;
   };
   // An address went to another NAME or PIN.
@@ -190,14 +207,23 @@ class AddressBook {
     m_flags[a.value] = static_cast<std::uint8_t>(m_flags[a.value] & ~flag);
   }
   static constexpr bool isLesson(MessageId id) {
-    return id == MessageId::Name || id == MessageId::AddressAnnouncement ||
+    return id == MessageId::Name || id == MessageId::Request || id == MessageId::AddressAnnouncement ||
            id == MessageId::SdoReadResponse || (id != MessageId::Count && kLooksAlikeBothWays[id]);
+  }
+  bool isNewsOfReports(Address source, MessageId id) const {
+    return id != MessageId::Count && kIsOwnPeriodicReport[id] &&
+           (!m_reporters[source.value] || isContested(source));
   }
   bool learn(const Frame& frame, Instant time, const Classified& classified, Lost& lost);
   // Not heard yet, or not since its device left.
   bool isNew(Address source) const { return (m_flags[source.value] & (kHeard | kLeft)) != kHeard; }
   bool heard(Address source);
   bool claimed(Address source, const Frame& frame, Instant time, Lost& lost);
+  bool reported(Address source, MessageId id, Instant time);
+  // Whether this NAME is of another device than the one that sends statuses from there, which may go on.
+  bool mayGoOn(Address a, Name name, Instant time) const;
+  bool answered(Address source, Instant time, Lost& lost);
+  bool leaveTo(Name holder, Address except, Lost& lost);
   bool cannotClaim(Name name, Lost& lost);
   // The PIN stays.
   void forgetFormer(Address a);
@@ -207,6 +233,7 @@ class AddressBook {
   bool contest(Address a, Name challenger, Instant time);
   bool giveUpContests(Name challenger, Address except);
   void end(Contest& contest);
+  void planDecision();
   Contest& contestAt(Address a);
   bool decide(Instant time, Lost& lost);
   void noteTurn(const Turn& turn);
@@ -223,6 +250,8 @@ class AddressBook {
   std::array<std::uint16_t, 256> m_won{}, m_lost{};
   std::array<Contest, kContests> m_contests{};
   std::array<Turn, kTurns> m_turns{};  // of all addresses, the latest first
+  std::bitset<256> m_reporters;    // addresses that sent statuses of Akron's before any other NAME took them
+  Instant m_namesAsked = kNotYet;  // the last request for NAMEs
   Instant m_nextDecision = kNever;
   std::bitset<128> m_akronNodes;
   OpenRequests m_openRequests;

@@ -38,6 +38,11 @@ constexpr bool isOwnPeriodicReport(const Message& message) {
   return isPeriodicReport(message) && message.device == DeviceEnd::Sender;
 }
 inline constexpr auto kOwnPeriodicReports = messagesWhere<isOwnPeriodicReport>();
+inline constexpr EnumArray<MessageId, bool> kIsOwnPeriodicReport = [] {
+  EnumArray<MessageId, bool> is{};
+  for (const MessageId id : kOwnPeriodicReports) is[id] = true;
+  return is;
+}();
 // Those that a CANopen node sends: how often is a setting of it.
 constexpr bool isNodeReport(const Message& message) {
   return isOwnPeriodicReport(message) && (message.family == Family::Canopen || message.pdo != 0);

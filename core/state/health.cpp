@@ -302,7 +302,9 @@ constexpr EnumTable<HealthCause, Rule> kRules{{
     {HealthCause::AddressLost,
      [](const Subject& s, const Health&) { return !s.isNode() && s.device != nullptr && !s.hasAddress(); }},
     {HealthCause::AddressContested,
-     [](const Subject& s, const Health&) { return claimOf(s) == ClaimState::Contested; }},
+     [](const Subject& s, const Health& h) {
+       return h.sharedAddress == kNullAddress && claimOf(s) == ClaimState::Contested;
+     }},
     {HealthCause::CannotClaim,
      [](const Subject& s, const Health&) { return claimOf(s) == ClaimState::CannotClaim; }},
     {HealthCause::Malformed, [](const Subject& s, const Health&) { return isMalformed(s); }},

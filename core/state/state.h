@@ -134,6 +134,6 @@ class State {
 };
 // A keyframe stands every 131,072 frames, which are 3.1 MB.
 static_assert(sizeof(State) + 4 * sizeof(ChannelState) <= 155'000, "5 % of the frames with four channels");
-static_assert(sizeof(State) + kMaxChannels * sizeof(ChannelState) <= 314'000, "10 % with all of them");
+static_assert(sizeof(State) + kMaxChannels * sizeof(ChannelState) <= 314'500, "10 % with all of them");
 
 }  // namespace deckpipe

@@ -32,7 +32,7 @@ const char* bytesOf(char letter) {
 }
 
 // A channel told as words: "80=A" the NAME A claims 80, "FE=A" it cannot claim, "80!P" the PIN P is announced
-// there, "80~" any other frame, "80+d" and "80-d" the person says a drive or takes it back, "+250" so many
+// there, "80#" a status of Akron's, "F9?" a request for NAMEs, "80~" any other frame, "80+d" and "80-d" the person says a drive or takes it back, "+250" so many
 // milliseconds, "+1n" so many nanoseconds.
 class Script {
  public:
@@ -57,6 +57,7 @@ class Script {
     if (m_book.isForeign(a)) text += " foreign";
     if (m_book.isDrive(a)) text += " drive";
     if (m_book.wasLeft(a)) text += " left";
+    if (m_book.sharedSince(a, m_now) != kNotYet) text += " two";
     const Pin pin = m_book.pin(a);
     if (!pin.isNull()) text += pin.text().back() == '5' ? " P" : " Q";
     if (m_book.claimsWon(a) != 0) text += " won" + std::to_string(m_book.claimsWon(a));
@@ -85,6 +86,8 @@ class Script {
     switch (word.at(2)) {
       case '=': return hear("18EEFF" + address, bytesOf(word.at(3)));
       case '!': return hear("18EFFF" + address, bytesOf(word.at(3)));
+      case '#': return hear("18EFFF" + address, "83C051");
+      case '?': return hear("18EAFF" + address, "00EE00");
       case '~': return hear("18FF00" + address, "00");
       default:
         m_book.sayDrive({static_cast<std::uint8_t>(std::strtoul(address.c_str(), nullptr, 16))},
@@ -149,8 +152,39 @@ TEST(AddressBook, DecidesContests) {
       {"a challenger that claims elsewhere gave up", "80=A +1000 80=H +10 81=H +1000", "A claimed akron"},
       {"a challenger that cannot claim gave up", "80=A +1000 80=H FE=H +1000", "A claimed akron"},
       {"the former holder contests in its turn", "80=B +1000 80=A 80=B +249", "A contested akron lost1"},
-      {"and returns if it is not answered", "80=B +1000 80=A 80=B +250", "B claimed akron lost2"},
+      {"and returns if it is not answered", "80=B +1000 80=A 80=B +250", "B claimed akron two lost2"},
       {"two contests one after the other", "80=A 80=H 80=A +10 80=M +250", "M claimed foreign won1 lost1"},
+  };
+  check(rows);
+}
+
+TEST(AddressBook, LeavesAnAddressToADeviceWhoseStatusesGoOn) {
+  const Row rows[] = {
+      {"against a lower NAME", "80=A 80# +1000 80=L +90 80# +100 80# +60", "A contested akron two"},
+      {"against a higher one", "80=A 80# +1000 80=H +90 80# +100 80# +60", "A contested akron two"},
+      {"of a PIN alone", "80!P 80# +1000 80=L +90 80# +100 80# +60", "- contested akron two P"},
+      {"of nobody known", "80# +1000 80=L +90 80# +100 80# +60", "- contested two"},
+      {"they are not two at once", "80=A 80# +1000 80=L +90 80# +100 80#", "A contested akron"},
+      {"asked meanwhile", "80# +1000 80=L +90 80# +100 80# +60 F9? 80=L", "- contested two"},
+      {"answers are no victory", "80=A 80# 80=L +90 80# +100 80# +60 80=A", "A contested akron two"},
+      {"until they stop", "80=A 80# 80=L +90 80# +100 80# +1999", "A contested akron two"},
+      {"when they have stopped", "80=A 80# 80=L +90 80# +100 80# +2000", "L claimed foreign lost1"},
+      {"for as long as they come", "80=A 80# 80=L +90 80# +100 80# +1900 80# +1900 80#",
+       "A contested akron two"},
+      {"none comes", "80=A 80# 80=L +250", "L claimed foreign lost1"},
+      {"one comes that was under way", "80=A 80# 80=L +10 80# +240", "L claimed foreign lost1"},
+      {"one comes twice", "80=A 80# 80=L +10 80# +40 80# +200", "L claimed foreign lost1"},
+      {"none came before", "80=A 80=L +90 80# +100 80#", "L claiming foreign lost1"},
+      {"they came before another NAME", "80=A 80# 80=L +250 80=H +90 80# +100 80# +60",
+       "H claimed foreign lost2"},
+      {"a NAME that was asked for may be the sender's", "80# F9? +20 80=L +90 80# +100 80#",
+       "L claiming foreign"},
+      {"a NAME of Akron's", "80=B 80# 80=A +90 80# +100 80#", "A claiming akron lost1"},
+      {"the device goes elsewhere", "80=A 80# 80=L +10 81=A", "L claiming foreign lost1"},
+      {"the device cannot claim", "80=A 80# 80=L +10 FE=A", "L claiming foreign lost1"},
+      {"the other one goes elsewhere", "80=A 80# 80=L +90 80# +100 80# +60 81=L", "A claimed akron"},
+      {"the other one cannot claim", "80# 80=L +90 80# +100 80# +60 FE=L", "- no_claim"},
+      {"the device contests in its turn", "80=A 80# 80=L 80=A", "L contested foreign lost1"},
   };
   check(rows);
 }

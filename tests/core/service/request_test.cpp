@@ -524,6 +524,7 @@ TEST_F(RequestServiceTest, ARepeatedPollOfADeviceWithoutAnAddressComesBackAPerio
   pair.wire = [](const Frame&) { return Pair::Fate{0, 0ns}; };
   pair.console().state.apply(frame("18EEFF80", "0100000000000000"), pair.now());
   pair.console().state.apply(frame("18EEFF81", "0200000000000000"), pair.now());
+  pair.run(kClaimTime);
   ASSERT_EQ(pair.addressOf(monitor), kNullAddress);
   const std::size_t before = sent(0x02);
   pair.run(5s);

@@ -186,7 +186,7 @@ const std::vector<EventCase> kCases{
        s.monitor().hear("18EEFF80", Story::kLowerName).pass(1s).gap().asksForNames();
        s.hear("18EEFF81", Story::kNameOfA).hear("18EFFF81", Story::kAnnouncesA);
      },
-     {"6.000 address_lost" MONITOR " to another", "47.000 moved_address" MONITOR " 128>129"}},
+     {"6.250 address_lost" MONITOR " to another", "47.000 moved_address" MONITOR " 128>129"}},
     {"ADeviceThatTookAnAddressBeforeAGapAndSaysItsPinBehindIt",
      [](Story& s) {
        s.monitor().hear("18EEFF80", "0A1AC22800420090").goOn(1s).gap().goOn(5s);
@@ -207,7 +207,7 @@ const std::vector<EventCase> kCases{
        s.hear("18EEFF83", Story::kLowerName).pass(1ms).hear("18EEFF84", Story::kNameOfB).pass(250ms);
        s.hear("18EFFF84", Story::kPosition).hear("18EFFF84", Story::kAnnouncesB);
      },
-     {"47.000 address_lost 83 to another", "47.251 moved_address 84 131>132"}},
+     {"47.001 address_lost 83 to another", "47.251 moved_address 84 131>132"}},
     {"OtherStatesBehindAGap",
      [](Story& s) { s.monitor().gap().goOn(5s, "0123283284401041", "830051"); },
      {"46.000 disabled 80"}},
@@ -438,7 +438,7 @@ const std::vector<EventCase> kCases{
      {"6.000 moved_address" MONITOR " 128>133"}},
     {"AnAddressLostToALowerName",
      [](Story& s) { s.monitor().hear("18EEFF80", Story::kLowerName).pass(1s); },
-     {"6.000 address_lost" MONITOR " to another"}},
+     {"6.250 address_lost" MONITOR " to another"}},
     {"AnAddressLostAndAnotherOneTaken",
      [](Story& s) {
        s.monitor()
@@ -449,7 +449,7 @@ const std::vector<EventCase> kCases{
        s.hear("18EFFF84", Story::kAnnouncesA);
        for (int i = 0; i < 100; ++i) s.hear("18EFFF84", Story::kPosition).pass(100ms);
      },
-     {"6.000 address_lost" MONITOR " to another", "6.251 moved_address" MONITOR " 128>132"}},
+     {"6.001 address_lost" MONITOR " to another", "6.251 moved_address" MONITOR " 128>132"}},
     {"AnAddressOfAnInputModuleThatIsLost",
      [](Story& s) {
        s.hear("18EEFF83", Story::kNameOfB);
@@ -457,7 +457,7 @@ const std::vector<EventCase> kCases{
        s.hear("18EEFF83", Story::kLowerName).pass(1ms).hear("18EEFF84", Story::kNameOfB).pass(250ms);
        for (int i = 0; i < 100; ++i) s.hear("18EFFF84", "8500").pass(100ms);
      },
-     {"6.000 address_lost 83 to another", "6.251 moved_address 84 131>132"}},
+     {"6.001 address_lost 83 to another", "6.251 moved_address 84 131>132"}},
     {"AnAddressOfAnInputModuleThatIsLostWithOthersThatItTries",
      [](Story& s) {
        s.hear("18EEFF83", Story::kNameOfB);
@@ -468,7 +468,7 @@ const std::vector<EventCase> kCases{
        s.hear("18EEFF86", Story::kNameOfB).pass(250ms);
        for (int i = 0; i < 100; ++i) s.hear("18EFFF86", "8500").pass(100ms);
      },
-     {"6.000 address_lost 83 to another", "6.255 moved_address 86 131>134"}},
+     {"6.001 address_lost 83 to another", "6.255 moved_address 86 131>134"}},
     {"AnAddressThatAnAnnouncementTakesBeforeItsNameDoes",
      [](Story& s) {
        s.monitor().hear("18EEFF80", Story::kNameOfB).pass(1ms).hear("18EFFF80", Story::kAnnouncesB);
@@ -530,6 +530,19 @@ const std::vector<EventCase> kCases{
      },
      {"6.000 address_lost 1032AE100801036 to another", "6.000 appeared" MONITOR,
       "6.250 two_at_one_address" MONITOR}},
+    {"TwoAtOneAddressUnderTheNameOfAnotherMaker",
+     [](Story& s) {
+       s.monitor().goOn(1s).hear("18EEFF80", Story::kLowerName).goOn(2s);
+       s.goOn(4s, Story::kPosition, "834051").pass(5s);
+     },
+     {"7.250 two_at_one_address" MONITOR, "9.000 disabled" MONITOR,
+      "14.100 address_lost" MONITOR " to another", "14.100 two_at_one_address_over 80",
+      "15.900 silent" MONITOR " since 12.900"}},
+    {"TwoAtOneAddressOfADeviceThatHasNotSaidWhoItIs",
+     [](Story& s) {
+       s.goOn(6s).hear("18EEFF80", Story::kLowerName).goOn(2s).goOn(1s, Story::kPosition, "834051");
+     },
+     {"7.250 two_at_one_address 80", "9.000 disabled 80"}},
     // Faults.
     {"FaultsRaisedAndCleared",
      [](Story& s) {

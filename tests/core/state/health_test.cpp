@@ -472,7 +472,8 @@ INSTANTIATE_TEST_SUITE_P(
              [](Bus& b) { b.monitor("01FFF4FFF4020004", "834051").answered("0200200000000B"); },
              "faults sensor_error operational_error stop_error disabled"},
         // Addresses.
-        Case{"AddressLost", [](Bus& b) { b.monitor().answered().hear("18EEFF80", kLowerForeignName); },
+        Case{"AddressLost",
+             [](Bus& b) { b.monitor().answered().hear("18EEFF80", kLowerForeignName).pass(kClaimTime); },
              "address_lost"},
         Case{"AddressContested",
              [](Bus& b) {

@@ -105,7 +105,7 @@ TEST_F(BehindAGap, ThePinAtAnotherAddressLeavesNothingBehind) {
 }
 
 TEST_F(BehindAGap, WhatHadLostItsAddressIsForgotten) {
-  bus.monitor().hear("18EEFF80", kLowerForeignName);
+  bus.monitor().hear("18EEFF80", kLowerForeignName).pass(kClaimTime);
   ASSERT_NE(bus.device(kPinA), nullptr);
   gap();
   for (const Device& device : bus.state().devices().all()) EXPECT_EQ(device.kind, Device::Kind::Free);

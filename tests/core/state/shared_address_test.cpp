@@ -213,6 +213,30 @@ TEST(TwoAtOneAddress, IsOfAPinUnderTheNameOfAnother) {
   EXPECT_EQ(listed(bus, kPinB), "two_at_one_address faults_never_asked status_never_heard");
 }
 
+// Neither another NAME nor another PIN needs to come in turn.
+TEST(TwoAtOneAddress, IsWhereStatusesGoOnUnderTheNameOfAnotherMaker) {
+  for (const char* name : {kLowerForeignName, kHigherForeignName}) {
+    Bus bus;
+    bus.monitor().answered().goOn(5s).hear("18EEFF80", name).goOn(10s);
+    EXPECT_EQ(listed(bus), "two_at_one_address");
+    EXPECT_EQ(bus.device(kPinA)->address, Address{0x80});
+    bus.hear("18EEFF81", name);
+    EXPECT_EQ(listed(bus), "fine") << "the other one is elsewhere";
+  }
+}
+
+TEST(TwoAtOneAddress, IsOfADeviceThatHasNotSaidWhoItIs) {
+  Bus bus;
+  const auto health = [&bus] { return healthOf(bus.state(), Channel{0}, Address{0x80}); };
+  bus.goOn(5s).hear("18EEFF80", kLowerForeignName).goOn(10s);
+  EXPECT_TRUE(health().has(HealthCause::TwoAtOneAddress));
+  ASSERT_NE(bus.state().devices().byAddress({}, {0x80}), nullptr);
+  EXPECT_EQ(bus.state().devices().byAddress({}, {0x80})->lastStatus, bus.now());
+  bus.pass(2s);
+  EXPECT_FALSE(health().has(HealthCause::TwoAtOneAddress));
+  EXPECT_EQ(bus.state().devices().byAddress({}, {0x80}), nullptr) << "the other one has it";
+}
+
 // What a lawful bus gives.
 class LawfulBus : public testing::Test {
  protected:
@@ -344,6 +368,14 @@ TEST_F(LawfulBus, AnAddressThatGoesBackToWhoeverCouldClaimNoOther) {
   m_bus.hear("18EEFFFE", kNameOfB).pass(3s);
   m_bus.hear("18EEFF80", kNameOfB).pass(300ms).hear("18EFFF80", kAnnouncesB).pass(1s);
   EXPECT_FALSE(isCalledShared());
+}
+
+TEST_F(LawfulBus, ANameThatReplacesADevice) {
+  for (const char* name : {kLowerForeignName, kHigherForeignName}) {
+    Bus bus;
+    bus.monitor().answered().goOn(5s).hear("18EEFF80", name).pass(10ms).statuses().pass(240ms).goOn(5s);
+    EXPECT_EQ(listed(bus), "silent address_lost faults_old");
+  }
 }
 
 TEST_F(LawfulBus, ASensorThatJumps) {

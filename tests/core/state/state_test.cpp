@@ -174,6 +174,7 @@ TEST_F(StateOfOneChannel, DoesNotGiveANewPinWhatAnotherDeviceSaidAtItsAddress) {
   hear("18EEFF80", kNameOfA);
   hear("18EFFF80", kPosition);
   hear("18EEFF80", kLowerForeignName);
+  pass(kClaimTime);
   hear("18EFFF80", kAnnouncesB);
   EXPECT_TRUE(at(0x80) == nullptr || !at(0x80)->position().isKnown());
 }
