@@ -90,7 +90,7 @@ std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& note
   auto note = before.begin();
   LogTimes times(frames);
   RoleWalk walk;
-  std::map<Key, Said> last;
+  std::map<Key, Said> last, challenges;
   std::bitset<256> isDown;  // by channel: its link
   // Behind a gap nothing that was said before it is known to hold.
   const auto passNotes = [&](std::uint64_t i) {
@@ -112,9 +112,10 @@ std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& note
       if (what.isDecoded() && kIsIdentity[what.message]) {
         const Address source = J1939Id::of(frame.identifier()).source;
         const AddressBook& book = walk.book({frame.channel});
-        // A claim of somebody who does not have the address yet.
-        const bool isChallenge = what.message == MessageId::Name && Name::of(frame) != book.holder(source);
-        if (!isChallenge)
+        // A claim of somebody who does not have the address yet, and may have it later.
+        if (what.message == MessageId::Name && Name::of(frame) != book.holder(source))
+          challenges[{frame.channel, source.value, what.message}] = {i, Name::of(frame), {}};
+        else
           last[{frame.channel, source.value, what.message}] = {i, book.holder(source), book.pin(source)};
       }
       ++i;
@@ -123,6 +124,11 @@ std::vector<Frame> framesInForce(const FrameStore& frames, const NoteStore& note
   passNotes(at);
   walk.timeCame(frames.timeAt(at));
 
+  for (const auto& [key, said] : challenges) {
+    if (said.holder != walk.book({std::get<0>(key)}).holder({std::get<1>(key)})) continue;
+    Said& claim = last[key];
+    if (claim.holder != said.holder) claim = said;
+  }
   std::vector<std::uint64_t> inForce;
   for (const auto& [key, said] : last) {
     const Address address{std::get<1>(key)};

@@ -223,7 +223,7 @@ TEST_F(DeviceTable, SaysThatAnAddressWasLost) {
   show();
   ASSERT_EQ(m_model.rowCount(), 2);
   EXPECT_EQ(text(0, Model::AddressColumn), QStringLiteral("lost"));
-  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("lost 5.0 s ago, it was 80 hex")))
+  EXPECT_TRUE(tooltip(0).contains(QStringLiteral("lost 4.7 s ago, it was 80 hex")))
       << tooltip(0).toStdString();
   EXPECT_EQ(m_model.index(0, Model::AddressColumn).data(Qt::AccessibleTextRole).toString(),
             QStringLiteral("address lost"));
