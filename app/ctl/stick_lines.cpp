@@ -27,7 +27,8 @@ void addFields(JsonLine& line, MessageId id, const Frame& frame) {
 
 std::string deflection(std::string_view axis, const StickAxis& stick) {
   const std::string percent = stick.tenths ? toText(Value::decimal(*stick.tenths, 1)) + " %" : "not valid";
-  return ", " + std::string(axis) + " " + percent;
+  std::string text(", ");
+  return text.append(axis).append(" ").append(percent);
 }
 
 std::string hexOf(Address address) {
@@ -68,14 +69,15 @@ std::string stickText(const State& state, Channel channel, const Joystick& stick
   const auto before = whoGoesBefore(state.channel(channel).joysticks, stick);
   for (std::size_t axis = 0; axis < before.size(); ++axis) {
     if (before[axis] != kNullAddress)
-      out += std::string(axis == 0 ? ", x" : ", y") + " outranked by " + hexOf(before[axis]);
+      out.append(axis == 0 ? ", x" : ", y").append(" outranked by ").append(hexOf(before[axis]));
   }
   const Value why = whyOld(state, channel, stick);
   if (why.isNull()) return out;
   out += why.text() == "silence" ? ", stopped"
          : why.text() == "gap"   ? ", before the link went down"
                                  : ", link down since";
-  return hasTimes ? out + " (" + lengthText(state.cursor().time - stick.basic.at) + " old)" : out;
+  if (hasTimes) out.append(" (").append(lengthText(state.cursor().time - stick.basic.at)).append(" old)");
+  return out;
 }
 
 }  // namespace deckpipe::ctl

@@ -209,12 +209,12 @@ TEST(Journal, LosesNothingButTheBlockOfAByteThatIsWrong) {
     const ReadSummary& summary = read.result.value();
     // Of the last frames a note behind them tells how many they were.
     const bool isFollowed = std::ranges::any_of(blocks, [&](std::size_t other) {
-      const auto type = static_cast<JournalBlock>(journalBlockHead(std::span(good).subspan(other)).type);
-      return other > block && type == JournalBlock::Frames;
+      const JournalBlockHead behind = journalBlockHead(std::span(good).subspan(other));
+      return other > block && static_cast<JournalBlock>(behind.type) == JournalBlock::Frames;
     });
     const bool isNoted = std::ranges::any_of(blocks, [&](std::size_t other) {
-      const auto type = static_cast<JournalBlock>(journalBlockHead(std::span(good).subspan(other)).type);
-      return other > block && type == JournalBlock::Notes;
+      const JournalBlockHead behind = journalBlockHead(std::span(good).subspan(other));
+      return other > block && static_cast<JournalBlock>(behind.type) == JournalBlock::Notes;
     });
     const bool isTold = !isFollowed && isNoted;
     const std::uint64_t missed = isFollowed ? lost
