@@ -230,7 +230,9 @@ TEST(Journal, LosesNothingButTheBlockOfAByteThatIsWrong) {
     EXPECT_TRUE(type == JournalBlock::Notes ||
                 read.notes.count() == written.notes.count() + (missed > 0 ? 1 : 0))
         << what;
-    EXPECT_EQ(read.notes.missedFrames(), missed) << what;
+    if (type != JournalBlock::Notes) {
+      EXPECT_EQ(read.notes.missedFrames(), written.notes.missedFrames() + missed) << what;
+    }
     if (type == JournalBlock::Channel) continue;
     std::vector<std::string> expected = all;
     expected.erase(expected.begin() + static_cast<std::ptrdiff_t>(first),
@@ -258,7 +260,11 @@ TEST(Journal, KeepsTheLogTimesBehindFramesThatAreLost) {
                    expected.begin() + static_cast<std::ptrdiff_t>(first + lost));
     EXPECT_EQ(told(read.frames), expected) << "block at " << block;
     // Notes of lost frames stand where those were; all others at their frames.
-    const std::vector<Note> notes = read.notes.all(), allNotes = written.notes.all();
+    std::vector<Note> notes = read.notes.all(), allNotes = written.notes.all();
+    std::erase_if(notes, [](const Note& note) {
+      const auto* leftOut = std::get_if<note::LeftOut>(&note.value);
+      return leftOut != nullptr && leftOut->why == note::LeftOut::Why::Damaged;
+    });
     ASSERT_EQ(notes.size(), allNotes.size());
     for (std::size_t i = 0; i < notes.size(); ++i) {
       EXPECT_EQ(notes[i].value, allNotes[i].value);

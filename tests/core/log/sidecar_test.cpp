@@ -53,8 +53,9 @@ void fill(Recording& recording) {
   std::vector<NoteValue> samples = test::noteSamples();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     setChannel(samples[i], {i % 2 == 0 ? first : second});
-    const Instant before = i == 0 ? Instant{} : recording.frames.timeAt(i - 1);
-    recording.notes.append({.frame = i,
+    const std::uint64_t place = std::min<std::uint64_t>(i, 20);
+    const Instant before = i == 0 ? Instant{} : recording.frames.timeAt(place - 1);
+    recording.notes.append({.frame = place,
                             .time = i == 0 ? recording.frames.timeAt(0) - 5s : before + Duration{123'456'789},
                             .value = samples[i]});
   }
