@@ -209,7 +209,7 @@ std::vector<Notice> noticesOfReadLog(const Snapshot& snapshot) {
          NoticeText::tr(
              "Marks of this log are in memory alone: %1. “Save log” under another name keeps them.")
              .arg(unkeptMarksText(*source.unkeptMarks))});
-  // Nothing else that is said of times is true before they are added up.
+  // What else is said of times is not true before they are added up.
   const bool areDeltas = !source.addsUpTimes && hasDeltaTimes(log.frames);
   if (areDeltas)
     say({.tone = Severity::Warning,

@@ -47,7 +47,7 @@ bool inputGoesOn() {
   pollfd input{STDIN_FILENO, POLLIN, 0};
   const int ready = ::poll(&input, 1, 0);
   if (ready <= 0) return ready == 0 || errno == EINTR;
-  // Who wrote has let go, whatever still waits to be read.
+  // The writer of the input has let go, whatever still waits to be read.
   if ((input.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) return false;
   char passed[4096];
   const ssize_t count = ::read(STDIN_FILENO, passed, sizeof passed);
@@ -344,7 +344,7 @@ rotation_before_deg, rotation_deg, elevation_before_deg, elevation_deg, null whe
   plan.endsWithInput = arguments.has("hold");
   if (arguments.areBad()) return kBadUsage;
   if (const auto trouble = movesMonitorsTrouble(arguments, settings.link)) return arguments.bad(*trouble);
-  // Of real monitors rules 4 and 5 want more: a proof of the echo, and a person's word at each arming.
+  // Rules 4 and 5 want more of real monitors: a proof of the echo, and a person's word at each arming.
   if (mayHoldRealMonitors(settings.link))
     return arguments.bad(
         QStringLiteral("real monitors are not moved yet: it moves simulated ones on a vcan or "

@@ -18,7 +18,7 @@ enum class NodeFormat : std::uint8_t { JsonLines, Text };
 std::string nodeLines(const State& state, const NodeCounts& counts, Channel channel,
                       std::string_view channelName, NodeFormat format);
 
-// What a device is, in English: by its PIN, its part number or what it sends. Empty if nothing tells.
+// The type of a device in English, by its PIN, its part number or what it sends. Empty if nothing tells.
 std::string_view typeName(const Device& device);
 
 // The keys of the causes, the worst first.

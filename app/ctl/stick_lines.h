@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `deckpipectl info --devices` says of the joystick sources of a log: what each asks for at the end, whether that
-// still holds, and who goes before it.
+// The lines of `deckpipectl info --devices` on the joystick sources of a log: what each asks for at the end, whether
+// that still holds, and who goes before it.
 #pragma once
 
 #include <string>

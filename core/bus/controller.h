@@ -21,7 +21,7 @@ enum class ControllerState : std::uint8_t {
   Sleeping
 };
 
-// What the driver says of it, as read last.
+// The controller as its driver described it when it was read last.
 struct ControllerReading {
   ControllerState state = ControllerState::Unknown;
   std::uint16_t sendErrors = 0;  // the controller's own counter

@@ -33,7 +33,7 @@ enum class Refusal : std::uint8_t {
   ListenOnly,  // the adapter cannot send: its driver says that it is listen-only
   Disputed,    // a command or packet while another node sends from our address: its acks would look like ours
   FormerPin,   // the device said its PIN before the link was down, and not since
-  // Of the joystick.
+  // The rest are about the joystick.
   OtherMonitors,   // those that are heard are not exactly those that were named
   SourceTaken,     // another node uses or holds the joystick's address
   WouldOutrank,    // a joystick of lower priority is heard

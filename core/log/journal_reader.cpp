@@ -41,7 +41,7 @@ class JournalContent {
     m_noted.reset();
     m_unsure.set();
   }
-  // What came of it, but for damage: so many bytes.
+  // The summary without the damaged places, of which `damagedBytes` is the size.
   ReadSummary ended(std::uint64_t damagedBytes) {
     // A note behind the gap tells how many frames are lost there, if so many bytes can hold them.
     const std::uint64_t noted = m_noted.value_or(0);

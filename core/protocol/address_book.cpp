@@ -248,7 +248,7 @@ bool AddressBook::answered(Address source, Instant time, Lost& lost) {
   return true;
 }
 
-// Whoever claims elsewhere has left what a lower NAME has claimed.
+// A holder that claims another address has left the one that a lower NAME has claimed.
 bool AddressBook::leaveTo(Name holder, Address except, Lost& lost) {
   bool hasChanged = false;
   for (const Contest& contest : m_contests) {

@@ -107,7 +107,7 @@ inline constexpr Duration kTryAgain = 20ms;
 //   writeEnded(tag)     What became of a frame that the service put into `out`; once for each, also after the
 //                       end, but for what still waits when we close the link ourselves. The outcomes stand
 //                       below. After one that says that the adapter did not take the frame nothing is sent at
-//                       once, but from timeCame() on.
+//                       once, but from timeCame() on. A joystick's first neutral alone goes out at once.
 //   timeCame()          `now` has reached nextTime(), or passed it. Every frame that was on the bus until
 //                       `now` was handed over before: what is missing now has not come in time.
 //   end(reason)         Stop: what is open ends now, with this reason.
